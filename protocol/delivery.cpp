@@ -10,7 +10,7 @@ namespace aucast::protocol {
 
 HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms) {
   const LiveChannel* const live = stream_.live().get();
-  const Soundtrack* const sound = live != nullptr ? nullptr : soundtrack();
+  const SpokenTrack* const track = live != nullptr ? nullptr : spoken();
   level_ = Level::Negotiated;
   window_ = window_for(asked.window);
   if (live != nullptr) {
@@ -19,8 +19,8 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
     text_ = asked.text && live->has_captions();
   } else {
     delta_ = asked.delta && !stream_.recorded()->encoded->changes.empty();
-    voice_ = asked.voice == kVoiceCodec && sound != nullptr && sound->voice;
-    text_ = asked.text && sound != nullptr && sound->has_captions();
+    voice_ = asked.voice == kVoiceCodec && track != nullptr && track->voice;
+    text_ = asked.text && track != nullptr && track->has_captions();
   }
   HelloGranted granted;
   granted.window = static_cast<int>(window_);
@@ -47,14 +47,14 @@ std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
   const auto [keyframe, begin] = entry_at(recorded(), from_ms, loops());
   next_packet_ = next_answered_ = keyframe;
   sent_to_ = answered_to_ = Milliseconds(begin);
-  const Soundtrack* const sound = soundtrack();
-  if (sound == nullptr || begin == 0) return begin;
+  const SpokenTrack* const track = spoken();
+  if (track == nullptr || begin == 0) return begin;
   // The packet that is sounding at the beginning, and the caption that stands there, belong to it.
-  if (sound->voice) {
-    const auto voice = sound->voice->packets();
+  if (track->voice) {
+    const auto voice = track->voice->packets();
     while (next_voice_ < voice.size() && voice[next_voice_].end <= sent_to_) ++next_voice_;
   }
-  const auto& captions = sound->captions;
+  const auto& captions = track->captions;
   while (next_caption_ + 1 < captions.size() && captions[next_caption_ + 1].place_ms <= begin) {
     ++next_caption_;
   }
@@ -67,7 +67,7 @@ void Delivery::answer() {
     return;
   }
   --in_flight_;
-  if (stream_.live() || !sounds()) return;
+  if (stream_.live() || !sends_spoken()) return;
   const auto& times = recorded().times;
   answered_to_ += times[next_answered_ % times.size()];
   ++next_answered_;
@@ -80,7 +80,7 @@ void Delivery::resume() {
 
 const EncodedStream& Delivery::recorded() const {
   const RecordedStream& stream = *stream_.recorded();
-  return sounds() && stream.spoken ? *stream.spoken : *stream.encoded;
+  return sends_spoken() && stream.voiced ? *stream.voiced : *stream.encoded;
 }
 
 const PacketList& Delivery::packets() const {
@@ -124,7 +124,7 @@ bool Delivery::at_end() const {
 }
 
 bool Delivery::complete() const {
-  const bool all_there = !voice_ || stream_.live() || soundtrack()->voice->complete();
+  const bool all_there = !voice_ || stream_.live() || spoken()->voice->complete();
   return !paused_ && !held_ && in_flight_ == 0 && at_end() && all_there;
 }
 
@@ -145,7 +145,7 @@ void Delivery::pump(std::string& out) {
     send_recorded(out);
   } else if (const LiveMoment* const newest = stream_.live()->newest()) {
     send_moment(*newest, out);
-    send_live_sound(out);
+    send_live_spoken(out);
   }
 }
 
@@ -161,11 +161,11 @@ void Delivery::pump_latest(std::string& out) {
 void Delivery::send_recorded(std::string& out) {
   while (may_send() && has_next()) {
     if (next_packet_ == packets().size()) begin_turn();
-    if (sounds()) {
+    if (sends_spoken()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];
-      if (!sound_may_reach(end)) return;
+      if (!spoken_may_reach(end)) return;
       const bool turns = loop_ && next_packet_ + 1 == packets().size();
-      send_sound(end, turns ? end : Milliseconds::max(), out);
+      send_spoken(end, turns ? end : Milliseconds::max(), out);
       sent_to_ = end;
     }
     // The first one names the whole face, wherever the stream begins.
@@ -174,7 +174,7 @@ void Delivery::send_recorded(std::string& out) {
     send_keyframe(encoded[next_packet_++], out);
   }
   // What sounds on after the last keyframe, while the face holds.
-  if (sounds() && complete()) send_sound(Milliseconds::max(), Milliseconds::max(), out);
+  if (sends_spoken() && complete()) send_spoken(Milliseconds::max(), Milliseconds::max(), out);
 }
 
 void Delivery::begin_turn() {
@@ -185,24 +185,24 @@ void Delivery::begin_turn() {
 }
 
 /// Whether the sound up to `end` is there and may run so far ahead of the answers.
-bool Delivery::sound_may_reach(Milliseconds end) const {
+bool Delivery::spoken_may_reach(Milliseconds end) const {
   if (!voice_) return true;
-  if (soundtrack()->voice->encoded_until() < end - turn_begin_) return false;
+  if (spoken()->voice->encoded_until() < end - turn_begin_) return false;
   return in_flight_ == 0 || end <= answered_to_ + kVoiceAheadMax;
 }
 
 /// The sound that begins before `end`. Of the voice, what is over by `turn_end`: in a loop what
 /// would reach into the next turn would cost the beginning of that.
-void Delivery::send_sound(Milliseconds end, Milliseconds turn_end, std::string& out) {
+void Delivery::send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out) {
   if (text_) {
-    const auto& captions = soundtrack()->captions;
+    const auto& captions = spoken()->captions;
     for (; next_caption_ < captions.size(); ++next_caption_) {
       if (Milliseconds(captions[next_caption_].place_ms) + turn_begin_ >= end) break;
       send_caption(captions[next_caption_], turn_begin_, out);
     }
   }
   if (!voice_) return;
-  const auto voice = soundtrack()->voice->packets();
+  const auto voice = spoken()->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
     if (voice[next_voice_].end + turn_begin_ > turn_end) break;
@@ -220,14 +220,14 @@ void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
   sent_.keyframes_merged += merged;
   last_moment_ = moment.number;
   shift_ = sent_to_ - moment.begin;
-  if (cut) skip_sound_before(moment.begin);
-  send_live_sound(out);
+  if (cut) skip_spoken_before(moment.begin);
+  send_live_spoken(out);
   sent_to_ += moment.time;
   send_keyframe(packet_of(moment, full), out);
 }
 
 /// What was to be heard before this place is left out; the caption that stands there is not.
-void Delivery::skip_sound_before(Milliseconds place) {
+void Delivery::skip_spoken_before(Milliseconds place) {
   const LiveChannel& channel = *stream_.live();
   next_voice_ = std::max(next_voice_, channel.voice().first_number());
   while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
@@ -241,8 +241,8 @@ void Delivery::skip_sound_before(Milliseconds place) {
   }
 }
 
-void Delivery::send_live_sound(std::string& out) {
-  if (!sounds() || paused_ || held_ || !last_moment_) return;
+void Delivery::send_live_spoken(std::string& out) {
+  if (!sends_spoken() || paused_ || held_ || !last_moment_) return;
   const LiveChannel& channel = *stream_.live();
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
   while (const CaptionData* const caption = channel.captions().find(next_caption_)) {
@@ -260,14 +260,14 @@ void Delivery::send_voice(const EncodedVoice& voice, Milliseconds shift, std::st
   const std::size_t before = out.size();
   if (!voice_cursor_.send(voice, shift, out)) return;
   ++sent_.voice_packets;
-  sent_.sound_bytes += out.size() - before;
+  sent_.spoken_bytes += out.size() - before;
 }
 
 void Delivery::send_caption(const CaptionData& caption, Milliseconds shift, std::string& out) {
   const auto place = std::max(Milliseconds(caption.place_ms) + shift, Milliseconds{0});
   const std::string packet =
       encode(CaptionData{static_cast<std::uint64_t>(place.count()), caption.text});
-  sent_.sound_bytes += packet.size();
+  sent_.spoken_bytes += packet.size();
   out += packet;
 }
 

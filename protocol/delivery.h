@@ -22,7 +22,7 @@ struct SentCounts {
   std::uint64_t payload_bytes = 0;     ///< of those, without hello and {-2}
   std::uint64_t keyframes_merged = 0;  ///< live ones left out: it could not take them in time
   std::uint64_t voice_packets = 0;
-  std::uint64_t sound_bytes = 0;  ///< of voice packets and captions
+  std::uint64_t spoken_bytes = 0;  ///< of voice packets and captions
 };
 
 /// What one client has been sent of a stream, and what it may be sent now: the window of section 6
@@ -74,24 +74,24 @@ class Delivery {
 
  private:
   [[nodiscard]] const EncodedStream& recorded() const;
-  [[nodiscard]] const Soundtrack* soundtrack() const { return stream_.recorded()->sound.get(); }
+  [[nodiscard]] const SpokenTrack* spoken() const { return stream_.recorded()->spoken.get(); }
   [[nodiscard]] bool loops() const { return !one_turn_ && (loop_ || stream_.loops_there()); }
   [[nodiscard]] const PacketList& packets() const;
   [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;
   [[nodiscard]] std::size_t window_for(int asked) const;
   [[nodiscard]] std::uint64_t begin_at(std::uint64_t from_ms);
-  [[nodiscard]] bool sounds() const { return voice_ || text_; }
+  [[nodiscard]] bool sends_spoken() const { return voice_ || text_; }
   [[nodiscard]] bool has_next() const;
   [[nodiscard]] bool at_end() const;
   [[nodiscard]] bool may_send() const;
   void send_keyframe(std::string_view packet, std::string& out);
   void send_recorded(std::string& out);
   void begin_turn();
-  [[nodiscard]] bool sound_may_reach(Milliseconds end) const;
-  void send_sound(Milliseconds end, Milliseconds turn_end, std::string& out);
+  [[nodiscard]] bool spoken_may_reach(Milliseconds end) const;
+  void send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out);
   void send_moment(const LiveMoment& moment, std::string& out);
-  void skip_sound_before(Milliseconds place);
-  void send_live_sound(std::string& out);
+  void skip_spoken_before(Milliseconds place);
+  void send_live_spoken(std::string& out);
   void send_voice(const EncodedVoice& voice, Milliseconds shift, std::string& out);
   void send_caption(const CaptionData& caption, Milliseconds shift, std::string& out);
 

@@ -17,8 +17,8 @@ void EncodedTrack::add(const VoicePacket& packet) {
   encoded_to(packets_.back().end);
 }
 
-bool same_sound(const std::shared_ptr<const Soundtrack>& one,
-                const std::shared_ptr<const Soundtrack>& other) {
+bool same_spoken(const std::shared_ptr<const SpokenTrack>& one,
+                 const std::shared_ptr<const SpokenTrack>& other) {
   if (one == nullptr || other == nullptr) return one == other;
   return one->voice == other->voice && one->captions == other->captions;
 }

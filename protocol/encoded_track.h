@@ -50,8 +50,8 @@ class EncodedTrack {
   Milliseconds encoded_to_{0};
 };
 
-/// What goes with a recorded stream's keyframes for clients that ask for it.
-struct Soundtrack {
+/// What is spoken while a recorded stream plays, for clients that ask for it.
+struct SpokenTrack {
   std::shared_ptr<const EncodedTrack> voice{};  ///< null: there is none
   std::vector<CaptionData> captions{};          ///< their places never decrease
   bool captions_come = false;                   ///< a relay may still receive some
@@ -60,7 +60,7 @@ struct Soundtrack {
 };
 
 /// Whether clients would hear and read the same.
-[[nodiscard]] bool same_sound(const std::shared_ptr<const Soundtrack>& one,
-                              const std::shared_ptr<const Soundtrack>& other);
+[[nodiscard]] bool same_spoken(const std::shared_ptr<const SpokenTrack>& one,
+                               const std::shared_ptr<const SpokenTrack>& other);
 
 }  // namespace aucast::protocol

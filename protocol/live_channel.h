@@ -49,8 +49,8 @@ class LiveChannel {
   /// The time of the whole stream, if it has an end that is known.
   [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
   /// Whether voice and captions will come, if any do.
-  [[nodiscard]] bool has_voice() const { return sound_.voice; }
-  [[nodiscard]] bool has_captions() const { return sound_.captions; }
+  [[nodiscard]] bool has_voice() const { return spoken_.voice; }
+  [[nodiscard]] bool has_captions() const { return spoken_.captions; }
   /// What is heard now, and what was to be heard up to kLiveWindowTime before. Places are on the
   /// channel's clock and never decrease.
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
@@ -60,13 +60,13 @@ class LiveChannel {
   [[nodiscard]] std::size_t window_max() const { return window_max_; }
 
  protected:
-  struct Sound {
+  struct Spoken {
     bool voice = false;
     bool captions = false;
   };
 
-  LiveChannel(bool has_changes, std::optional<std::uint64_t> duration_ms, Sound sound)
-      : has_changes_(has_changes), duration_ms_(duration_ms), sound_(sound) {}
+  LiveChannel(bool has_changes, std::optional<std::uint64_t> duration_ms, Spoken spoken)
+      : has_changes_(has_changes), duration_ms_(duration_ms), spoken_(spoken) {}
   ~LiveChannel() = default;
 
   /// `mean_ms` between two moments.
@@ -83,7 +83,7 @@ class LiveChannel {
   bool has_changes_;
   std::optional<std::uint64_t> duration_ms_;
   std::size_t window_max_ = 2;
-  Sound sound_;
+  Spoken spoken_;
   Recent<EncodedVoice> voice_;
   Recent<CaptionData> captions_;
 };

@@ -12,11 +12,11 @@ double mean_ms(const EncodedStream& stream) {
 }  // namespace
 
 LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
-                       std::shared_ptr<const Soundtrack> sound)
+                       std::shared_ptr<const SpokenTrack> spoken)
     : LiveChannel(!stream->changes.empty(), loop ? std::nullopt : stream->duration_ms,
-                  {sound && sound->voice, sound && sound->has_captions()}),
+                  {spoken && spoken->voice, spoken && spoken->has_captions()}),
       stream_(std::move(stream)),
-      sound_(std::move(sound)),
+      spoken_(std::move(spoken)),
       clock_(stream_->times, loop, begin) {
   limit_window(mean_ms(*stream_));
   if (loop) turn_time_ = length_of(*stream_);
@@ -41,8 +41,8 @@ bool LiveReplay::advance(Instant now) {
     moment.time = stream_->times[keyframe];
   }
   if (!moments_.empty()) {
-    play_sound(moments_.front().begin,
-               ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
+    play_spoken(moments_.front().begin,
+                ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
   }
   return true;
 }
@@ -53,7 +53,7 @@ void LiveReplay::go_to(std::uint64_t number) {
   for (; next_number_ < number; ++next_number_) {
     next_begin_ += stream_->times[static_cast<std::size_t>(next_number_ % size)];
     if ((next_number_ + 1) % size > 0) continue;
-    play_sound(turn_begin_, next_begin_);
+    play_spoken(turn_begin_, next_begin_);
     turn_begin_ = next_begin_;
     next_voice_ = 0;
     next_caption_ = 0;
@@ -63,16 +63,16 @@ void LiveReplay::go_to(std::uint64_t number) {
 /// Hands out the sound of this turn that begins before `end`. A voice that was encoded too late, so
 /// that it would have been over before `begin`, is left out: nobody could hear it in its place. So
 /// is what reaches into the next turn of a loop, for it would cost the beginning of that.
-void LiveReplay::play_sound(Milliseconds begin, Milliseconds end) {
-  if (!sound_) return;
-  for (; next_caption_ < sound_->captions.size(); ++next_caption_) {
-    const CaptionData& caption = sound_->captions[next_caption_];
+void LiveReplay::play_spoken(Milliseconds begin, Milliseconds end) {
+  if (!spoken_) return;
+  for (; next_caption_ < spoken_->captions.size(); ++next_caption_) {
+    const CaptionData& caption = spoken_->captions[next_caption_];
     const Milliseconds place = Milliseconds(caption.place_ms) + turn_begin_;
     if (place >= end) break;
     keep(CaptionData{static_cast<std::uint64_t>(place.count()), caption.text});
   }
-  if (!sound_->voice) return;
-  const auto voice = sound_->voice->packets();
+  if (!spoken_->voice) return;
+  const auto voice = spoken_->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
     if (voice[next_voice_].end > turn_time_) break;

@@ -18,7 +18,7 @@ class LiveReplay final : public LiveChannel {
   /// `stream` has at least one keyframe, and with `loop` takes some time. The sound that begins
   /// while a moment lasts goes out when the moment begins; null: there is none.
   LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
-             std::shared_ptr<const Soundtrack> sound = nullptr);
+             std::shared_ptr<const SpokenTrack> spoken = nullptr);
 
   /// Begins all moments that are due by `now`, or ends; false when there is nothing to do. What is
   /// more than LiveClock::kLiveLagMax late is left out.
@@ -28,14 +28,14 @@ class LiveReplay final : public LiveChannel {
   /// What is sent.
   [[nodiscard]] const std::shared_ptr<const EncodedStream>& stream() const { return stream_; }
 
-  [[nodiscard]] const std::shared_ptr<const Soundtrack>& sound() const { return sound_; }
+  [[nodiscard]] const std::shared_ptr<const SpokenTrack>& spoken() const { return spoken_; }
 
  private:
   void go_to(std::uint64_t number);
-  void play_sound(Milliseconds begin, Milliseconds end);
+  void play_spoken(Milliseconds begin, Milliseconds end);
 
   std::shared_ptr<const EncodedStream> stream_;
-  std::shared_ptr<const Soundtrack> sound_;
+  std::shared_ptr<const SpokenTrack> spoken_;
   LiveClock clock_;
   std::uint64_t next_number_ = 0;  ///< of the moment that begins at `next_begin_`
   Milliseconds next_begin_{0};

@@ -16,15 +16,15 @@ namespace aucast::protocol {
 struct RecordedStream {
   std::shared_ptr<const EncodedStream> encoded;  ///< never null
   /// The voice and captions of clients that ask for them. Null: none.
-  std::shared_ptr<const Soundtrack> sound{};
+  std::shared_ptr<const SpokenTrack> spoken{};
   /// What these clients are sent in place of `encoded`, because some of its keyframes last longer
   /// than voice may run ahead. Null: `encoded`.
-  std::shared_ptr<const EncodedStream> spoken{};
+  std::shared_ptr<const EncodedStream> voiced{};
 
-  /// The same packets, and sound that is the same.
+  /// The same packets, and the same is spoken.
   friend bool operator==(const RecordedStream& one, const RecordedStream& other) {
-    return one.encoded == other.encoded && same_sound(one.sound, other.sound) &&
-           one.spoken == other.spoken;
+    return one.encoded == other.encoded && same_spoken(one.spoken, other.spoken) &&
+           one.voiced == other.voiced;
   }
 };
 

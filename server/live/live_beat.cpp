@@ -28,16 +28,16 @@ std::uint64_t begun(const protocol::LiveReplay& replay) {
 
 std::shared_ptr<const protocol::LiveChannel> LiveBeat::play(
     const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
-    std::shared_ptr<const protocol::Soundtrack> sound) {
+    std::shared_ptr<const protocol::SpokenTrack> spoken) {
   for (const Playing& playing : playing_) {
     const auto replay = playing.replay.lock();
     const bool same = replay && playing.name == name && *replay->replay().stream() == *stream &&
-                      same_sound(replay->replay().sound(), sound);
+                      same_spoken(replay->replay().spoken(), spoken);
     if (same) return {replay, &replay->channel()};
   }
   const Instant begin = now();
   auto replay =
-      std::make_shared<ServedReplay>(std::move(stream), loop, begin, std::move(sound), limits_);
+      std::make_shared<ServedReplay>(std::move(stream), loop, begin, std::move(spoken), limits_);
   playing_.push_back({name, replay});
   replay->advance(begin);
   wait(begin);

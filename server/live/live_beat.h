@@ -25,12 +25,12 @@ class LiveBeat {
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
-  /// Plays the stream live, with its sound, if there is any. If a stream of the same name, content
-  /// and sound is still running, returns that one, which goes on without a gap; else the stream
-  /// begins now.
+  /// Plays the stream live, with what is spoken, if there is any. If a stream of the same name, of
+  /// the same content and words, is still running, returns that one, which goes on without a gap;
+  /// else the stream begins now.
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> play(
       const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
-      std::shared_ptr<const protocol::Soundtrack> sound = nullptr);
+      std::shared_ptr<const protocol::SpokenTrack> spoken = nullptr);
   void stop();
   /// Does now what is due. For callers that are about to do something lengthy, such as letting in
   /// many clients: the event loop does not come to the timer until they are done.

@@ -9,9 +9,9 @@
 namespace aucast::server {
 
 ServedReplay::ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
-                           Instant begin, std::shared_ptr<const protocol::Soundtrack> sound,
+                           Instant begin, std::shared_ptr<const protocol::SpokenTrack> spoken,
                            const ReplayLimits& limits)
-    : replay_(std::move(stream), loop, begin, std::move(sound)),
+    : replay_(std::move(stream), loop, begin, std::move(spoken)),
       thinning_(limits.keyframe_ms, limits.link) {
   if (limits.link.kbits == 0 || !replay_.has_voice()) return;
   feed_.emplace(limits.keyframe_ms, limits.classic_min, true, replay_.has_captions(),
@@ -27,7 +27,7 @@ bool ServedReplay::advance(Instant now) {
   bool moved = replay_.advance(now);
   if (!feed_) return moved;
   if (moved) {
-    take_sound(steady_seconds(now));
+    take_spoken(steady_seconds(now));
     take_moments();
   }
   // What is left at the end waits for nothing.
@@ -47,7 +47,7 @@ std::optional<Instant> ServedReplay::next_at() const {
   return earlier(replay_.next_at(), thinned);
 }
 
-void ServedReplay::take_sound(SteadySeconds now) {
+void ServedReplay::take_spoken(SteadySeconds now) {
   const auto& voice = replay_.voice();
   next_voice_ = std::max(next_voice_, voice.first_number());
   for (; const auto* const packet = voice.find(next_voice_); ++next_voice_) {

@@ -24,7 +24,7 @@ class ServedReplay {
  public:
   /// As protocol::LiveReplay.
   ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop, Instant begin,
-               std::shared_ptr<const protocol::Soundtrack> sound, const ReplayLimits& limits);
+               std::shared_ptr<const protocol::SpokenTrack> spoken, const ReplayLimits& limits);
 
   /// LiveReplay's; true also when a keyframe that had to wait was sent.
   bool advance(Instant now);
@@ -34,7 +34,7 @@ class ServedReplay {
   [[nodiscard]] const protocol::LiveChannel& channel() const;
 
  private:
-  void take_sound(SteadySeconds now);
+  void take_spoken(SteadySeconds now);
   void take_moments();
 
   protocol::LiveReplay replay_;

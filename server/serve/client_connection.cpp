@@ -253,7 +253,7 @@ ClientRecord ClientConnection::so_far() const {
   record.bytes = sent.payload_bytes;
   record.keyframes_merged = sent.keyframes_merged;
   record.voice_packets = sent.voice_packets;
-  record.sound_bytes = sent.sound_bytes;
+  record.spoken_bytes = sent.spoken_bytes;
   return record;
 }
 

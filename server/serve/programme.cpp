@@ -131,8 +131,8 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   for (protocol::ServedStream& stream : catalogue.streams) {
     const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
     if (recorded == nullptr || !options_.live) continue;
-    stream.kind = beat_.play(stream.name, recorded->spoken ? recorded->spoken : recorded->encoded,
-                             options_.loop, recorded->sound);
+    stream.kind = beat_.play(stream.name, recorded->voiced ? recorded->voiced : recorded->encoded,
+                             options_.loop, recorded->spoken);
   }
   for (protocol::ServedStream& of_source : sources_.streams()) {
     const auto same =
@@ -201,10 +201,10 @@ protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
     if (!repertoire.voices[i]) continue;
     auto* const stream = std::get_if<protocol::RecordedStream>(&catalogue.streams[i].kind);
     if (stream == nullptr) continue;
-    protocol::Soundtrack sound;
-    if (stream->sound) sound = *stream->sound;
-    sound.voice = voices_.track_of(*repertoire.voices[i]);
-    stream->sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+    protocol::SpokenTrack spoken;
+    if (stream->spoken) spoken = *stream->spoken;
+    spoken.voice = voices_.track_of(*repertoire.voices[i]);
+    stream->spoken = std::make_shared<const protocol::SpokenTrack>(std::move(spoken));
   }
   return catalogue;
 }
@@ -219,9 +219,9 @@ void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
       if (before == nullptr || stream.name != other.name) continue;
       if (*recorded->encoded != *before->encoded) continue;
       recorded->encoded = before->encoded;
-      const bool same_spoken =
-          recorded->spoken && before->spoken && *recorded->spoken == *before->spoken;
-      if (same_spoken) recorded->spoken = before->spoken;
+      const bool same_voiced =
+          recorded->voiced && before->voiced && *recorded->voiced == *before->voiced;
+      if (same_voiced) recorded->voiced = before->voiced;
     }
   }
 }

@@ -19,7 +19,7 @@ Json json_of(const ClientRecord& record) {
           {"bytes", record.bytes},
           {"bytes_total", record.bytes_total},
           {"voice_packets", record.voice_packets},
-          {"sound_bytes", record.sound_bytes},
+          {"sound_bytes", record.spoken_bytes},
           {"send_seconds", seconds(record.send_time)},
           {"end_reason", name(record.end_reason)}};
 }
@@ -50,7 +50,7 @@ void Totals::add(const ClientRecord& record) {
   bytes += record.bytes;
   bytes_total += record.bytes_total;
   voice_packets += record.voice_packets;
-  sound_bytes += record.sound_bytes;
+  spoken_bytes += record.spoken_bytes;
   send_time += record.send_time;
 }
 
@@ -71,7 +71,7 @@ std::string Stats::to_json() const {
                     {"bytes", totals_.bytes},
                     {"bytes_total", totals_.bytes_total},
                     {"voice_packets", totals_.voice_packets},
-                    {"sound_bytes", totals_.sound_bytes},
+                    {"sound_bytes", totals_.spoken_bytes},
                     {"send_seconds", seconds(totals_.send_time)},
                     {"clients_omitted", totals_.clients - records_.size()},
                     {"clients", std::move(clients)}};

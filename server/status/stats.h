@@ -39,7 +39,7 @@ struct ClientRecord {
   ClientEnd end_reason{};              ///< when it has ended
   std::uint64_t keyframes_merged = 0;  ///< live ones left out because the client was slow
   std::uint64_t voice_packets = 0;     ///< handed out
-  std::uint64_t sound_bytes = 0;       ///< of voice packets and captions
+  std::uint64_t spoken_bytes = 0;      ///< of voice packets and captions
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
@@ -51,7 +51,7 @@ struct Totals {
   std::uint64_t bytes = 0;
   std::uint64_t bytes_total = 0;
   std::uint64_t voice_packets = 0;
-  std::uint64_t sound_bytes = 0;
+  std::uint64_t spoken_bytes = 0;
   Duration send_time{0};
 
   void add(const ClientRecord& record);

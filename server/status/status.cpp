@@ -127,9 +127,9 @@ std::vector<std::string> status_lines(const Status& status) {
           " s; lag " + number(status.lag_seconds) + " s",
       "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
   };
-  if (status.sent.sound_bytes > 0) {
+  if (status.sent.spoken_bytes > 0) {
     lines.push_back("status: of that, voice " + text(status.sent.voice_packets) +
-                    " packets; sound and captions " + text(status.sent.sound_bytes) + " bytes");
+                    " packets; sound and captions " + text(status.sent.spoken_bytes) + " bytes");
   }
   for (const UpstreamStatus& upstream : status.upstreams) {
     lines.push_back("status: upstream " + upstream.stream + " " +
@@ -184,7 +184,7 @@ std::string metrics_text(const Status& status) {
   counter(text, "aucast_voice_packets_total", "Packets of voice handed out.",
           status.sent.voice_packets);
   counter(text, "aucast_sound_bytes_total", "Bytes of voice packets and captions.",
-          status.sent.sound_bytes);
+          status.sent.spoken_bytes);
   gauge(text, "aucast_queue_bytes", "Bytes that wait for clients to take them.",
         static_cast<double>(status.queue_bytes));
   gauge(text, "aucast_queue_seconds", "Longest time that anything waits for one client.",
@@ -247,7 +247,7 @@ std::string status_json(const Status& status) {
               {"bytes", status.sent.bytes},
               {"bytes_total", status.sent.bytes_total},
               {"voice_packets", status.sent.voice_packets},
-              {"sound_bytes", status.sent.sound_bytes},
+              {"sound_bytes", status.sent.spoken_bytes},
               {"queue_bytes", status.queue_bytes},
               {"queue_seconds", status.queue_seconds},
               {"lag_seconds", status.lag_seconds},

@@ -120,12 +120,12 @@ std::string estimate_report(const Source& source, Milliseconds batch, const Voic
   add("level 2", served, sizes_of(served.negotiated));
   if (!served.changes.empty()) add("changes only", served, sizes_of(served.changes));
   if (voice == nullptr) return text;
-  const protocol::EncodedStream& spoken = source.spoken ? *source.spoken : served;
-  const std::vector<std::size_t> sound = sizes_of(*voice, spoken.times);
-  add("voice alone", spoken, sound);
-  add("level 2+voice", spoken, sum_of(sizes_of(spoken.negotiated), sound));
-  if (!spoken.changes.empty())
-    add("changes+voice", spoken, sum_of(sizes_of(spoken.changes), sound));
+  const protocol::EncodedStream& voiced = source.voiced ? *source.voiced : served;
+  const std::vector<std::size_t> sound = sizes_of(*voice, voiced.times);
+  add("voice alone", voiced, sound);
+  add("level 2+voice", voiced, sum_of(sizes_of(voiced.negotiated), sound));
+  if (!voiced.changes.empty())
+    add("changes+voice", voiced, sum_of(sizes_of(voiced.changes), sound));
   return text;
 }
 

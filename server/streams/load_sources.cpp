@@ -14,8 +14,8 @@
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/endpoint.h"
-#include "protocol/spoken_stream.h"
 #include "protocol/stream_file.h"
+#include "protocol/voiced_stream.h"
 #include "server/streams/film_source.h"
 #include "server/streams/memory.h"
 #include "server/streams/source_path.h"
@@ -126,10 +126,10 @@ Result<std::vector<Source>> address_source(const std::filesystem::path& path, Li
   return std::vector<Source>{{.path = path, .name = address->stream, .live = true}};
 }
 
-void add_spoken(const EncodingOptions& options, Source& source) {
+void add_voiced(const EncodingOptions& options, Source& source) {
   if (!source.voice) return;
-  source.spoken =
-      protocol::spoken_stream(*source.stream, source.voice->begin + source.voice->duration,
+  source.voiced =
+      protocol::voiced_stream(*source.stream, source.voice->begin + source.voice->duration,
                               options.keyframe_ms, options.classic_min);
 }
 
@@ -166,7 +166,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back(source_named(stem));
     auto read = encode_file(*text, reading, streams.front());
     if (!read) return read.error();
-    add_spoken(reading.encoding, streams.front());
+    add_voiced(reading.encoding, streams.front());
     return streams;
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
@@ -182,7 +182,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back(source_named(name));
     auto encoded = encode_whole(std::move(content), reading, streams.back());
     if (!encoded) return encoded.error();
-    add_spoken(reading.encoding, streams.back());
+    add_voiced(reading.encoding, streams.back());
   }
   return streams;
 }

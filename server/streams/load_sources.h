@@ -29,8 +29,8 @@ struct Source {
   bool live = false;                      ///< nothing is read yet: RunningSources will
   std::optional<VoiceFile> voice{};       ///< not encoded yet
   /// The stream for clients that get the voice, where it differs from `stream`:
-  /// protocol::spoken_stream().
-  std::shared_ptr<const protocol::EncodedStream> spoken{};
+  /// protocol::voiced_stream().
+  std::shared_ptr<const protocol::EncodedStream> voiced{};
   std::vector<protocol::CaptionData> captions{};
   std::string title{};  ///< empty: none
 };

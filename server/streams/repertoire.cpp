@@ -46,11 +46,11 @@ Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t key
     protocol::ServedStream& stream = catalogue.streams.emplace_back(source.name);
     if (protocol::is_title(source.title)) stream.title = source.title;
     if (!source.stream) continue;
-    protocol::RecordedStream recorded{source.stream, nullptr, source.spoken};
+    protocol::RecordedStream recorded{source.stream, nullptr, source.voiced};
     if (!source.captions.empty()) {
-      protocol::Soundtrack sound;
-      sound.captions = source.captions;
-      recorded.sound = std::make_shared<const protocol::Soundtrack>(std::move(sound));
+      protocol::SpokenTrack spoken;
+      spoken.captions = source.captions;
+      recorded.spoken = std::make_shared<const protocol::SpokenTrack>(std::move(spoken));
     }
     stream.kind = std::move(recorded);
   }
@@ -77,7 +77,7 @@ int held_back_for(const protocol::ServerCatalogue& catalogue, const VoiceOptions
   const bool any_voice =
       std::any_of(catalogue.streams.begin(), catalogue.streams.end(), [](const auto& stream) {
         const auto* const recorded = stream.recorded();
-        return recorded != nullptr && recorded->sound && recorded->sound->voice;
+        return recorded != nullptr && recorded->spoken && recorded->spoken->voice;
       });
   // Kilobits a second are bits a millisecond.
   const std::size_t of_voice =

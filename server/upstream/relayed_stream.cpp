@@ -93,7 +93,7 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
 void RelayedStream::forget_announced() {
   if (!recorded_ || shared_->known()) return;
   recorded_.reset();
-  sound_.reset();
+  spoken_.reset();
   voice_.reset();
   shared_->loop = false;
   caption_bytes_ = 0;
@@ -126,9 +126,9 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   changes_ = hello.delta;
   if (voice) voice_ = std::make_shared<protocol::EncodedTrack>();
   if (voice || hello.text) {
-    sound_ = std::make_shared<protocol::Soundtrack>();
-    sound_->voice = voice_;
-    sound_->captions_come = hello.text;
+    spoken_ = std::make_shared<protocol::SpokenTrack>();
+    spoken_->voice = voice_;
+    spoken_->captions_come = hello.text;
   }
   return std::nullopt;
 }
@@ -179,7 +179,7 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
 
 void RelayedStream::show_recorded() {
   if (shared_->known()) return;
-  shared_->content = protocol::RecordedStream{recorded_, sound_};
+  shared_->content = protocol::RecordedStream{recorded_, spoken_};
 }
 
 /// Asked before anything more of a recorded stream is kept.
@@ -211,9 +211,9 @@ std::optional<std::string> RelayedStream::add(const protocol::DeliverCaption& ca
   if (feed_) {
     const auto place = Milliseconds(caption.caption.place_ms) + shift_;
     feed_->add_caption({static_cast<std::uint64_t>(place.count()), caption.caption.text});
-  } else if (sound_) {
+  } else if (spoken_) {
     if (auto full = no_room()) return full;
-    auto& captions = sound_->captions;
+    auto& captions = spoken_->captions;
     if (captions.empty() || caption.caption.place_ms > captions.back().place_ms) {
       captions.push_back(caption.caption);
       caption_bytes_ += sizeof(protocol::CaptionData) + caption.caption.text.size();

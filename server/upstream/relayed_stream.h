@@ -80,7 +80,7 @@ class RelayedStream {
   bool changes_ = false;  ///< of a recorded one the changes-only form is kept too
   std::uint64_t place_ms_ = 0;
   std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that the parent may begin with, and are here
-  std::shared_ptr<protocol::Soundtrack> sound_;    ///< of a recorded stream; null: it has none
+  std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< of a recorded stream; null: it has none
   std::shared_ptr<protocol::EncodedTrack> voice_;  ///< of that; null: it has captions only
   std::size_t caption_bytes_ = 0;                  ///< of that
   std::uint64_t looks_ = 0;  ///< at whether there is room for more of a recorded stream

@@ -45,11 +45,11 @@ class Watch {
 };
 
 /// A voice with a gap and a tail, and two captions.
-std::shared_ptr<const Soundtrack> spoken_words() {
+std::shared_ptr<const SpokenTrack> spoken_words() {
   auto voice = std::make_shared<EncodedTrack>();
   for (const int place : {0, 60, 200, 400}) voice->add({Milliseconds(place), "\x58\x01"});
   voice->finish();
-  return std::make_shared<const Soundtrack>(Soundtrack{voice, {{0, "a"}, {260, ""}}});
+  return std::make_shared<const SpokenTrack>(SpokenTrack{voice, {{0, "a"}, {260, ""}}});
 }
 
 }  // namespace
@@ -60,18 +60,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   EncodedStream a{{"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, {}, {}, 120};
   const auto kind = script.byte();
   catalogue.loop = (kind & 1U) != 0;
-  const auto sound = (kind & 4U) != 0 ? spoken_words() : nullptr;
+  const auto spoken = (kind & 4U) != 0 ? spoken_words() : nullptr;
   Instant now{};
   std::shared_ptr<LiveReplay> live;
   if ((kind & 2U) != 0) {
     a.changes = {"{1:30}", "{~2;40}", "{3}"};
     a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
     live = std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(a), catalogue.loop,
-                                        now, sound);
+                                        now, spoken);
     catalogue.streams = {{"a", live}};
   } else {
-    if (sound) a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
-    catalogue.streams = {{"a", RecordedStream{std::make_shared<const EncodedStream>(a), sound}}};
+    if (spoken) a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
+    catalogue.streams = {{"a", RecordedStream{std::make_shared<const EncodedStream>(a), spoken}}};
   }
   catalogue.streams.push_back(
       {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});

@@ -24,8 +24,8 @@ class VoiceInTheMaking : public ::testing::Test {
       keyframe.duration_ms = 100;
     }
     stream_ = served("talk", encode_stream(keyframes, 250, 20));
-    std::get<RecordedStream>(stream_.kind).sound =
-        std::make_shared<const Soundtrack>(Soundtrack{track_, {}});
+    std::get<RecordedStream>(stream_.kind).spoken =
+        std::make_shared<const SpokenTrack>(SpokenTrack{track_, {}});
     deliver(false);
   }
 

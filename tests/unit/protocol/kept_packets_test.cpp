@@ -66,20 +66,20 @@ TEST(EncodedTrack, GrowsUntilItIsFinished) {
   EXPECT_EQ(track.bytes(), 2 * (sizeof(EncodedVoice) + 6));
 }
 
-TEST(Soundtrack, IsTheSameWhenClientsWouldHearAndReadTheSame) {
+TEST(SpokenTrack, IsTheSameWhenClientsWouldHearAndReadTheSame) {
   const auto voice = std::make_shared<const EncodedTrack>();
-  const auto one = std::make_shared<const Soundtrack>(Soundtrack{voice, {{0, "a"}}, false});
-  const auto like = std::make_shared<const Soundtrack>(Soundtrack{voice, {{0, "a"}}, false});
-  const auto silent = std::make_shared<const Soundtrack>(Soundtrack{nullptr, {{0, "a"}}, false});
-  const auto other = std::make_shared<const Soundtrack>(Soundtrack{voice, {{0, "b"}}, false});
-  EXPECT_TRUE(same_sound(one, like));
-  EXPECT_FALSE(same_sound(one, silent));
-  EXPECT_FALSE(same_sound(one, other));
-  EXPECT_FALSE(same_sound(one, nullptr));
-  EXPECT_TRUE(same_sound(nullptr, nullptr));
+  const auto one = std::make_shared<const SpokenTrack>(SpokenTrack{voice, {{0, "a"}}, false});
+  const auto like = std::make_shared<const SpokenTrack>(SpokenTrack{voice, {{0, "a"}}, false});
+  const auto silent = std::make_shared<const SpokenTrack>(SpokenTrack{nullptr, {{0, "a"}}, false});
+  const auto other = std::make_shared<const SpokenTrack>(SpokenTrack{voice, {{0, "b"}}, false});
+  EXPECT_TRUE(same_spoken(one, like));
+  EXPECT_FALSE(same_spoken(one, silent));
+  EXPECT_FALSE(same_spoken(one, other));
+  EXPECT_FALSE(same_spoken(one, nullptr));
+  EXPECT_TRUE(same_spoken(nullptr, nullptr));
   EXPECT_TRUE(one->has_captions());
-  EXPECT_FALSE(Soundtrack{}.has_captions());
-  EXPECT_TRUE((Soundtrack{nullptr, {}, true}).has_captions()) << "some may come";
+  EXPECT_FALSE(SpokenTrack{}.has_captions());
+  EXPECT_TRUE((SpokenTrack{nullptr, {}, true}).has_captions()) << "some may come";
 }
 
 }  // namespace

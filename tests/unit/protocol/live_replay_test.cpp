@@ -74,7 +74,7 @@ TEST(LiveReplay, InALoopEachTurnsVoiceBeginsAtItsBeginning) {
   for (const int place : {0, 60, 180}) voice->add({Milliseconds(place), "\x58\x01"});
   voice->finish();
   LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin,
-                    std::make_shared<const Soundtrack>(Soundtrack{voice, {}}));
+                    std::make_shared<const SpokenTrack>(SpokenTrack{voice, {}}));
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(replay.advance(kReplayBegin + i * 100ms));
   std::vector<Milliseconds> places;
   for (std::uint64_t i = replay.voice().first_number(); replay.voice().find(i) != nullptr; ++i) {
@@ -87,7 +87,7 @@ TEST(LiveReplay, InALoopCaptionsComeInEachTurnWithTheKeyframeInWhichTheyAreDue) 
   const std::vector<CaptionData> captions = {
       {0, "one"}, {150, "two"}, {200, "never: the turn is over"}};
   LiveReplay replay(stream_of(times(2, 100)), true, kReplayBegin,
-                    std::make_shared<const Soundtrack>(Soundtrack{nullptr, captions}));
+                    std::make_shared<const SpokenTrack>(SpokenTrack{nullptr, captions}));
   std::vector<CaptionData> told;
   for (int i = 0; i < 4; ++i) {
     EXPECT_TRUE(replay.advance(kReplayBegin + i * 100ms));
@@ -99,18 +99,18 @@ TEST(LiveReplay, InALoopCaptionsComeInEachTurnWithTheKeyframeInWhichTheyAreDue) 
   EXPECT_EQ(told, (std::vector<CaptionData>{{0, "one"}, {150, "two"}, {200, "one"}, {350, "two"}}));
 }
 
-TEST(Soundtrack, IsTheSameWhereVoiceAndCaptionsAre) {
+TEST(SpokenTrack, IsTheSameWhereVoiceAndCaptionsAre) {
   const auto track = [](std::shared_ptr<const EncodedTrack> voice,
                         std::vector<CaptionData> captions) {
-    return std::make_shared<const Soundtrack>(Soundtrack{std::move(voice), std::move(captions)});
+    return std::make_shared<const SpokenTrack>(SpokenTrack{std::move(voice), std::move(captions)});
   };
   const auto voice = std::make_shared<const EncodedTrack>();
-  EXPECT_TRUE(same_sound(nullptr, nullptr));
-  EXPECT_FALSE(same_sound(track(voice, {}), nullptr));
-  EXPECT_FALSE(same_sound(nullptr, track(voice, {})));
-  EXPECT_TRUE(same_sound(track(voice, {{0, "one"}}), track(voice, {{0, "one"}})));
-  EXPECT_FALSE(same_sound(track(voice, {{0, "one"}}), track(voice, {{0, "two"}})));
-  EXPECT_FALSE(same_sound(track(voice, {}), track(std::make_shared<const EncodedTrack>(), {})));
+  EXPECT_TRUE(same_spoken(nullptr, nullptr));
+  EXPECT_FALSE(same_spoken(track(voice, {}), nullptr));
+  EXPECT_FALSE(same_spoken(nullptr, track(voice, {})));
+  EXPECT_TRUE(same_spoken(track(voice, {{0, "one"}}), track(voice, {{0, "one"}})));
+  EXPECT_FALSE(same_spoken(track(voice, {{0, "one"}}), track(voice, {{0, "two"}})));
+  EXPECT_FALSE(same_spoken(track(voice, {}), track(std::make_shared<const EncodedTrack>(), {})));
 }
 
 TEST(LiveReplay, AWindowIsNeverWorthMoreThanTwoSecondsButTwoMoments) {

@@ -80,16 +80,16 @@ class Said {
 };
 
 /// `voice PLACE DATA...`, `caption PLACE TEXT`: to be heard and read with the stream before.
-void add_sound(ServedStream& stream, const Line& line, const std::vector<std::string>& words) {
+void add_spoken(ServedStream& stream, const Line& line, const std::vector<std::string>& words) {
   auto& recorded = std::get<RecordedStream>(stream.kind);
-  Soundtrack sound = recorded.sound ? *recorded.sound : Soundtrack{};
+  SpokenTrack spoken = recorded.spoken ? *recorded.spoken : SpokenTrack{};
   const int place = number_of(words.front());
   if (line.verb == "caption") {
-    sound.captions.push_back(
+    spoken.captions.push_back(
         {static_cast<std::uint64_t>(place),
          line.rest.substr(std::min(words.front().size() + 1, line.rest.size()))});
   } else {
-    EncodedTrack track = sound.voice ? *sound.voice : EncodedTrack{};
+    EncodedTrack track = spoken.voice ? *spoken.voice : EncodedTrack{};
     Milliseconds at(place);
     for (std::size_t i = 1; i < words.size(); ++i) {
       const std::string opus = from_base64(words[i]).value_or("");
@@ -97,9 +97,9 @@ void add_sound(ServedStream& stream, const Line& line, const std::vector<std::st
       at += opus_duration(opus).value_or(Milliseconds{0});
     }
     track.finish();
-    sound.voice = std::make_shared<const EncodedTrack>(std::move(track));
+    spoken.voice = std::make_shared<const EncodedTrack>(std::move(track));
   }
-  recorded.sound = std::make_shared<const Soundtrack>(std::move(sound));
+  recorded.spoken = std::make_shared<const SpokenTrack>(std::move(spoken));
 }
 
 /// `publisher TOKEN [NAME...]`; the name `taken` is another's already.
@@ -123,7 +123,7 @@ ServerCatalogue catalogue_of(const std::vector<Line>& lines) {
     if (line.verb == "title") catalogue.streams.back().title = line.rest;
     if (line.verb == "publisher") add_publisher(catalogue, words_of(line.rest));
     if (line.verb == "voice" || line.verb == "caption") {
-      add_sound(catalogue.streams.back(), line, words_of(line.rest));
+      add_spoken(catalogue.streams.back(), line, words_of(line.rest));
     }
     if (line.verb != "stream") continue;
     const std::vector<std::string> words = words_of(line.rest);
@@ -202,7 +202,7 @@ class ServerReplay {
     if (!live) return nullptr;
     ServedStream& first = catalogue.streams.front();
     auto replay = std::make_shared<LiveReplay>(first.recorded()->encoded, catalogue.loop, Instant{},
-                                               first.recorded()->sound);
+                                               first.recorded()->spoken);
     replay->advance(Instant{});
     first = {first.name, replay};
     return replay;

@@ -30,14 +30,14 @@ std::shared_ptr<const protocol::EncodedStream> face() {
 }
 
 /// A packet of 75 bytes for each 60 ms of them.
-std::shared_ptr<const protocol::Soundtrack> voice() {
+std::shared_ptr<const protocol::SpokenTrack> voice() {
   const std::string opus = "\x58" + std::string(74, 'x');
   auto track = std::make_shared<protocol::EncodedTrack>();
   for (Milliseconds at{0}; at < 10s; at += 60ms) track->add({at, opus});
   track->finish();
-  protocol::Soundtrack sound;
-  sound.voice = std::move(track);
-  return std::make_shared<const protocol::Soundtrack>(std::move(sound));
+  protocol::SpokenTrack spoken;
+  spoken.voice = std::move(track);
+  return std::make_shared<const protocol::SpokenTrack>(std::move(spoken));
 }
 
 struct Sent {
@@ -46,8 +46,8 @@ struct Sent {
   std::uint64_t voice = 0;
 };
 
-Sent replayed(std::shared_ptr<const protocol::Soundtrack> sound, const LinkLimits& link) {
-  ServedReplay replay(face(), false, kBegin, std::move(sound), {link, 250, 20});
+Sent replayed(std::shared_ptr<const protocol::SpokenTrack> spoken, const LinkLimits& link) {
+  ServedReplay replay(face(), false, kBegin, std::move(spoken), {link, 250, 20});
   Sent sent;
   std::optional<std::uint64_t> last;
   for (Milliseconds at{0}; at <= 11s; at += 5ms) {

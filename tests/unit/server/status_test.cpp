@@ -38,7 +38,7 @@ TEST(Status, LinesSayWhatMatters) {
   EXPECT_EQ(lines[3], "status: recorded streams: talk six");
   Status heard = busy();
   heard.sent.voice_packets = 50;
-  heard.sent.sound_bytes = 4000;
+  heard.sent.spoken_bytes = 4000;
   EXPECT_EQ(status_lines(heard).back(),
             "status: of that, voice 50 packets; sound and captions 4000 bytes");
 }

@@ -143,8 +143,8 @@ TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
       "{hello v=2 window=256 stream=talk duration=120 keyframe=40 voice=opus text=1";
   connect();
   hear(kSpoken + "}{a@0 CP/+}{t@0 SGk}{1}");
-  ASSERT_NE(stream_.shared()->recorded()->sound, nullptr);
-  const protocol::EncodedTrack& voice = *stream_.shared()->recorded()->sound->voice;
+  ASSERT_NE(stream_.shared()->recorded()->spoken, nullptr);
+  const protocol::EncodedTrack& voice = *stream_.shared()->recorded()->spoken->voice;
   EXPECT_EQ(voice.packets().size(), 1U);
   EXPECT_EQ(voice.encoded_until(), Milliseconds(40));
   EXPECT_FALSE(voice.complete());
@@ -152,7 +152,7 @@ TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
   connect();
   hear(kSpoken + " from=40}{a@0 CP/+}{t@0 SGk}{a@40 CP/+}{2}{0}{-2}");
   EXPECT_EQ(voice.packets().size(), 2U) << "what sounded already is not heard twice";
-  EXPECT_EQ(stream_.shared()->recorded()->sound->captions.size(), 1U);
+  EXPECT_EQ(stream_.shared()->recorded()->spoken->captions.size(), 1U);
   EXPECT_TRUE(voice.complete());
 }
 
@@ -336,9 +336,9 @@ TEST_F(RelayOfTalk, VoiceWithoutKeyframesTakesMemoryToo) {
 TEST_F(RelayOfTalk, WhoComesBeforeTheFirstCaptionIsGrantedCaptions) {
   connect();
   hear("{hello v=2 window=256 stream=talk duration=120 keyframe=40 text=1}{1;40}");
-  ASSERT_NE(stream_.shared()->recorded()->sound, nullptr);
-  EXPECT_TRUE(stream_.shared()->recorded()->sound->captions.empty());
-  EXPECT_TRUE(stream_.shared()->recorded()->sound->has_captions());
+  ASSERT_NE(stream_.shared()->recorded()->spoken, nullptr);
+  EXPECT_TRUE(stream_.shared()->recorded()->spoken->captions.empty());
+  EXPECT_TRUE(stream_.shared()->recorded()->spoken->has_captions());
 }
 
 TEST_F(RelayOfTalk, ARecordingThatLeavesNoMemoryIsLeft) {

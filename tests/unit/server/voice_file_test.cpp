@@ -131,7 +131,7 @@ TEST_F(VoiceFileTest, WhatLiesBeforeTheStreamIsLeftOut) {
   EXPECT_LT(sooner.size(), later.size());
 }
 
-TEST_F(VoiceFileTest, TheSpokenStreamHoldsTheFaceUntilTheVoiceIsOver) {
+TEST_F(VoiceFileTest, TheVoicedStreamHoldsTheFaceUntilTheVoiceIsOver) {
   const auto face = write_face("talk.txt", 2);
   write_wav("talk.wav", voice::test::speech_like(6));
   const auto sources = load_sources({face});
@@ -139,9 +139,9 @@ TEST_F(VoiceFileTest, TheSpokenStreamHoldsTheFaceUntilTheVoiceIsOver) {
   const Repertoire repertoire = make_repertoire(*sources, 250, false);
   const protocol::RecordedStream& stream = *repertoire.catalogue.streams.front().recorded();
   EXPECT_EQ(repertoire.catalogue.streams.front().title, "A talk");
-  ASSERT_TRUE(stream.spoken);
+  ASSERT_TRUE(stream.voiced);
   EXPECT_EQ(stream.encoded->duration_ms, 2000U);
-  EXPECT_GE(stream.spoken->duration_ms, 6000U);
+  EXPECT_GE(stream.voiced->duration_ms, 6000U);
   ASSERT_TRUE(repertoire.voices.front());
 }
 

@@ -1,4 +1,4 @@
-#include "protocol/spoken_stream.h"
+#include "protocol/voiced_stream.h"
 
 #include <algorithm>
 #include <string_view>
@@ -16,7 +16,7 @@ class Cutter {
 
   void add(const Keyframe& keyframe, KeyframeTime time) {
     const AuFrame to = frame_from_terms(keyframe.terms);
-    const std::uint32_t longest = static_cast<std::uint32_t>(kSpokenKeyframeMax.count());
+    const std::uint32_t longest = static_cast<std::uint32_t>(kVoicedKeyframeMax.count());
     const std::uint32_t pieces = std::max((time.count() + longest - 1) / longest, 1U);
     if (pieces == 1) {
       encoder_.add(keyframe);
@@ -50,14 +50,14 @@ class Cutter {
 
 }  // namespace
 
-std::shared_ptr<const EncodedStream> spoken_stream(const EncodedStream& stream,
+std::shared_ptr<const EncodedStream> voiced_stream(const EncodedStream& stream,
                                                    Milliseconds sound_end,
                                                    std::uint32_t keyframe_ms, int classic_min) {
   if (stream.times.empty()) return nullptr;
   const Milliseconds face_end = length_of(stream);
   const Milliseconds longest = *std::max_element(stream.times.begin(), stream.times.end());
-  const bool holds = sound_end > face_end + kSpokenKeyframeMax;
-  if (longest <= kSpokenKeyframeMax && !holds) return nullptr;
+  const bool holds = sound_end > face_end + kVoicedKeyframeMax;
+  if (longest <= kVoicedKeyframeMax && !holds) return nullptr;
   Cutter cutter(keyframe_ms, classic_min);
   Keyframe keyframe;
   for (std::size_t at = 0; at < stream.times.size(); ++at) {
