@@ -26,7 +26,7 @@ struct ClientSession::State {
   bool paused = false;        ///< -1 was said, -3 not yet
   bool pause_wanted = false;  ///< -1 is to be said as soon as it may
   std::size_t unanswered = 0;
-  std::uint64_t packets_received = 0;
+  std::uint64_t keyframes_received = 0;
   std::uint64_t payload_bytes = 0;
   AuFrame running;  ///< what a changes-only packet changes
   HelloGranted granted;
@@ -66,10 +66,10 @@ void ClientSession::State::fail(SessionFailed::Why why, std::string reason,
 }
 
 void ClientSession::State::handle(const Keyframe& keyframe) {
-  const bool first = packets_received == 0;
+  const bool first = keyframes_received == 0;
   phase = Phase::Streaming;
   deadline.reset();
-  ++packets_received;
+  ++keyframes_received;
   payload_bytes += decoder.taken_bytes();
   if (keyframe.changes_only && (!granted.delta || first)) {
     fail(SessionFailed::Why::ProtocolError,
@@ -176,7 +176,7 @@ void ClientSession::State::handle(const CaptionData& caption) {
 /// A classic server closes on a hello: after its first packet, or with that packet lost in the
 /// reset that closing with unread bytes causes.
 bool ClientSession::State::took_hello_for_garbage() const {
-  return options.negotiate && level == Level::Classic && packets_received <= 1;
+  return options.negotiate && level == Level::Classic && keyframes_received <= 1;
 }
 
 void ClientSession::State::lose(std::string_view broke) {
@@ -304,8 +304,8 @@ std::size_t ClientSession::unanswered() const {
   return state_->unanswered;
 }
 
-std::uint64_t ClientSession::packets_received() const {
-  return state_->packets_received;
+std::uint64_t ClientSession::keyframes_received() const {
+  return state_->keyframes_received;
 }
 
 std::uint64_t ClientSession::payload_bytes() const {

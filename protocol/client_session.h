@@ -101,8 +101,8 @@ class ClientSession {
   [[nodiscard]] int window() const;
   [[nodiscard]] bool paused() const;
   [[nodiscard]] std::size_t unanswered() const;
-  [[nodiscard]] std::uint64_t packets_received() const;  ///< keyframes
-  [[nodiscard]] std::uint64_t payload_bytes() const;     ///< their bytes as received
+  [[nodiscard]] std::uint64_t keyframes_received() const;
+  [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes as received
 
  private:
   struct State;

@@ -42,7 +42,7 @@ void PlayerStats::take(const playback::Playback& playback) {
 }
 
 void PlayerStats::take(const playback::SourceStatus& status) {
-  packets_received = status.packets_received;
+  keyframes_received = status.keyframes_received;
   bytes_received = status.bytes_received;
   receive_seconds = status.receive_seconds;
   pauses_sent = status.pauses_sent;
@@ -64,7 +64,7 @@ std::string to_json(const PlayerStats& stats) {
       static_cast<double>(stats.frames_drawn > 0 ? stats.frames_drawn : frames);
   const double fps_time = stats.frames_drawn > 0 ? stats.draw_seconds : stats.playback_seconds;
   nlohmann::ordered_json json;
-  json["packets_received"] = stats.packets_received;
+  json["packets_received"] = stats.keyframes_received;
   json["bytes_received"] = stats.bytes_received;
   json["receive_seconds"] = stats.receive_seconds;
   json["keyframes_played"] = stats.keyframes_played;

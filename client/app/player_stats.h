@@ -15,7 +15,7 @@ namespace aucast::app {
 
 /// What --stats writes: one JSON object, on every exit after the options were read.
 struct PlayerStats {
-  std::uint64_t packets_received = 0;
+  std::uint64_t keyframes_received = 0;
   std::uint64_t bytes_received = 0;  ///< of the keyframes' packets
   double receive_seconds = 0;        ///< from the connection to {-2} or the end
   std::uint64_t keyframes_played = 0;

@@ -145,7 +145,7 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
       status.end == EndReason::NotEnded) {
     return tr("state.reconnecting");
   }
-  const bool came = status.packets_received > 0;
+  const bool came = status.keyframes_received > 0;
   const bool refused = status.end == EndReason::Unreachable || status.end == EndReason::Refused;
   if (state == PlaybackState::Lost && refused && !came) return tr("state.none");
   if (state == PlaybackState::Buffering) {

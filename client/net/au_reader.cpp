@@ -151,7 +151,7 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   settled_ = false;
   buffers_.release();
   buffers_.set_live(std::nullopt);
-  packets_before_ += session_.packets_received();
+  keyframes_before_ += session_.keyframes_received();
   bytes_before_ += session_.payload_bytes();
   ledger_.forget();
   negotiate_ = !options_.classic;
@@ -190,7 +190,7 @@ bool AuReader::digests() const {
   return status_.end == EndReason::NotEnded && kept_.size() < kept_max() && ledger_.has_room();
 }
 
-/// Packet by packet, so that each is answered before the session counts the next as sent ahead.
+/// Keyframe by keyframe, so that each is answered before the session counts the next as sent ahead.
 void AuReader::digest(Reaction& reaction, Instant now) {
   std::string_view rest = waiting_;
   while (!rest.empty() && digests() && reaction.next == Reaction::Next::GoOn) {
@@ -239,7 +239,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   if (!with_answers_ && !event.hello.live) {
-    // Only a live stream goes without answers; a recorded one would come packet by packet.
+    // Only a live stream goes without answers; a recorded one would come keyframe by keyframe.
     with_answers_ = true;
     connect_anew(reaction);
     return;
@@ -397,7 +397,7 @@ playback::SourceStatus AuReader::status() const {
   status.receiver_fill = buffers_.receiver_fill();
   status.playout_fill = buffers_.playout_fill();
   status.paused = user_paused_ || session_.paused();
-  status.packets_received = packets_before_ + session_.packets_received();
+  status.keyframes_received = keyframes_before_ + session_.keyframes_received();
   status.bytes_received = bytes_before_ + session_.payload_bytes();
   status.keyframes_dropped = buffers_.dropped();
   status.voice_left_out = spoken_.voice_left_out();

@@ -157,8 +157,8 @@ class AuReader {
   Milliseconds clock_shift_{0};  ///< added to this connection's places, gives clock_'s
   SpokenQueue spoken_;           ///< its places are on clock_
   BackOff back_off_;
-  std::size_t busy_in_a_row_ = 0;     ///< hosts that were full, or did not have the stream yet
-  std::uint64_t packets_before_ = 0;  ///< of earlier connections that were lost
+  std::size_t busy_in_a_row_ = 0;       ///< hosts that were full, or did not have the stream yet
+  std::uint64_t keyframes_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;
 };
 

@@ -32,7 +32,7 @@ SourceStatus FileSource::status() const {
   SourceStatus status;
   status.end = stopped_ ? EndReason::Stopped : EndReason::EndOfStream;
   status.playout_fill = stopped_ ? 0 : keyframes_.size() - next_;
-  status.packets_received = keyframes_.size();
+  status.keyframes_received = keyframes_.size();
   return status;
 }
 

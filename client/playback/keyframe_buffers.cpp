@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kCapacityMax = 10'000;
 constexpr Milliseconds kLiveDelayMax{60'000};
 
-/// Live: what must be there to play without waiting for each packet.
+/// Live: what must be there to play without waiting for each keyframe.
 constexpr std::size_t kLiveKeyframesMin = 2;
 constexpr int kFasterPercent = 95;
 constexpr int kSlowerPercent = 105;

@@ -75,7 +75,7 @@ struct SourceStatus {
   Milliseconds buffered{0};      ///< how much is buffered now, in the stream's own time
   std::uint64_t reconnects = 0;  ///< attempts after a loss (--reconnect)
   bool paused = false;           ///< by the user, or by -1 because the buffers are full
-  std::uint64_t packets_received = 0;
+  std::uint64_t keyframes_received = 0;
   std::uint64_t bytes_received = 0;
   std::uint64_t bytes_sent = 0;  ///< answers, as the protocol has them
   std::uint64_t pauses_sent = 0;

@@ -34,7 +34,7 @@ enum class PlaybackState : std::uint8_t {
 /// A keyframe that has just begun: the face goes from where it is to `target`.
 struct KeyframeBegun {
   Keyframe target;
-  Milliseconds duration{0};  ///< its own time: the packet's, else --speed, else the server's
+  Milliseconds duration{0};  ///< its own time: as it was sent, else --speed, else the server's
                              ///< default. A live keyframe may in fact take 5 % more or less
   double cut_at = 1;  ///< how far the previous keyframe had come: 1, or less if that was an easing
                       ///< to neutral, which this one interrupts
@@ -57,7 +57,7 @@ struct PlaybackProgress {
 /// times handed in must not go back. Thread: the player's.
 class PlaybackController {
  public:
-  /// `speed`: --speed; nullopt: the server's default for untimed packets.
+  /// `speed`: --speed; nullopt: the server's default for keyframes without a time.
   explicit PlaybackController(std::optional<Milliseconds> speed);
 
   /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until

@@ -95,7 +95,7 @@ Duration SeekablePlayback::media_time() const {
 SourceStatus SeekablePlayback::status() const {
   SourceStatus status;
   status.end = stopped_ ? EndReason::Stopped : EndReason::EndOfStream;
-  status.packets_received = keyframes_.size();
+  status.keyframes_received = keyframes_.size();
   return status;
 }
 

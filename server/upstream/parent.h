@@ -48,7 +48,7 @@ class Parent final : public link::LinkUser {
   /// In place of start(), for a link that is already open.
   void take_over();
 
-  [[nodiscard]] std::uint64_t packets() const { return session_.packets_received(); }
+  [[nodiscard]] std::uint64_t keyframes() const { return session_.keyframes_received(); }
   [[nodiscard]] std::uint64_t bytes() const { return session_.payload_bytes(); }
 
  private:

@@ -83,7 +83,7 @@ void Reception::begin_anew() {
 }
 
 void Reception::on_moved_on() {
-  if (!receiving_ && parent_->packets() > 0) {
+  if (!receiving_ && parent_->keyframes() > 0) {
     receiving_ = true;
     given_up_ = false;
     timer_.cancel();
@@ -126,7 +126,7 @@ void Reception::on_over(const Parent::Outcome& outcome) {
 
 void Reception::drop_parent() {
   if (!parent_) return;
-  packets_before_ += parent_->packets();
+  keyframes_before_ += parent_->keyframes();
   bytes_before_ += parent_->bytes();
   parent_.reset();
 }
@@ -159,7 +159,7 @@ UpstreamStatus Reception::status() const {
   status.receiving = receiving_;
   status.connects = connects_;
   status.losses = losses_;
-  status.keyframes = packets_before_ + (parent_ ? parent_->packets() : 0);
+  status.keyframes = keyframes_before_ + (parent_ ? parent_->keyframes() : 0);
   status.bytes = bytes_before_ + (parent_ ? parent_->bytes() : 0);
   return status;
 }

@@ -96,7 +96,7 @@ class Reception {
   Instant silent_since_{};  ///< while not receiving
   std::uint64_t connects_ = 0;
   std::uint64_t losses_ = 0;
-  std::uint64_t packets_before_ = 0;  ///< of parents that were left
+  std::uint64_t keyframes_before_ = 0;  ///< of parents that were left
   std::uint64_t bytes_before_ = 0;
 };
 

@@ -29,7 +29,7 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   playback::SourceStatus status;
   status.end = playback::EndReason::Unreachable;
   status.detail = "cannot reach \xff host";
-  status.packets_received = 3;
+  status.keyframes_received = 3;
   status.bytes_received = 57;
   status.pauses_sent = 2;
   status.resumes_sent = 1;

@@ -156,7 +156,7 @@ TEST_F(LowDelay, TakesARecordedStreamWithAWindowOverAnotherConnection) {
   EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1}");
   EXPECT_EQ(feed("{hello v=2 window=4 keyframe=200}{1}{2}"), "11");
   EXPECT_FALSE(reader_->ready()) << "the threshold holds";
-  EXPECT_EQ(status().packets_received, 2U);
+  EXPECT_EQ(status().keyframes_received, 2U);
   static_cast<void>(close());
   EXPECT_FALSE(reader_->take()->due);
 }
@@ -204,7 +204,7 @@ TEST_F(Reconnecting, HoldsAndTriesAgainAfterALoss) {
   EXPECT_EQ(feed("{hello v=2 window=4 keyframe=200 from=400}{4}{-2}"), "1");
   EXPECT_EQ(reader_->take()->aus.left[4], 1.0F);
   EXPECT_EQ(status().end, EndReason::EndOfStream);
-  EXPECT_EQ(status().packets_received, 3U);
+  EXPECT_EQ(status().keyframes_received, 3U);
   EXPECT_EQ(status().reconnects, 1U);
 }
 
@@ -315,7 +315,7 @@ TEST_F(Reconnecting, TakesFullBuffersForNoSilenceOfTheServer) {
   EXPECT_EQ(taken, 10);
   EXPECT_EQ(said, "1");
   EXPECT_TRUE(status().negotiated);
-  EXPECT_EQ(status().packets_received, 10U);
+  EXPECT_EQ(status().keyframes_received, 10U);
 }
 
 TEST_F(Reconnecting, DropsTheHalfPacketThatWasUnderWay) {

@@ -102,7 +102,7 @@ class Loop {
     return now.end != EndReason::NotEnded && now.receiver_fill + now.playout_fill == 0;
   }
   void meet_fate() {
-    if (reader_.status().packets_received < 2) return;
+    if (reader_.status().keyframes_received < 2) return;
     if (fate_ == Fate::ServerStops) carry_out(server_.stop(clock_.now()));
     if (fate_ == Fate::ConnectionBreaks) carry_out(reader_.closed(clock_.now()));
   }
@@ -163,7 +163,7 @@ void play_to(Fate fate, Seeded& seeded) {
   const bool lost = status.end == EndReason::ConnectionLost;
   ASSERT_TRUE(status.end == EndReason::EndOfStream || (lost && fate == Fate::ConnectionBreaks))
       << status.detail;
-  ASSERT_EQ(taken.size(), status.packets_received);
+  ASSERT_EQ(taken.size(), status.keyframes_received);
   for (std::size_t i = 0; i < taken.size(); ++i) {
     ASSERT_EQ(taken[i], au_of(static_cast<int>(i))) << "keyframe " << i;
   }
@@ -226,7 +226,7 @@ TEST(AuReaderSession, BearsDamagedBytes) {
     play();
     const auto status = reader.status();
     ASSERT_LE(taken, 42U);
-    ASSERT_TRUE(taken == status.packets_received || status.end == EndReason::NotEnded ||
+    ASSERT_TRUE(taken == status.keyframes_received || status.end == EndReason::NotEnded ||
                 status.end == EndReason::ProtocolError);
     for (const char byte : status.detail) ASSERT_TRUE(byte >= ' ' && byte < '\x7f');
   }

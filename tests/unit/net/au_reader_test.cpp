@@ -88,7 +88,7 @@ TEST(AuReader, AnswersEachPacketInClassic) {
   const auto status = reading.reader.status();
   EXPECT_EQ(status.end, EndReason::EndOfStream);
   EXPECT_FALSE(status.connected);
-  EXPECT_EQ(status.packets_received, 2U);
+  EXPECT_EQ(status.keyframes_received, 2U);
   EXPECT_EQ(status.bytes_received, 22U);
   EXPECT_DOUBLE_EQ(status.receive_seconds, 0.004);
   const auto keyframe = reading.reader.take();
@@ -137,12 +137,12 @@ TEST(AuReader, StartsAgainInClassicAndShowsNothingTwice) {
   reading.close();
   EXPECT_EQ(reading.last.next, Next::Reconnect);
   EXPECT_EQ(reading.reader.status().end, EndReason::NotEnded);
-  EXPECT_EQ(reading.reader.status().packets_received, 0U) << "what came has been dropped";
+  EXPECT_EQ(reading.reader.status().keyframes_received, 0U) << "what came has been dropped";
   EXPECT_EQ(reading.reader.connected(reading.clock.now()).send, "") << "no hello now";
   for (const auto* packet : {"{1}", "{2}", "{4}"}) EXPECT_EQ(reading.feed(packet), "1");
   reading.feed("{-2}");
   EXPECT_EQ(reading.take_all(), (Aus{1, 2, 4}));
-  EXPECT_EQ(reading.reader.status().packets_received, 3U);
+  EXPECT_EQ(reading.reader.status().keyframes_received, 3U);
 }
 
 TEST(AuReader, WhatWasDroppedAtTheStartTookNoTime) {
@@ -272,7 +272,7 @@ TEST(AuReader, BearsSuchAServerWhileTheUserPauses) {
   reading.reader.set_paused(false);
   EXPECT_TRUE(reading.speak().starts_with("-31"));
   EXPECT_TRUE(reading.reader.wants_bytes());
-  EXPECT_EQ(reading.reader.status().packets_received, 600U);
+  EXPECT_EQ(reading.reader.status().keyframes_received, 600U);
 }
 
 // === Full buffers, in level 2.
@@ -297,7 +297,7 @@ TEST(AuReader, TakesNoMoreThanTheWindowFromAServerThatIgnoresThePause) {
   Reading reading({1, 1, 100});
   reading.feed("{hello v=2 window=1}");
   for (int i = 0; i < 20; ++i) reading.feed("{7}");
-  EXPECT_EQ(reading.reader.status().packets_received, 3U) << "playout, receiver, kept aside";
+  EXPECT_EQ(reading.reader.status().keyframes_received, 3U) << "playout, receiver, kept aside";
   EXPECT_FALSE(reading.reader.wants_bytes()) << "the rest is for TCP to hold";
   int taken = 0;
   while (reading.take() != 0) {

@@ -140,7 +140,7 @@ TEST(RemoteSourceFailure, ResetMidStream) {
   const auto status =
       status_after({Accept{}, Send{"{1}"}, Expect{"1"}, Send{"{2}"}, Expect{"1"}, Reset{}}, {1, 2});
   EXPECT_EQ(status.end, EndReason::ConnectionLost);
-  EXPECT_EQ(status.packets_received, 2U);
+  EXPECT_EQ(status.keyframes_received, 2U);
 }
 
 TEST(RemoteSourceFailure, ClosedWithAPacketKeptBack) {

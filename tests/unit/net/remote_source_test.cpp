@@ -66,7 +66,7 @@ TEST(RemoteSource, PlaysTheSixExpressionsInClassic) {
   const auto status = source.status();
   EXPECT_EQ(status.end, EndReason::EndOfStream);
   EXPECT_FALSE(status.negotiated);
-  EXPECT_EQ(status.packets_received, 6U);
+  EXPECT_EQ(status.keyframes_received, 6U);
   EXPECT_EQ(status.bytes_received, 90U) << "table 5.5: 19 + 18 + 13 + 18 + 11 + 11";
   EXPECT_GT(status.receive_seconds, 0);
 }
@@ -130,7 +130,7 @@ TEST(RemoteSource, ConnectsAgainToAClassicServerAndShowsNothingTwice) {
     EXPECT_EQ(take_all(source), (Aus{1, 2, 4}));
     EXPECT_EQ(server.finish(), "");
     EXPECT_EQ(source.status().end, EndReason::EndOfStream);
-    EXPECT_EQ(source.status().packets_received, 3U);
+    EXPECT_EQ(source.status().keyframes_received, 3U);
   }
 }
 
@@ -171,7 +171,7 @@ TEST(RemoteSource, TheUserPausesAndResumesInLevel2) {
   RemoteOptions options = options_for(server.port());
   options.wakeup = wakeups.callback();
   RemoteSource source(options);
-  ASSERT_TRUE(wakeups.wait([&] { return source.status().packets_received == 2; }));
+  ASSERT_TRUE(wakeups.wait([&] { return source.status().keyframes_received == 2; }));
   source.pause();
   EXPECT_TRUE(source.status().paused);
   ASSERT_TRUE(wakeups.wait([&] { return source.status().pauses_sent == 1; }));
@@ -189,7 +189,7 @@ TEST(RemoteSource, TheUserPausesInPlaceOfAnAnswerInClassic) {
   RemoteOptions options = options_for(server.port(), true);
   options.wakeup = wakeups.callback();
   RemoteSource source(options);
-  ASSERT_TRUE(wakeups.wait([&] { return source.status().packets_received == 1; }));
+  ASSERT_TRUE(wakeups.wait([&] { return source.status().keyframes_received == 1; }));
   source.pause();
   paused.set_value();
   ASSERT_TRUE(wakeups.wait([&] { return source.status().pauses_sent == 1; }));

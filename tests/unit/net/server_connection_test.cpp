@@ -69,7 +69,7 @@ TEST_F(PlayerConnection, ReadsNoFasterThanThePlayerMakesRoom) {
     connection_->speak(link_->now());
   }
   EXPECT_TRUE(link_->reading());
-  EXPECT_EQ(status().packets_received, 6U);
+  EXPECT_EQ(status().keyframes_received, 6U);
 }
 
 TEST_F(PlayerConnection, AnEndWaitsForWhatWasSaidBeforeIt) {

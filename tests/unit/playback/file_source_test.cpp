@@ -26,7 +26,7 @@ TEST(FileSource, GivesItsKeyframesInOrder) {
 TEST(FileSource, TellsTheEndAndWhatIsLeft) {
   FileSource source({marked(1), marked(2)});
   EXPECT_EQ(source.status().end, EndReason::EndOfStream);
-  EXPECT_EQ(source.status().packets_received, 2U);
+  EXPECT_EQ(source.status().keyframes_received, 2U);
   EXPECT_EQ(source.status().playout_fill, 2U);
   EXPECT_EQ(source.status().keyframe_time, Milliseconds(250));
   EXPECT_TRUE(source.take());

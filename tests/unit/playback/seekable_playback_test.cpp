@@ -26,7 +26,7 @@ class SeekablePlaybackTest : public ::testing::Test {
 
 TEST_F(SeekablePlaybackTest, PlaysFromTheFirstLookOn) {
   EXPECT_EQ(playback_.progress().keyframe, 0U);
-  EXPECT_EQ(playback_.status().packets_received, 2U);
+  EXPECT_EQ(playback_.status().keyframes_received, 2U);
   const auto first = after(5000);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->from, AuFrame{});

@@ -79,7 +79,7 @@ TEST_F(Client, IsGrantedLevel2) {
   EXPECT_EQ(session_->answer_received(), "1");
   EXPECT_EQ(session_->answer_received(), "") << "nothing is unanswered";
   EXPECT_EQ(get("{-2}"), "ended");
-  EXPECT_EQ(session_->packets_received(), 2U);
+  EXPECT_EQ(session_->keyframes_received(), 2U);
   EXPECT_EQ(session_->payload_bytes(), 16U);
 }
 

@@ -159,7 +159,7 @@ class Model {
   void check_complete() const {
     EXPECT_EQ(client_end, "ended");
     EXPECT_EQ(server_end, "finished: the stream was sent whole");
-    EXPECT_EQ(client_->packets_received(), server_->sent().keyframes);
+    EXPECT_EQ(client_->keyframes_received(), server_->sent().keyframes);
     EXPECT_EQ(client_->payload_bytes(), server_->sent().payload_bytes);
     if (!setting_.live) {
       EXPECT_EQ(stored_.size(), static_cast<std::size_t>(setting_.length));

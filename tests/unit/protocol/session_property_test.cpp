@@ -222,7 +222,7 @@ TEST(Sessions, LoseDoubleAndReorderNothingAndBothEnd) {
     EXPECT_EQ(level, pair.server().level());
     EXPECT_EQ(sets_of(pair.stored),
               sent_by(stream, level, stream.recorded()->encoded->classic.size()));
-    EXPECT_EQ(pair.client().packets_received(), pair.server().sent().keyframes);
+    EXPECT_EQ(pair.client().keyframes_received(), pair.server().sent().keyframes);
     EXPECT_EQ(pair.client().payload_bytes(), pair.server().sent().payload_bytes);
   }
   EXPECT_GT(negotiated, 500) << "both levels must have been met";

@@ -31,7 +31,7 @@ RemoteStream::RemoteStream(std::unique_ptr<playback::Playback> playback,
     : playback_(std::move(playback)), buffers_(buffers), server_(server) {}
 
 bool RemoteStream::take_answer() {
-  if (server_ == Server::OwnCamera || playback_->status().packets_received == 0) return false;
+  if (server_ == Server::OwnCamera || playback_->status().keyframes_received == 0) return false;
   return !std::exchange(remembered_, true);
 }
 
@@ -95,7 +95,7 @@ void RemoteStream::describe(gui::RemoteView& view) const {
   view.playout.fill = status.playout_fill;
   view.receiver_history = history_.fills();
   view.au_history = history_.traces();
-  if (status.connected || status.packets_received > 0) describe_traffic(status, view);
+  if (status.connected || status.keyframes_received > 0) describe_traffic(status, view);
   view.delay = delay_text(playback_->delays().lately(), status.delay);
 }
 
@@ -118,13 +118,14 @@ void RemoteStream::describe_traffic(const playback::SourceStatus& status,
   const PlaybackHistory::Rates rates = running() ? history_.rates() : PlaybackHistory::Rates{};
   const PlaybackHistory::Rates means = history_.mean_rates();
   const std::string in = gui::traffic_text(status.bytes_received, rates.in, means.in);
-  view.in = status.packets_received == 1 ? gui::tr("state.packet", in)
-                                         : gui::tr("state.packets", status.packets_received, in);
+  view.in = status.keyframes_received == 1
+                ? gui::tr("state.packet", in)
+                : gui::tr("state.packets", status.keyframes_received, in);
   view.out = gui::traffic_text(status.bytes_sent, rates.out, means.out);
   view.protocol =
       gui::tr(status.negotiated ? gui::TextKey("state.level") : gui::TextKey("state.classic"));
   if (status.live) view.protocol = gui::tr("state.live", view.protocol);
-  if (status.negotiated && status.packets_received > 0) view.live = status.live;
+  if (status.negotiated && status.keyframes_received > 0) view.live = status.live;
 }
 
 }  // namespace aucast::app

@@ -296,7 +296,7 @@ TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
   session_->begin_with(WindowSettings(options_, {}).in_force(), "", clock_.now());
   go_on(Milliseconds(0));
   EXPECT_TRUE(session_->recent().empty());
-  source_->now.packets_received = 1;
+  source_->now.keyframes_received = 1;
   go_on(Milliseconds(0));
   EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
   ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});  // nothing listens there

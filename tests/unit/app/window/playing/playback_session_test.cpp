@@ -68,7 +68,7 @@ TEST_F(PlaybackSessionTest, AServerThatAnswersIsRemembered) {
   playback::test::ScriptedSource& source = open_remote();
   go_on(Milliseconds(0));
   EXPECT_TRUE(session_.servers().recent().empty());
-  source.now.packets_received = 1;
+  source.now.keyframes_received = 1;
   go_on(Milliseconds(10));
   EXPECT_EQ(session_.servers().recent(), std::vector<std::string>{"lecture.example.org"});
   EXPECT_EQ(session_.servers().to_keep().address, "lecture.example.org");

@@ -37,7 +37,7 @@ class RemoteStreamTest : public testing::Test {
   }
   void receive(int mark, Milliseconds time) {
     source_->keyframes.push_back(marked(mark, time));
-    ++source_->now.packets_received;
+    ++source_->now.keyframes_received;
   }
   [[nodiscard]] gui::RemoteView view() const {
     gui::RemoteView view;
