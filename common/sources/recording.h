@@ -10,7 +10,7 @@
 #include "common/result.h"
 #include "common/sources/arkit_table.h"
 #include "common/sources/conditioning.h"
-#include "common/sources/quiet_face.h"
+#include "common/sources/loud_aus.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::sources {

@@ -1,4 +1,4 @@
-#include "common/sources/quiet_face.h"
+#include "common/sources/loud_aus.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ Found found_with(const std::string& text, double neutral_s, bool turns_only = fa
   return {};
 }
 
-TEST(QuietFace, NamesTheStrongestAusThatNoFaceAtRestHas) {
+TEST(LoudAus, NamesTheStrongestAusThatNoFaceAtRestHas) {
   Signals neutral = no_signals();
   const auto set = [&](std::size_t number, float left, float right) {
     neutral[channel_of(number, false)] = left;
@@ -54,7 +54,7 @@ TEST(QuietFace, NamesTheStrongestAusThatNoFaceAtRestHas) {
   EXPECT_EQ(loud_text(loud_aus(neutral)), "AU7 100 %, AU20 90 %, AUL10 50 % and 1 more");
 }
 
-TEST(QuietFace, ASpanThatIsQuietIsRecommended) {
+TEST(LoudAus, ASpanThatIsQuietIsRecommended) {
   const Found found = found_with(loud_at_first(2, 30), 2);
   ASSERT_EQ(found.unquiet.size(), 2U);
   EXPECT_EQ(found.unquiet[0].au.number, 12);
@@ -66,7 +66,7 @@ TEST(QuietFace, ASpanThatIsQuietIsRecommended) {
   EXPECT_NE(found_sentence(found).find(said), std::string::npos);
 }
 
-TEST(QuietFace, WithoutSuchASpanItIsToBeLeftOut) {
+TEST(LoudAus, WithoutSuchASpanItIsToBeLeftOut) {
   const Found found = found_with(loud_at_first(3, 4), 1);
   EXPECT_FALSE(found.quiet_seconds);
   EXPECT_EQ(warnings(found, {"Fps", "'Quiet'"}),
@@ -74,7 +74,7 @@ TEST(QuietFace, WithoutSuchASpanItIsToBeLeftOut) {
                                      "out 'Quiet', or cut what is before the face is quiet"});
 }
 
-TEST(QuietFace, AFaceAtRestAndTurnsAloneAreNoReasonToWarn) {
+TEST(LoudAus, AFaceAtRestAndTurnsAloneAreNoReasonToWarn) {
   EXPECT_TRUE(warnings(found_with(loud_at_first(0, 3), 2)).empty());
   EXPECT_TRUE(warnings(found_with(loud_at_first(3, 3), 2, true)).empty());
 }

@@ -1,4 +1,4 @@
-#include "common/sources/quiet_face.h"
+#include "common/sources/loud_aus.h"
 
 #include <algorithm>
 #include <cmath>
