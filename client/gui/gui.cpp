@@ -23,9 +23,9 @@ constexpr float kPanelShareMax = 0.7F;
 constexpr float kTabPadding = 5;
 constexpr float kTabGap = 3;
 
-Tone tone_of(const RemoteView& remote) {
-  if (remote.stale || !remote.detail.empty()) return Tone::Bad;
-  switch (remote.activity) {
+Tone tone_of(const PlayingView& playing) {
+  if (playing.stale || !playing.detail.empty()) return Tone::Bad;
+  switch (playing.activity) {
     case Activity::Playing:
       return Tone::Good;
     case Activity::Connecting:
@@ -41,20 +41,20 @@ Tone tone_of(const RemoteView& remote) {
 /// The line that is always there: how playing stands. What there is to be said about it stands over
 /// the face, so that no button moves away from under the pointer.
 void state_line(const Look& look, const GuiModel& model) {
-  const RemoteView& remote = model.remote;
+  const PlayingView& playing = model.playing;
   const float radius = 4.5F * look.scale;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float middle = at.y + ImGui::GetTextLineHeight() / 2;
   ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(at.x + radius, middle), radius,
-                                              colour_of(tone_of(remote)), 24);
+                                              colour_of(tone_of(playing)), 24);
   ImGui::SetCursorScreenPos(ImVec2(at.x + 3.4F * radius, at.y));
   ImGui::PushFont(look.bold);
-  ImGui::TextUnformatted(remote.state.c_str());
+  ImGui::TextUnformatted(playing.state.c_str());
   ImGui::PopFont();
   // On the same line, so that nothing below moves when a face is edited.
   const std::string beside = model.editor.active     ? tr("panel.your_expression")
                              : model.composer.active ? tr("panel.your_keyframe")
-                                                     : remote.keyframe;
+                                                     : playing.keyframe;
   if (!beside.empty()) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", beside.c_str());

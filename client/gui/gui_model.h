@@ -62,7 +62,8 @@ struct AuTrace {
 /// More lines than this nobody can tell apart.
 inline constexpr std::size_t kTracesMax = 6;
 
-struct RemoteView {
+/// What plays: the stream of a server, or a stream file.
+struct PlayingView {
   Activity activity = Activity::Idle;
   std::string state;         ///< in words: "buffering 42 %"
   std::string detail;        ///< why it ended, a sentence; empty unless it went wrong
@@ -85,7 +86,7 @@ struct RemoteView {
   std::string delay;                    ///< "42 ms (at most 57, wanted 41)"; empty: not live
   std::string keyframe;                 ///< "keyframe 3"; empty before the first
   std::vector<AuRow> aus;
-  friend bool operator==(const RemoteView&, const RemoteView&) = default;
+  friend bool operator==(const PlayingView&, const PlayingView&) = default;
 };
 
 /// How AUs become a face; may change while it plays.
@@ -285,7 +286,7 @@ struct GuiModel {
   RemoteSettings remote_settings;   ///< those in force; the form begins with them
   std::vector<std::string> recent;  ///< addresses that answered, the last one first
   StreamsView streams;
-  RemoteView remote;
+  PlayingView playing;
   LocalView local;
   MirrorView mirror;
   SoundView sound;

@@ -33,14 +33,14 @@ bool sentence(const Look& look, const char* id, const Notice& notice, float widt
 }
 
 /// How the connection stands, where that is not what was asked for.
-Notice of_connection(const RemoteView& remote) {
+Notice of_connection(const PlayingView& playing) {
   const char* face = "";
-  if (remote.stale) face = tr("notice.last_face");
-  if (remote.eased) face = tr("notice.eased");
-  std::string text = remote.detail;
+  if (playing.stale) face = tr("notice.last_face");
+  if (playing.eased) face = tr("notice.eased");
+  std::string text = playing.detail;
   if (*face != 0) text += std::string(text.empty() ? "" : "\n") + face;
-  if (!text.empty() || remote.ended_by.empty()) return {text, true};
-  return {tr("notice.ended", remote.ended_by), false};
+  if (!text.empty() || playing.ended_by.empty()) return {text, true};
+  return {tr("notice.ended", playing.ended_by), false};
 }
 
 std::string again(int in_s) {
@@ -57,12 +57,12 @@ void notices(const Look& look, const GuiModel& model, float width, NoticeForm& f
     commands.push_back(CloseNotice{});
   }
   // What counts down stays the same notice.
-  Notice now = of_connection(model.remote);
+  Notice now = of_connection(model.playing);
   if (now.text != form.closed) form.closed.clear();
   form.shown.clear();
   if (now.text.empty() || !form.closed.empty()) return;
   form.shown = now.text;
-  if (model.remote.tries_again) now.text += "\n" + again(model.remote.again_s);
+  if (model.playing.tries_again) now.text += "\n" + again(model.playing.again_s);
   if (sentence(look, "trouble", now, width, bottom)) form.closed = form.shown;
 }
 

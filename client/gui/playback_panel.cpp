@@ -408,7 +408,7 @@ void export_menu(const GuiModel& model, GuiCommands& commands) {
   const auto item = [&](const char* text, Purpose purpose, bool enabled) {
     if (ImGui::MenuItem(text, nullptr, false, enabled)) commands.push_back(Browse{purpose});
   };
-  const bool played = !model.remote.keyframe.empty();
+  const bool played = !model.playing.keyframe.empty();
   item(tr("play.export_keyframes"), Purpose::ExportKeyframes, played);
   item(tr("play.export_table"), Purpose::ExportTable, played);
   const ExportView& now = model.exported;

@@ -14,11 +14,11 @@ int frames_due(const GuiModel& shown, GuiModel now) {
   const Duration moved = std::chrono::abs(now.local.position - shown.local.position);
   const bool plays = shown.local.playing && now.local.playing;
   if (plays) now.local.position = shown.local.position;
-  const bool plotted = now.remote.receiver_history != shown.remote.receiver_history ||
-                       now.remote.au_history != shown.remote.au_history ||
+  const bool plotted = now.playing.receiver_history != shown.playing.receiver_history ||
+                       now.playing.au_history != shown.playing.au_history ||
                        now.mirror.seen != shown.mirror.seen;
-  now.remote.receiver_history = shown.remote.receiver_history;
-  now.remote.au_history = shown.remote.au_history;
+  now.playing.receiver_history = shown.playing.receiver_history;
+  now.playing.au_history = shown.playing.au_history;
   now.mirror.seen = shown.mirror.seen;
   if (now != shown) return kFramesAfterChange;
   return moved >= kClockStep || plotted ? 1 : 0;

@@ -70,7 +70,7 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   label(look, tr("play.stream"));
   const std::string& asked = form.settings.stream;
   const bool its_first = asked.empty() && form.settings == model.remote_settings;
-  const std::string& chosen = its_first ? model.remote.stream : asked;
+  const std::string& chosen = its_first ? model.playing.stream : asked;
   if (!ImGui::BeginCombo("##stream", chosen.empty() ? tr("play.first_stream") : chosen.c_str()))
     return;
   const bool good = !form.wrong && !problem(form.settings);
@@ -82,9 +82,9 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   for (const std::string& name : streams.names) {
     const bool taken = list_item(name, name == chosen);
     // The list of a server has names alone: of the one that plays it is known.
-    if (model.remote.live && name == model.remote.stream) {
+    if (model.playing.live && name == model.playing.stream) {
       ImGui::SameLine();
-      ImGui::TextDisabled("%s", *model.remote.live ? tr("play.is_live") : tr("play.is_recorded"));
+      ImGui::TextDisabled("%s", *model.playing.live ? tr("play.is_live") : tr("play.is_recorded"));
     }
     if (!taken) continue;
     RemoteSettings settings = form.settings;
@@ -98,15 +98,15 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
 /// Each has its own place whatever the state: a second click on a button must never be another's.
 void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered,
                      const std::optional<std::string>& wrong, GuiCommands& commands) {
-  const RemoteView& remote = model.remote;
-  const bool connecting = remote.activity == Activity::Connecting;
-  const bool paused = remote.activity == Activity::Paused;
+  const PlayingView& playing = model.playing;
+  const bool connecting = playing.activity == Activity::Connecting;
+  const bool paused = playing.activity == Activity::Paused;
   const bool running =
-      !remote.local && (connecting || paused || remote.activity == Activity::Playing);
+      !playing.local && (connecting || paused || playing.activity == Activity::Playing);
   // What is mistyped may be corrected while it is tried, and who waits for a server that was lost
   // may try it now.
   const bool corrected = form.settings != model.remote_settings;
-  const bool lost = running && !remote.detail.empty();
+  const bool lost = running && !playing.detail.empty();
   const bool may_connect = (!running || corrected || lost) && !wrong;
   const bool pressed = wide_button(tr("play.connect"), 0, 3, may_connect, may_connect);
   if ((pressed && may_connect) || (entered && !wrong)) commands.push_back(Connect{form.settings});
@@ -161,7 +161,7 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) 
   tip(tr("tip.again"));
   behind_server(look, settings);
   number(look, tr("play.speed_ms"), "##speed", settings.speed_ms, tr("play.speed_help"));
-  if (model.remote.timed && settings.speed_ms > 0) toned_text(Tone::Waiting, tr("play.timed"));
+  if (model.playing.timed && settings.speed_ms > 0) toned_text(Tone::Waiting, tr("play.timed"));
   quiet_text(tr("play.next_help"));
 }
 
@@ -198,29 +198,29 @@ void said(const Look& look, const char* name, const std::string& value, const ch
 
 void buffers(const Look& look, const GuiModel& model) {
   heading(look, tr("play.buffers"));
-  const RemoteView& remote = model.remote;
-  buffer_bar(look, tr("play.receiver"), remote.receiver, tr("tip.receiver"));
-  buffer_bar(look, tr("play.playout"), remote.playout, tr("tip.playout"));
+  const PlayingView& playing = model.playing;
+  buffer_bar(look, tr("play.receiver"), playing.receiver, tr("tip.receiver"));
+  buffer_bar(look, tr("play.playout"), playing.playout, tr("tip.playout"));
   // Always as many rows: no control moves when a connection comes or goes.
   label(look, tr("play.last_30"), tr("tip.last_30"));
-  const PlotLine line{&remote.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
+  const PlotLine line{&playing.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
   static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
-                         static_cast<float>(remote.receiver.threshold_percent) / 100));
-  said(look, tr("play.received"), remote.in);
-  said(look, tr("play.sent"), remote.out);
-  said(look, tr("play.protocol"), remote.protocol, tr("tip.protocol"));
-  said(look, tr("play.delay"), remote.delay, tr("tip.delay"));
+                         static_cast<float>(playing.receiver.threshold_percent) / 100));
+  said(look, tr("play.received"), playing.in);
+  said(look, tr("play.sent"), playing.out);
+  said(look, tr("play.protocol"), playing.protocol, tr("tip.protocol"));
+  said(look, tr("play.delay"), playing.delay, tr("tip.delay"));
 }
 
 /// The strongest AUs over the last half minute, each with its colour and its number beside it; a
 /// click makes it larger, with their names.
-void intensities(const Look& look, const RemoteView& remote, bool& large) {
-  if (remote.au_history.empty()) return;
+void intensities(const Look& look, const PlayingView& playing, bool& large) {
+  if (playing.au_history.empty()) return;
   constexpr float kSmall = 96;
   constexpr float kLarge = 260;
   std::vector<PlotLine> lines;
-  for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
-    const AuTrace& trace = remote.au_history[i];
+  for (std::size_t i = 0; i < playing.au_history.size(); ++i) {
+    const AuTrace& trace = playing.au_history[i];
     lines.push_back(
         {&trace.values, colour_of_line(i), std::to_string(trace.number), static_cast<int>(i)});
   }
@@ -228,8 +228,8 @@ void intensities(const Look& look, const RemoteView& remote, bool& large) {
   if (plot(look, lines, (large ? kLarge : kSmall) * look.scale, 0)) large = !large;
   tip(large ? tr("play.smaller") : tr("play.larger"));
   if (!large) return;
-  for (std::size_t i = 0; i < remote.au_history.size(); ++i) {
-    const int number = remote.au_history[i].number;
+  for (std::size_t i = 0; i < playing.au_history.size(); ++i) {
+    const int number = playing.au_history[i].number;
     const std::string text = std::to_string(number) + "  " + au_name(number);
     line_name(look, static_cast<int>(i), text);
   }
@@ -262,15 +262,15 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
 void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (std::exchange(form.to_aus, false)) ImGui::SetScrollHereY(0);
   heading(look, tr("play.aus"), tr("tip.au"));
-  intensities(look, model.remote, form.large_chart);
-  if (model.remote.aus.empty()) {
-    quiet_text(model.remote.keyframe.empty() ? tr("play.none_yet") : tr("play.neutral_face"));
+  intensities(look, model.playing, form.large_chart);
+  if (model.playing.aus.empty()) {
+    quiet_text(model.playing.keyframe.empty() ? tr("play.none_yet") : tr("play.neutral_face"));
     return;
   }
   au_table(
       look,
       {tr("play.au_received"), tr("tip.au_received"), tr("play.au_legend"), tr("tip.au_shown")},
-      model.remote.aus);
+      model.playing.aus);
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   file_part(model, commands);
   record_part(look, model, form.record, commands);
   sound_part(look, model, commands);
-  if (!model.remote.local) buffers(look, model);
+  if (!model.playing.local) buffers(look, model);
   animation(look, model, commands);
   curves_part(look, model, form.curves, commands);
   // Last: it grows and shrinks while it plays.

@@ -35,7 +35,7 @@ void contents(const GuiModel& model, bool panel, GuiCommands& commands) {
 
 void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {
   const bool made = model.editor.active || model.composer.active;
-  if (model.remote.activity != Activity::Idle || model.local.open || made) return;
+  if (model.playing.activity != Activity::Idle || model.local.open || made) return;
   if (!model.notice.text.empty()) return;  // it stands at the same place
   const float own = std::min(kWidth * look.scale, width - 20 * look.scale);
   const float bottom = ImGui::GetIO().DisplaySize.y - 14 * look.scale;

@@ -193,20 +193,20 @@ std::unique_ptr<playback::Playback> small_stream() {
 }
 
 void as_from_a_server(gui::GuiModel& model) {
-  gui::RemoteView& remote = model.remote;
-  remote.local = false;
-  remote.receiver = {42, 100, 40};
-  remote.playout = {12, 30, 0};
-  remote.in = "54 packets, 893 B, 1.2 kbit/s";
-  remote.out = "54 B, 80 bit/s";
-  remote.protocol = "level 2, live";
-  remote.delay = "42 ms (at most 57, wanted 41)";
-  remote.receiver_history.clear();
-  remote.au_history = {{6, {}}, {12, {}}};
+  gui::PlayingView& playing = model.playing;
+  playing.local = false;
+  playing.receiver = {42, 100, 40};
+  playing.playout = {12, 30, 0};
+  playing.in = "54 packets, 893 B, 1.2 kbit/s";
+  playing.out = "54 B, 80 bit/s";
+  playing.protocol = "level 2, live";
+  playing.delay = "42 ms (at most 57, wanted 41)";
+  playing.receiver_history.clear();
+  playing.au_history = {{6, {}}, {12, {}}};
   for (int i = 0; i < 100; ++i) {
-    remote.receiver_history.push_back(std::min(0.6F, 0.01F * static_cast<float>(i)));
-    remote.au_history[0].values.push_back(static_cast<float>(i % 20) / 20);
-    remote.au_history[1].values.push_back(i % 40 < 20 ? 1.0F : 0.2F);
+    playing.receiver_history.push_back(std::min(0.6F, 0.01F * static_cast<float>(i)));
+    playing.au_history[0].values.push_back(static_cast<float>(i % 20) / 20);
+    playing.au_history[1].values.push_back(i % 40 < 20 ? 1.0F : 0.2F);
   }
 }
 
@@ -215,8 +215,8 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
   open(1, small_stream());
   replay("at 0\nat 250\nat 250\nat 250\nat 250\nat 250\nat 250\n");
   const gui::GuiModel model = session_->model();
-  EXPECT_EQ(model.remote.state, "playing");
-  EXPECT_EQ(model.remote.keyframe, "keyframe 2");
+  EXPECT_EQ(model.playing.state, "playing");
+  EXPECT_EQ(model.playing.keyframe, "keyframe 2");
   test::expect_as_baseline(panel(), "panel_play", kTolerance, kShareMax);
 }
 
@@ -244,7 +244,7 @@ TEST_F(Replay, InFrenchAllHasRoom) {
   open(1, small_stream());
   session_->apply(gui::ChangeDisplay{{"fr", 100}}, clock_.now());
   replay("at 0\nat 250\nat 250\nat 250\nat 250\nat 250\nat 250\n");
-  EXPECT_EQ(session_->model().remote.state, "lecture");
+  EXPECT_EQ(session_->model().playing.state, "lecture");
   test::expect_as_baseline(panel(), "panel_play_french", kTolerance, kShareMax);
   replay("click 620 54\n");
   test::expect_as_baseline(panel(), "panel_compose_french", kTolerance, kShareMax);
@@ -348,7 +348,7 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
             "Beg_Stream\n6:11,12;500\n1,2,5:25,26;550\nEnd_Stream\n");
   EXPECT_FALSE(session_->model().composer.unsaved);
   replay("click 475 304\nat 10\nat 250\n");
-  EXPECT_EQ(session_->model().remote.state, "playing");
+  EXPECT_EQ(session_->model().playing.state, "playing");
   EXPECT_GT(shown("left_zygomaticus_major"), 0.3F);
 }
 

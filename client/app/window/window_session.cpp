@@ -372,9 +372,9 @@ gui::GuiModel WindowSession::model() const {
   model.remote_settings = playback_.servers().settings();
   model.recent = playback_.servers().recent();
   model.streams = lister_.view();
-  model.remote = playback_.remote_view();
-  model.remote.stale = model.remote.stale && shown_ == Shown::Playback;
-  model.remote.eased = model.remote.eased && shown_ == Shown::Playback;
+  model.playing = playback_.playing_view();
+  model.playing.stale = model.playing.stale && shown_ == Shown::Playback;
+  model.playing.eased = model.playing.eased && shown_ == Shown::Playback;
   model.local = playback_.local_view();
   model.mirror = mirror_.view();
   model.mirror.wanted = options_.shows_mirror;

@@ -16,7 +16,7 @@ namespace aucast::gui {
 
 inline GuiModel small_model() {
   GuiModel model;
-  model.remote.state = "no connection";
+  model.playing.state = "no connection";
   model.remote_settings.address = "lecture.example.org";
   model.known_aus = std::make_shared<const std::vector<AuEntry>>(
       std::vector<AuEntry>{{12, "Lip Corner Puller", "zygomaticus major 1", "A smile."}});

@@ -203,12 +203,12 @@ TEST_F(Keyboard, ArrowsWalkThroughTheFiles) {
 }
 
 TEST_F(Keyboard, AClosedNoticeStaysClosedWhileTheTimeGoesOn) {
-  model_.remote.detail = "the connection was lost";
-  model_.remote.tries_again = true;
-  model_.remote.again_s = 5;
+  model_.playing.detail = "the connection was lost";
+  model_.playing.tries_again = true;
+  model_.playing.again_s = 5;
   frames(2);
   EXPECT_TRUE(gui_->close_notice());
-  model_.remote.again_s = 4;
+  model_.playing.again_s = 4;
   frames(2);
   EXPECT_FALSE(gui_->close_notice());
 }
@@ -254,19 +254,19 @@ TEST_F(Keyboard, NothingMovesWhenAConnectionComes) {
   frames(4);
   ASSERT_NE(contents(), nullptr);
   const float before = contents()->ContentSize.y;
-  model_.remote.activity = Activity::Playing;
-  model_.remote.receiver_history = {0, 1};
-  model_.remote.in = model_.remote.out = "12 B";
-  model_.remote.protocol = "level 2";
-  model_.remote.delay = "42 ms";
+  model_.playing.activity = Activity::Playing;
+  model_.playing.receiver_history = {0, 1};
+  model_.playing.in = model_.playing.out = "12 B";
+  model_.playing.protocol = "level 2";
+  model_.playing.delay = "42 ms";
   frames(4);
   EXPECT_EQ(contents()->ContentSize.y, before);
 }
 
 TEST_F(Keyboard, TheTableOfAusIsOneStepAway) {
   ImGui::GetIO().DisplaySize = ImVec2(800, 500);
-  model_.remote.keyframe = "keyframe 3";
-  model_.remote.aus.assign(40, {"51", "Head Turn Left", 100, 60, ""});
+  model_.playing.keyframe = "keyframe 3";
+  model_.playing.aus.assign(40, {"51", "Head Turn Left", 100, 60, ""});
   frames(4);
   ASSERT_TRUE(go_to("###jump"));
   press(ImGuiKey_Enter);
@@ -424,15 +424,15 @@ TEST_F(Keyboard, WhatIsSaidOfTheConnectionIsClosedAndStaysClosed) {
     return window != nullptr && window->Active;
   };
   EXPECT_FALSE(gui_->close_notice());
-  model_.remote.detail = "venus cannot be reached";
+  model_.playing.detail = "venus cannot be reached";
   frames(2);
   EXPECT_TRUE(said());
   EXPECT_TRUE(gui_->close_notice());
   EXPECT_FALSE(gui_->close_notice()) << "Esc is for the next thing";
   frames(2);
   EXPECT_FALSE(said());
-  model_.remote.detail.clear();
-  model_.remote.ended_by = "venus";
+  model_.playing.detail.clear();
+  model_.playing.ended_by = "venus";
   frames(2);
   EXPECT_TRUE(said());
   EXPECT_TRUE(gui_->close_notice());

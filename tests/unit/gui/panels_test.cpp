@@ -24,18 +24,18 @@ constexpr int kHeight = 720;
 
 GuiModel playing_model() {
   GuiModel model;
-  model.remote.activity = Activity::Playing;
-  model.remote.state = "playing";
-  model.remote.keyframe = "keyframe 3";
-  model.remote.receiver = {42, 100, 40};
-  model.remote.playout = {12, 30, 0};
-  model.remote.receiver_history = {0, 0.2F, 0.42F};
-  model.remote.in = "6 packets, 93 B";
-  model.remote.out = "12 B";
-  model.remote.protocol = "level 2";
-  model.remote.au_history = {{12, {0, 0.5F, 1}}, {51, {1, 0.5F, 0.6F}}};
+  model.playing.activity = Activity::Playing;
+  model.playing.state = "playing";
+  model.playing.keyframe = "keyframe 3";
+  model.playing.receiver = {42, 100, 40};
+  model.playing.playout = {12, 30, 0};
+  model.playing.receiver_history = {0, 0.2F, 0.42F};
+  model.playing.in = "6 packets, 93 B";
+  model.playing.out = "12 B";
+  model.playing.protocol = "level 2";
+  model.playing.au_history = {{12, {0, 0.5F, 1}}, {51, {1, 0.5F, 0.6F}}};
   model.recent = {"lecture.example.org", "10.0.0.7:4651"};
-  model.remote.aus = {{"51", "Head Turn Left", 100, 60, "opposition"}};
+  model.playing.aus = {{"51", "Head Turn Left", 100, 60, "opposition"}};
   model.editor.groups = {{"Mouth", {{"zygomaticus major", 2, 0, 1, 0.5F, 0.5F}}}};
   model.known_aus = std::make_shared<const std::vector<AuEntry>>(
       std::vector<AuEntry>{{12, "Lip Corner Puller", "zygomaticus major 1", "A smile."}});
@@ -222,12 +222,12 @@ TEST_F(Panels, EscapeClosesADropDown) {
 TEST_F(Panels, WhatPlaysCanBePausedAndStopped) {
   EXPECT_TRUE(find_by_clicking<Pause>(590, 100, 260).has_value());
   EXPECT_TRUE(find_by_clicking<Stop>(700, 100, 260).has_value());
-  model_.remote.activity = Activity::Paused;
+  model_.playing.activity = Activity::Paused;
   EXPECT_TRUE(find_by_clicking<Resume>(590, 100, 260).has_value());
 }
 
 TEST_F(Panels, ConnectTakesTheForm) {
-  model_.remote.activity = Activity::Idle;
+  model_.playing.activity = Activity::Idle;
   model_.remote_settings.address = "lecture.example.org";
   model_.remote_settings.port = 4777;
   const auto connect = find_by_clicking<Connect>(480, 100, 260);
@@ -236,7 +236,7 @@ TEST_F(Panels, ConnectTakesTheForm) {
 }
 
 TEST_F(Panels, AMistypedServerIsCorrectedWhileItIsStillTried) {
-  model_.remote.activity = Activity::Connecting;
+  model_.playing.activity = Activity::Connecting;
   EXPECT_FALSE(find_by_clicking<Connect>(480, 100, 260).has_value()) << "it is being tried";
   model_.remote_settings.port = 1;
   const auto connect = find_by_clicking<Connect>(480, 100, 260);
@@ -245,13 +245,13 @@ TEST_F(Panels, AMistypedServerIsCorrectedWhileItIsStillTried) {
 }
 
 TEST_F(Panels, WhoWaitsForALostServerMayTryItAtOnce) {
-  model_.remote.activity = Activity::Connecting;
-  model_.remote.detail = "the connection was lost";
+  model_.playing.activity = Activity::Connecting;
+  model_.playing.detail = "the connection was lost";
   EXPECT_TRUE(find_by_clicking<Connect>(480, 100, 260).has_value());
 }
 
 TEST_F(Panels, EnterInTheAddressConnects) {
-  model_.remote.activity = Activity::Idle;
+  model_.playing.activity = Activity::Idle;
   model_.remote_settings.address = "a";
   static_cast<void>(click(700, 123));
   ImGui::GetIO().AddInputCharactersUTF8("b.example:4777/talk");
@@ -282,7 +282,7 @@ TEST_F(Panels, TheStreamThatTheServerChoseIsNamed) {
     return rows(picture(), 140, 168).rgba;
   };
   const auto unknown = stream();
-  model_.remote.stream = "lecture";
+  model_.playing.stream = "lecture";
   EXPECT_NE(stream(), unknown);
   model_.remote_settings.address = "another.example";
   EXPECT_EQ(stream(), unknown) << "not of a server that is not connected to";
@@ -301,13 +301,13 @@ TEST_F(Panels, TheAddressStaysAsShortAsItIsWhenAStreamIsChosen) {
 }
 
 TEST_F(Panels, AtFirstASampleIsOneClickAway) {
-  model_.remote = {};
+  model_.playing = {};
   model_.sample = "/streams/sample.txt";
   const auto played = find_by_clicking<OpenStream>(150, 600, 710);
   ASSERT_TRUE(played.has_value());
   EXPECT_EQ(played->file, "/streams/sample.txt");
   const view::Image offered = picture();
-  model_.remote.activity = Activity::Connecting;
+  model_.playing.activity = Activity::Connecting;
   EXPECT_NE(picture().rgba, offered.rgba) << "not when something was opened";
 }
 
@@ -324,7 +324,7 @@ TEST_F(Panels, AnEmptyViewIsMadeUsualAgain) {
 }
 
 TEST_F(Panels, AFormThatIsWrongConnectsNowhere) {
-  model_.remote.activity = Activity::Idle;
+  model_.playing.activity = Activity::Idle;
   model_.remote_settings.address.clear();
   EXPECT_FALSE(find_by_clicking<Connect>(480, 100, 260).has_value());
 }

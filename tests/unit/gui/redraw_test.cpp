@@ -44,10 +44,10 @@ TEST(Redraw, WhereItStandsIsExactOnceItStands) {
 
 TEST(Redraw, APlotThatGoesOnTakesOneFrame) {
   GuiModel shown;
-  shown.remote.receiver_history = {0.5F};
+  shown.playing.receiver_history = {0.5F};
   GuiModel now = shown;
-  now.remote.receiver_history = {0.5F, 0.5F};
-  now.remote.au_history = {{12, {1}}};
+  now.playing.receiver_history = {0.5F, 0.5F};
+  now.playing.au_history = {{12, {1}}};
   EXPECT_EQ(frames_due(shown, now), 1);
 }
 

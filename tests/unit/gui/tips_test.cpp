@@ -96,7 +96,7 @@ class AuTips : public Tips {
  protected:
   /// Whether it is said of something in the table of AUs, so far from the right.
   bool is_said(const char* text, float from_right) {
-    model_.remote.keyframe = "keyframe 3";
+    model_.playing.keyframe = "keyframe 3";
     frames(3);
     if (contents() == nullptr) return false;
     const ImRect seen = contents()->InnerRect;
@@ -113,15 +113,15 @@ class AuTips : public Tips {
 };
 
 TEST_F(AuTips, ADifferenceOfReceivedAndShownIsExplainedAtTheirHeadings) {
-  model_.remote.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
+  model_.playing.aus = {{"12", "Lip Corner Puller", 100, 60, ""}};
   EXPECT_TRUE(is_said(tr("tip.au_shown"), 30));
 }
 
 TEST_F(AuTips, TheWordOfARuleIsExplainedWhereItStands) {
   constexpr float kInNames = 280;
-  model_.remote.aus = {{"51", "Head Left", 100, 100, ""}};
+  model_.playing.aus = {{"51", "Head Left", 100, 100, ""}};
   EXPECT_FALSE(is_said(tr("tip.rule"), kInNames));
-  model_.remote.aus = {{"51", "Head Left", 100, 60, "opposition: 51 100 % and 52 40 %: 51 60 %"}};
+  model_.playing.aus = {{"51", "Head Left", 100, 60, "opposition: 51 100 % and 52 40 %: 51 60 %"}};
   EXPECT_TRUE(is_said(tr("tip.rule"), kInNames));
 }
 

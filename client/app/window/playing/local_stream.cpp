@@ -78,7 +78,7 @@ Played LocalStream::played() const {
   return {{keyframes.begin(), keyframes.end()}, keyframes.size()};
 }
 
-void LocalStream::describe(gui::RemoteView& view) const {
+void LocalStream::describe(gui::PlayingView& view) const {
   view.local = true;
   const std::uint64_t keyframe = playback_->progress().keyframe;
   if (keyframe == 0) return;

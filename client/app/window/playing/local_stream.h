@@ -32,7 +32,7 @@ class LocalStream final : public PlayingStream {
   }
   /// All of it.
   [[nodiscard]] Played played() const override;
-  void describe(gui::RemoteView& view) const override;
+  void describe(gui::PlayingView& view) const override;
   [[nodiscard]] gui::LocalView local_view() const override;
 
  private:

@@ -202,8 +202,8 @@ std::vector<gui::AuRow> PlaybackSession::au_rows() const {
                       mapping_.recordings);
 }
 
-gui::RemoteView PlaybackSession::remote_view() const {
-  gui::RemoteView view;
+gui::PlayingView PlaybackSession::playing_view() const {
+  gui::PlayingView view;
   view.state = gui::tr("state.none");
   view.receiver.capacity = buffers_.receiver_capacity;
   view.receiver.threshold_percent = buffers_.threshold_percent;

@@ -80,7 +80,7 @@ class PlaybackSession {
   [[nodiscard]] Duration idle_time(Instant now) const;
   [[nodiscard]] std::string title() const;
   /// `stale` and `eased` hold for the face of this session: another face in the window is neither.
-  [[nodiscard]] gui::RemoteView remote_view() const;
+  [[nodiscard]] gui::PlayingView playing_view() const;
   [[nodiscard]] gui::LocalView local_view() const {
     return stream_ == nullptr ? gui::LocalView() : stream_->local_view();
   }

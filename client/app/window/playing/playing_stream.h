@@ -67,7 +67,7 @@ class PlayingStream {
   /// The server that the user chose has ended it.
   [[nodiscard]] virtual bool ended_by_server() const { return false; }
   /// Adds what is peculiar to this kind.
-  virtual void describe(gui::RemoteView& view) const = 0;
+  virtual void describe(gui::PlayingView& view) const = 0;
   [[nodiscard]] virtual gui::LocalView local_view() const { return {}; }
 };
 

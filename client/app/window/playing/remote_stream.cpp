@@ -83,7 +83,7 @@ std::string RemoteStream::title(const std::string& program, bool over) const {
   return title + ": " + gui::in_used_language(status.detail);
 }
 
-void RemoteStream::describe(gui::RemoteView& view) const {
+void RemoteStream::describe(gui::PlayingView& view) const {
   const playback::SourceStatus status = playback_->status();
   const PlaybackState state = playback_->state();
   if (gui::plays_the_rest(state, status)) view.state = gui::tr("state.playing_rest");
@@ -100,7 +100,7 @@ void RemoteStream::describe(gui::RemoteView& view) const {
 }
 
 void RemoteStream::describe_trouble(const playback::SourceStatus& status,
-                                    gui::RemoteView& view) const {
+                                    gui::PlayingView& view) const {
   if (gui::went_wrong(status.end)) view.detail = gui::in_used_language(status.detail);
   view.tries_again = tries_again(status);
   if (view.tries_again) {
@@ -114,7 +114,7 @@ void RemoteStream::describe_trouble(const playback::SourceStatus& status,
 }
 
 void RemoteStream::describe_traffic(const playback::SourceStatus& status,
-                                    gui::RemoteView& view) const {
+                                    gui::PlayingView& view) const {
   const PlaybackHistory::Rates rates = running() ? history_.rates() : PlaybackHistory::Rates{};
   const PlaybackHistory::Rates means = history_.mean_rates();
   const std::string in = gui::traffic_text(status.bytes_received, rates.in, means.in);

@@ -39,11 +39,11 @@ class RemoteStream final : public PlayingStream {
   /// The keyframes that have begun so far, if they are not too many to be kept.
   [[nodiscard]] Played played() const override { return received_; }
   [[nodiscard]] bool ended_by_server() const override;
-  void describe(gui::RemoteView& view) const override;
+  void describe(gui::PlayingView& view) const override;
 
  private:
-  void describe_trouble(const playback::SourceStatus& status, gui::RemoteView& view) const;
-  void describe_traffic(const playback::SourceStatus& status, gui::RemoteView& view) const;
+  void describe_trouble(const playback::SourceStatus& status, gui::PlayingView& view) const;
+  void describe_traffic(const playback::SourceStatus& status, gui::PlayingView& view) const;
 
   std::unique_ptr<playback::Playback> playback_;
   playback::BufferOptions buffers_;

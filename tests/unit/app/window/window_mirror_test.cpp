@@ -53,7 +53,7 @@ TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
   EXPECT_TRUE(model().mirror.wanted);
   ASSERT_TRUE(reaches(Phase::Private));
   EXPECT_NE(model().mirror.seen, nullptr);
-  EXPECT_NE(model().remote.state, "no connection") << "its own stream is played";
+  EXPECT_NE(model().playing.state, "no connection") << "its own stream is played";
   EXPECT_TRUE(session_->recent().empty()) << "and not remembered";
   ask(gui::GoLive{"127.0.0.1", 4650});
   ASSERT_TRUE(reaches(Phase::Live));

@@ -21,7 +21,7 @@ class ConnectTest : public SessionOnDefaultFace {
 
 TEST_F(ConnectTest, ConnectNeedsAFormThatIsRight) {
   ask(gui::Connect{{"", 4650, 100, 30, 40, 0}});
-  EXPECT_EQ(model().remote.activity, Activity::Idle);
+  EXPECT_EQ(model().playing.activity, Activity::Idle);
 }
 
 TEST_F(ConnectTest, AnAddressThatDidNotAnswerIsNotKept) {
@@ -55,7 +55,7 @@ TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
                                                               playback::SourcePlayback::Options{}),
                    stats_);
   go_on(Milliseconds(0));
-  const std::string detail = model().remote.detail;
+  const std::string detail = model().playing.detail;
   gui::use_english();
   EXPECT_NE(detail.find("127.0.0.1:1"), std::string::npos) << detail;
   EXPECT_NE(detail.find("connexion refusée"), std::string::npos) << detail;
@@ -68,7 +68,7 @@ TEST_F(ConnectTest, ATokenFileThatIsNotThereIsSaid) {
   ask(gui::Connect{settings});
   EXPECT_TRUE(model().notice.bad);
   EXPECT_NE(model().notice.text.find("/no/such/token"), std::string::npos);
-  EXPECT_EQ(model().remote.activity, Activity::Idle);
+  EXPECT_EQ(model().playing.activity, Activity::Idle);
 }
 
 }  // namespace

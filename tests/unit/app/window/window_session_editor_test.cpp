@@ -168,7 +168,7 @@ TEST_F(EditedSessionTest, EditingHoldsWhatPlaysAndResumeGivesTheFaceBack) {
   const float half = shown("jaw");
   ask(gui::SetChannel{channel("jaw"), 4, false});
   EXPECT_EQ(shown("jaw"), 4);
-  EXPECT_EQ(model().remote.activity, Activity::Paused);
+  EXPECT_EQ(model().playing.activity, Activity::Paused);
   ask(gui::Resume{});
   EXPECT_EQ(shown("jaw"), half);
   EXPECT_FALSE(model().editor.active);

@@ -62,7 +62,7 @@ TEST_F(FaceSessionTest, WhatPlaysGoesOnOnAnotherFace) {
   const auto& recording = assets_->face.recordings.at(26).activation;
   const float whole = recording[static_cast<std::size_t>(channel("jaw"))];
   EXPECT_FLOAT_EQ(shown("jaw"), whole * 0.75F) << "the jaw of this face, at the same place";
-  EXPECT_EQ(model().remote.activity, gui::Activity::Playing);
+  EXPECT_EQ(model().playing.activity, gui::Activity::Playing);
   EXPECT_EQ(model().local.position, Milliseconds(150));
   go_on(Milliseconds(100));
   EXPECT_FLOAT_EQ(shown("jaw"), whole * 0.25F);

@@ -59,8 +59,8 @@ TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
   EXPECT_TRUE(model().local.open);
   EXPECT_EQ(model().local.name, "three.txt");
   EXPECT_EQ(model().local.total, Milliseconds(600));
-  EXPECT_EQ(model().remote.activity, Activity::Playing);
-  EXPECT_EQ(model().remote.keyframe, "keyframe 1 of 3");
+  EXPECT_EQ(model().playing.activity, Activity::Playing);
+  EXPECT_EQ(model().playing.keyframe, "keyframe 1 of 3");
   go_on(Milliseconds(100));
   const float open_jaw = shown("jaw");
   EXPECT_GT(open_jaw, 0);
@@ -69,8 +69,8 @@ TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
   EXPECT_FALSE(session_->over());
   go_on(Milliseconds(1000));
   EXPECT_TRUE(session_->over());
-  EXPECT_EQ(model().remote.state, "ended");
-  EXPECT_EQ(model().remote.aus[0].label, "51");
+  EXPECT_EQ(model().playing.state, "ended");
+  EXPECT_EQ(model().playing.aus[0].label, "51");
   EXPECT_GT(shown("head_turn_left"), 0.5F);
 }
 
@@ -125,7 +125,7 @@ TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
   session_->toggle_pause(clock_.now());
   go_on(Milliseconds(5000));
   EXPECT_EQ(model().local.position, Milliseconds(50));
-  EXPECT_EQ(model().remote.activity, Activity::Paused);
+  EXPECT_EQ(model().playing.activity, Activity::Paused);
   session_->toggle_pause(clock_.now());
   go_on(Milliseconds(5000));
   EXPECT_TRUE(session_->over());
@@ -209,16 +209,16 @@ TEST_F(StreamSessionTest, TheTableOfAusIsOfTheFaceThatIsShown) {
   open();
   session_->toggle_pause(clock_.now());
   ask(LocalCommand(gui::StepKeyframe{1}));
-  EXPECT_EQ(model().remote.keyframe, "keyframe 1 of 3");
-  ASSERT_EQ(model().remote.aus.size(), 1U);
-  EXPECT_EQ(model().remote.aus[0].label, "26");
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 100);
+  EXPECT_EQ(model().playing.keyframe, "keyframe 1 of 3");
+  ASSERT_EQ(model().playing.aus.size(), 1U);
+  EXPECT_EQ(model().playing.aus[0].label, "26");
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 100);
   ask(LocalCommand(gui::Seek{Milliseconds(200)}));
-  ASSERT_EQ(model().remote.aus.size(), 1U) << "on the way to neutral";
-  EXPECT_EQ(model().remote.aus[0].received_percent, 0);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 50);
+  ASSERT_EQ(model().playing.aus.size(), 1U) << "on the way to neutral";
+  EXPECT_EQ(model().playing.aus[0].received_percent, 0);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 50);
   ask(LocalCommand(gui::StepKeyframe{1}));
-  EXPECT_TRUE(model().remote.aus.empty());
+  EXPECT_TRUE(model().playing.aus.empty());
 }
 
 TEST_F(StreamSessionTest, OtherRulesAreSeenWhereItStands) {
@@ -259,26 +259,26 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   ASSERT_TRUE(model().local.open);
   EXPECT_EQ(model().local.ends->size(), 10U);
   ask(LocalCommand(gui::Seek{Duration::max()}));
-  ASSERT_EQ(model().remote.aus.size(), 1U);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 50);
+  ASSERT_EQ(model().playing.aus.size(), 1U);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 50);
   ask(gui::Browse{gui::Purpose::PlayStream});
   ask(gui::EnterFolder{folder_.path().string()});
   ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 150, .quiet_s = 0}});
   ask(gui::ChooseFile{"talk.csv"});
   EXPECT_NE(model().notice.text.find("gain 150 %"), std::string::npos) << model().notice.text;
   ask(LocalCommand(gui::Seek{Duration::max()}));
-  ASSERT_EQ(model().remote.aus.size(), 1U);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 75);
+  ASSERT_EQ(model().playing.aus.size(), 1U);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 75);
   // The next file is read as it is, this one as it was, also by its name alone.
   const auto another = folder_.write("another.csv", text);
   ask(gui::Browse{gui::Purpose::PlayStream});
   ask(gui::ChooseFile{"another.csv"});
   ask(LocalCommand(gui::Seek{Duration::max()}));
-  EXPECT_EQ(model().remote.aus.at(0).shown_percent, 50);
+  EXPECT_EQ(model().playing.aus.at(0).shown_percent, 50);
   EXPECT_EQ(session_->kept().tables.size(), 1U);
   ask(gui::OpenStream{table.string()});
   ask(LocalCommand(gui::Seek{Duration::max()}));
-  EXPECT_EQ(model().remote.aus.at(0).shown_percent, 75);
+  EXPECT_EQ(model().playing.aus.at(0).shown_percent, 75);
   EXPECT_EQ(model().recent_files, (std::vector<std::string>{table.string(), another.string()}));
 }
 

@@ -23,8 +23,8 @@ using WindowSessionTest = PlayedSession;
 
 TEST_F(WindowSessionTest, WithoutASourceTheFaceIsNeutral) {
   open_nothing();
-  EXPECT_EQ(model().remote.activity, Activity::Idle);
-  EXPECT_EQ(model().remote.state, "no connection");
+  EXPECT_EQ(model().playing.activity, Activity::Idle);
+  EXPECT_EQ(model().playing.state, "no connection");
   EXPECT_EQ(session_->title(), "AUcast");
   EXPECT_FALSE(session_->over());
   EXPECT_GE(session_->idle_time(clock_.now()), Milliseconds(250));
@@ -34,29 +34,29 @@ TEST_F(WindowSessionTest, WithoutASourceTheFaceIsNeutral) {
 TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
   open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});
   go_on(Milliseconds(0));
-  ASSERT_EQ(model().remote.aus.size(), 2U);
-  EXPECT_EQ(model().remote.aus[0].received_percent, 100);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 0) << "it has only begun";
-  EXPECT_EQ(model().remote.aus[0].why, "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone");
-  EXPECT_EQ(model().remote.keyframe, "keyframe 1");
+  ASSERT_EQ(model().playing.aus.size(), 2U);
+  EXPECT_EQ(model().playing.aus[0].received_percent, 100);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 0) << "it has only begun";
+  EXPECT_EQ(model().playing.aus[0].why, "opposition: 51 100 % and 52 40 %: 51 60 %, 52 gone");
+  EXPECT_EQ(model().playing.keyframe, "keyframe 1");
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(2));
   go_on(Milliseconds(50));
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 30);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 30);
   go_on(Milliseconds(50));
   EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.6F);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 60);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 60);
 }
 
 TEST_F(WindowSessionTest, ExportsWhatWasReceivedAndNotTheEasingToNeutral) {
   open({frame({{12, Side::Both, 100}}), frame({{4, Side::Both, 50}})});
   for (int step = 0; step < 3; ++step) go_on(Milliseconds(100));
-  EXPECT_FALSE(model().remote.eased);
+  EXPECT_FALSE(model().playing.eased);
   go_on(options_.playback.hold);
   go_on(Milliseconds(500));
-  EXPECT_TRUE(model().remote.eased);
+  EXPECT_TRUE(model().playing.eased);
   source_->keyframes.push_back({frame({{26, Side::Both, 100}}), Milliseconds(300)});
   go_on(Milliseconds(10));
-  EXPECT_FALSE(model().remote.eased);
+  EXPECT_FALSE(model().playing.eased);
   const test::TempFolder folder;
   const auto file = folder.path() / "exported.txt";
   ask(gui::Browse{gui::Purpose::ExportKeyframes});
@@ -73,7 +73,7 @@ TEST_F(WindowSessionTest, PauseHoldsTheFaceAndResumeGoesOn) {
   ask(gui::Pause{});
   go_on(Milliseconds(5000));
   EXPECT_EQ(shown("jaw"), half);
-  EXPECT_EQ(model().remote.activity, Activity::Paused);
+  EXPECT_EQ(model().playing.activity, Activity::Paused);
   session_->toggle_pause(clock_.now());
   go_on(Milliseconds(50));
   EXPECT_FLOAT_EQ(shown("jaw"), 2 * half);
@@ -88,10 +88,10 @@ TEST_F(WindowSessionTest, StopKeepsTheFace) {
   go_on(Milliseconds(1000));
   EXPECT_EQ(shown("jaw"), half);
   EXPECT_TRUE(session_->over());
-  EXPECT_EQ(model().remote.activity, Activity::Over);
+  EXPECT_EQ(model().playing.activity, Activity::Over);
   EXPECT_EQ(source_->now.end, EndReason::Stopped);
   source_->now.detail = "stopped by the user";
-  EXPECT_EQ(model().remote.detail, "") << "nothing went wrong";
+  EXPECT_EQ(model().playing.detail, "") << "nothing went wrong";
 }
 
 TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
@@ -102,10 +102,10 @@ TEST_F(WindowSessionTest, ALostConnectionKeepsTheLastFaceAndSaysSo) {
   go_on(Milliseconds(100));
   go_on(Milliseconds(100));
   EXPECT_GT(shown("jaw"), 0);
-  EXPECT_TRUE(model().remote.stale);
-  EXPECT_EQ(model().remote.state, "lost");
-  EXPECT_EQ(model().remote.detail, "the server has gone");
-  EXPECT_FALSE(model().remote.eased);
+  EXPECT_TRUE(model().playing.stale);
+  EXPECT_EQ(model().playing.state, "lost");
+  EXPECT_EQ(model().playing.detail, "the server has gone");
+  EXPECT_FALSE(model().playing.eased);
 }
 
 TEST_F(WindowSessionTest, TheTimeToTheNextAttemptIsCountedDown) {
@@ -116,16 +116,16 @@ TEST_F(WindowSessionTest, TheTimeToTheNextAttemptIsCountedDown) {
   source_->now.reason = "lecture.example.org: the connection was lost";
   source_->now.retry_after = Milliseconds(30'000);
   go_on(Milliseconds(100));
-  EXPECT_TRUE(model().remote.tries_again);
-  EXPECT_EQ(model().remote.detail, source_->now.reason);
-  EXPECT_EQ(model().remote.again_s, 30);
+  EXPECT_TRUE(model().playing.tries_again);
+  EXPECT_EQ(model().playing.detail, source_->now.reason);
+  EXPECT_EQ(model().playing.again_s, 30);
   go_on(Milliseconds(1'500));
-  EXPECT_EQ(model().remote.again_s, 29);
+  EXPECT_EQ(model().playing.again_s, 29);
   go_on(Milliseconds(40'000));
-  EXPECT_EQ(model().remote.again_s, 0);
+  EXPECT_EQ(model().playing.again_s, 0);
   source_->now.reconnects = 2;
   go_on(Milliseconds(100));
-  EXPECT_EQ(model().remote.again_s, 30);
+  EXPECT_EQ(model().playing.again_s, 30);
 }
 
 TEST_F(WindowSessionTest, AStreamThatTheServerEndsSaysWhoHasEndedIt) {
@@ -136,7 +136,7 @@ TEST_F(WindowSessionTest, AStreamThatTheServerEndsSaysWhoHasEndedIt) {
   go_on(Milliseconds(0));
   source_->now.end = EndReason::EndOfStream;
   go_on(Milliseconds(200));
-  EXPECT_EQ(model().remote.ended_by, "venus");
+  EXPECT_EQ(model().playing.ended_by, "venus");
 }
 
 TEST_F(WindowSessionTest, AFaceThatIsLostForLongGoesToNeutralAndSaysSo) {
@@ -148,14 +148,14 @@ TEST_F(WindowSessionTest, AFaceThatIsLostForLongGoesToNeutralAndSaysSo) {
   const float held = shown("jaw");
   go_on(Milliseconds(2000));
   EXPECT_EQ(shown("jaw"), held) << "it sets out";
-  EXPECT_TRUE(model().remote.eased);
+  EXPECT_TRUE(model().playing.eased);
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20)) << "and is drawn on its way";
   go_on(Milliseconds(500));
   EXPECT_FLOAT_EQ(shown("jaw"), held / 2);
   go_on(Milliseconds(500));
   EXPECT_EQ(shown("jaw"), 0);
-  EXPECT_EQ(model().remote.state, "lost");
-  EXPECT_TRUE(model().remote.aus.empty());
+  EXPECT_EQ(model().playing.state, "lost");
+  EXPECT_TRUE(model().playing.aus.empty());
   EXPECT_GT(session_->idle_time(clock_.now()), Milliseconds(20));
 }
 
@@ -165,9 +165,9 @@ TEST_F(WindowSessionTest, TheDelayOfALiveStreamIsShown) {
   source_->now.delay = Milliseconds(300);
   source_->keyframes.front().arrived = clock_.now();
   go_on(Milliseconds(10));
-  EXPECT_EQ(model().remote.delay, "") << "nothing is measured yet";
+  EXPECT_EQ(model().playing.delay, "") << "nothing is measured yet";
   go_on(Milliseconds(250));
-  EXPECT_EQ(model().remote.delay, "260 ms (at most 260, wanted 300)");
+  EXPECT_EQ(model().playing.delay, "260 ms (at most 260, wanted 300)");
 }
 
 TEST_F(WindowSessionTest, MixerRulesAndInterpolationChangeDuringPlay) {
@@ -182,7 +182,7 @@ TEST_F(WindowSessionTest, MixerRulesAndInterpolationChangeDuringPlay) {
   ask(gui::ChangeAnimation{settings});
   EXPECT_EQ(model().animation, settings);
   go_on(Milliseconds(100));
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 100);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 100);
   go_on(Milliseconds(100));
   EXPECT_FLOAT_EQ(shown("head_turn_right"), 0.4F);
 }
@@ -205,10 +205,10 @@ TEST_F(WindowSessionTest, AnAuThatTheFaceLacksIsNotShown) {
   ASSERT_FALSE(assets_->face.recordings.contains(90));
   open({frame({{90, Side::Both, 100}})});
   go_on(Milliseconds(0));
-  ASSERT_EQ(model().remote.aus.size(), 1U);
-  EXPECT_EQ(model().remote.aus[0].received_percent, 100);
-  EXPECT_EQ(model().remote.aus[0].shown_percent, 0);
-  EXPECT_EQ(model().remote.aus[0].why, "this face has no AU 90");
+  ASSERT_EQ(model().playing.aus.size(), 1U);
+  EXPECT_EQ(model().playing.aus[0].received_percent, 100);
+  EXPECT_EQ(model().playing.aus[0].shown_percent, 0);
+  EXPECT_EQ(model().playing.aus[0].why, "this face has no AU 90");
 }
 
 TEST_F(WindowSessionTest, RulesThatAreNotThereChangeNothing) {
@@ -282,10 +282,10 @@ TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
   // Nothing listens on this port of this host.
   ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});
   EXPECT_EQ(shown("jaw"), half);
-  EXPECT_EQ(model().remote.receiver.capacity, 50U);
-  EXPECT_EQ(model().remote.receiver.threshold_percent, 30);
-  EXPECT_TRUE(model().remote.keyframe.empty());
-  EXPECT_TRUE(model().remote.aus.empty());
+  EXPECT_EQ(model().playing.receiver.capacity, 50U);
+  EXPECT_EQ(model().playing.receiver.threshold_percent, 30);
+  EXPECT_TRUE(model().playing.keyframe.empty());
+  EXPECT_TRUE(model().playing.aus.empty());
   const auto last = session_->finish(clock_.now());
   ASSERT_NE(last, nullptr);
 }
@@ -307,19 +307,19 @@ TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
 TEST_F(WindowSessionTest, KeyframesWithTimesOfTheirOwnMakeTheSpeedUseless) {
   open({frame({{26, Side::Both, 100}})});
   go_on(Milliseconds(0));
-  EXPECT_TRUE(model().remote.timed);
+  EXPECT_TRUE(model().playing.timed);
 }
 
 TEST_F(WindowSessionTest, OtherRulesWhileConnectingLeaveNothingOfThoseBefore) {
   open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});  // a rule fires
   go_on(Milliseconds(0));
-  ASSERT_FALSE(model().remote.aus.empty());
+  ASSERT_FALSE(model().playing.aus.empty());
   ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});
   gui::AnimationSettings settings = model().animation;
   settings.rules = "none";
   ask(gui::ChangeAnimation{settings});
   EXPECT_EQ(model().animation.rules, "none");
-  EXPECT_TRUE(model().remote.aus.empty());
+  EXPECT_TRUE(model().playing.aus.empty());
   static_cast<void>(session_->finish(clock_.now()));
 }
 

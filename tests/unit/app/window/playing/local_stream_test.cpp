@@ -92,7 +92,7 @@ TEST_F(LocalStreamTest, AllOfItIsExportedWhereverItStands) {
 }
 
 TEST_F(LocalStreamTest, HasNoBuffersToShow) {
-  gui::RemoteView view;
+  gui::PlayingView view;
   stream_.describe(view);
   EXPECT_TRUE(view.local);
   EXPECT_EQ(view.keyframe, "keyframe 1 of 3");

@@ -53,7 +53,7 @@ TEST_F(PlaybackSessionTest, WithNothingOpenEveryCommandIsIdle) {
   EXPECT_FALSE(ask(gui::Stop{}));
   EXPECT_FALSE(ask(gui::LocalCommand{gui::MarkLoop{}}));
   go_on(Milliseconds(100));
-  EXPECT_EQ(session_.remote_view().activity, Activity::Idle);
+  EXPECT_EQ(session_.playing_view().activity, Activity::Idle);
   EXPECT_EQ(session_.title(), "AUcast");
   EXPECT_FALSE(session_.over());
   EXPECT_FALSE(session_.stands());
@@ -78,7 +78,7 @@ TEST_F(PlaybackSessionTest, AFileIsNoServerToRemember) {
   open_local();
   go_on(Milliseconds(10));
   EXPECT_TRUE(session_.local_view().open);
-  EXPECT_TRUE(session_.remote_view().local);
+  EXPECT_TRUE(session_.playing_view().local);
   EXPECT_TRUE(session_.servers().recent().empty());
 }
 
@@ -114,10 +114,10 @@ TEST_F(PlaybackSessionTest, SaysWhoEndedTheStream) {
   playback::test::ScriptedSource& source = open_remote();
   source.keyframes.push_back(marked(1, Milliseconds(100)));
   go_on(Milliseconds(0));
-  EXPECT_EQ(session_.remote_view().ended_by, "");
+  EXPECT_EQ(session_.playing_view().ended_by, "");
   source.now.end = playback::EndReason::EndOfStream;
   go_on(Milliseconds(200));
-  EXPECT_EQ(session_.remote_view().ended_by, "lecture.example.org");
+  EXPECT_EQ(session_.playing_view().ended_by, "lecture.example.org");
   EXPECT_TRUE(session_.over());
 }
 

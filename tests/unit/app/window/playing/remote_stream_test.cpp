@@ -39,8 +39,8 @@ class RemoteStreamTest : public testing::Test {
     source_->keyframes.push_back(marked(mark, time));
     ++source_->now.keyframes_received;
   }
-  [[nodiscard]] gui::RemoteView view() const {
-    gui::RemoteView view;
+  [[nodiscard]] gui::PlayingView view() const {
+    gui::PlayingView view;
     stream_->describe(view);
     return view;
   }
