@@ -324,10 +324,10 @@ std::vector<OptionRow> program_rows(PlayerOptions& options) {
   };
 }
 
-OptionRow camera_row(PoseOptions& pose) {
+OptionRow viewpoint_row(PoseOptions& pose) {
   return {"camera", "VIEW",
           "front",  "front, three-quarter or profile (front)",
-          "",       one_of(pose.camera, {"front", "three-quarter", "profile"})};
+          "",       one_of(pose.viewpoint, {"front", "three-quarter", "profile"})};
 }
 
 OptionRow aus_row(PoseOptions& pose) {
@@ -357,7 +357,7 @@ std::vector<OptionRow> pose_rows(PoseOptions& pose) {
       {"obj", "FILE", "", "write the skin",
        "Writes the deformed skin as Wavefront OBJ, vertices in the order of the face.",
        word(pose.obj)},
-      camera_row(pose),
+      viewpoint_row(pose),
   };
 }
 
@@ -374,7 +374,7 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
        "From neutral to the apex and back, as frames, and as a video if ffmpeg is installed: "
        "a set of AUs, an expression, or all of both. May be repeated.",
        words(gallery.sweeps)},
-      camera_row(options.pose),
+      viewpoint_row(options.pose),
   };
 }
 

@@ -99,12 +99,12 @@ struct PoseOptions {
   std::string expression;
   std::filesystem::path png;
   std::filesystem::path obj;
-  std::string camera = "front";
-  bool list = false;     ///< --list: what can be named
-  bool explain = false;  ///< rules --explain
+  std::string viewpoint = "front";  ///< --camera
+  bool list = false;                ///< --list: what can be named
+  bool explain = false;             ///< rules --explain
 };
 
-/// What `gallery` makes; camera, size, mixer and rules are those of the other commands.
+/// What `gallery` makes; viewpoint, size, mixer and rules are those of the other commands.
 struct GalleryOptions {
   std::filesystem::path folder;     ///< gallery DIR
   std::vector<std::string> only;    ///< --only: names of sections; empty: all

@@ -69,7 +69,7 @@ std::string line(const std::string& file, const GalleryPicture& picture,
   const auto shown = what_is_shown(picture, setting.face);
   fields.insert(fields.end(), shown.begin(), shown.end());
   fields.insert(fields.end(),
-                {setting.camera, std::to_string(setting.width), std::to_string(setting.height),
+                {setting.viewpoint, std::to_string(setting.width), std::to_string(setting.height),
                  setting.background, setting.layers, setting.version});
   if (picture.sweep_frame) {
     const bool still = !video;

@@ -11,7 +11,7 @@ namespace aucast::gallery {
 /// What is the same for all pictures of one gallery.
 struct GallerySetting {
   std::string face;
-  std::string camera;
+  std::string viewpoint;
   std::string background;  ///< RRGGBB, none or default
   std::string layers;      ///< as --show takes them
   std::string version;

@@ -103,7 +103,7 @@ class Page {
         title + "</title>\n<style>" + std::string(kStyle) +
         "</style>\n</head>\n<body>\n<header>\n<h1>" + title + "</h1>\n<p>" +
         std::to_string(plan_.pictures.size()) + " pictures, " + std::to_string(setting_.width) +
-        " x " + std::to_string(setting_.height) + ", camera " + html_escaped(setting_.camera) +
+        " x " + std::to_string(setting_.height) + ", camera " + html_escaped(setting_.viewpoint) +
         ", background " + html_escaped(setting_.background) +
         ". A click opens a picture in its full size.</p>\n</header>\n<nav><div>\n";
     for (const GallerySection& section : plan_.sections) {

@@ -93,10 +93,11 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options, c
     if (auto written = write_file_atomically(pose.obj, text); !written) return written;
   }
   if (!pose.png.empty()) {
-    auto maker = PictureMaker::create(assets.face, options.output, pose.camera, Sharpness::Still);
+    auto maker =
+        PictureMaker::create(assets.face, options.output, pose.viewpoint, Sharpness::Still);
     if (!maker) return maker.error();
     const auto texts = texts_of({assets.face, aus, assets.rules.name, options.face.mixer,
-                                 options.output.layers, pose.camera, activations});
+                                 options.output.layers, pose.viewpoint, activations});
     return view::write_png((*maker)->picture(activations), pose.png, texts);
   }
   if (pose.obj.empty()) print_activations(assets, activations);

@@ -17,10 +17,11 @@ namespace aucast::app {
 /// The face must outlive it. Thread: the one that made it.
 class PictureMaker {
  public:
-  /// Size, background and layers are those of `output`; `camera`: a preset of viewpoints.
+  /// Size, background and layers are those of `output`; `viewpoint`: a name that viewpoint_preset()
+  /// knows.
   [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
                                                                     const OutputOptions& output,
-                                                                    std::string_view camera,
+                                                                    std::string_view viewpoint,
                                                                     Sharpness sharpness);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;

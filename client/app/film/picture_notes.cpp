@@ -45,7 +45,7 @@ std::vector<view::PngText> texts_of(const PictureNotes& notes) {
     add("Rules", std::string(notes.rules));
     add("Mixer", std::string(face::name(notes.mixer)));
   }
-  add("Camera", std::string(notes.camera));
+  add("Camera", std::string(notes.viewpoint));
   add("Layers", view::format_layers(notes.layers));
   add("Activations", activations_text(notes.face, notes.activations));
   return texts;

@@ -21,7 +21,7 @@ struct PictureNotes {
   std::string_view rules{};
   face::Mixer mixer = face::Mixer::Maximum;
   view::Layers layers = {};
-  std::string_view camera{};  ///< of --camera; empty: turned by hand
+  std::string_view viewpoint{};  ///< of --camera; empty: turned by hand
   std::span<const float> activations{};
   std::string_view edited{};  ///< of no AUs: what was edited in the window; empty: nothing
 };

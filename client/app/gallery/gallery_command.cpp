@@ -97,8 +97,8 @@ class GalleryWriter {
   }
 
   Result<void> draw_all() {
-    auto maker =
-        PictureMaker::create(assets_.face, options_.output, options_.pose.camera, Sharpness::Still);
+    auto maker = PictureMaker::create(assets_.face, options_.output, options_.pose.viewpoint,
+                                      Sharpness::Still);
     if (!maker) return maker.error();
     maker_ = std::move(*maker);
     const std::size_t stills = plan_.sweeps.empty() ? plan_.pictures.size() : plan_.sweeps[0].begin;
@@ -132,7 +132,7 @@ class GalleryWriter {
     const bool only_muscles = !picture.muscles.empty() && picture.shown == AuFrame{};
     const auto texts = texts_of(
         {assets_.face, only_muscles ? std::nullopt : std::optional(picture.shown), picture.rules,
-         picture.mixer, options_.output.layers, options_.pose.camera, activations_});
+         picture.mixer, options_.output.layers, options_.pose.viewpoint, activations_});
     auto written = view::write_png(image, options_.gallery.folder / picture.file, texts);
     if (!written) return written;
     if (video != nullptr) {
@@ -176,7 +176,7 @@ class GalleryWriter {
   Result<void> write_texts() {
     gallery::GallerySetting setting;
     setting.face = assets_.face.name;
-    setting.camera = options_.pose.camera;
+    setting.viewpoint = options_.pose.viewpoint;
     setting.background = options_.output.transparent ? "none" : "default";
     if (options_.output.background) {
       std::array<char, 16> text{};

@@ -69,7 +69,7 @@ TEST(OptionRows, DefaultsThatTheyNameAreThoseOfTheProgram) {
     EXPECT_EQ(options.face.face, untouched.face.face);
     EXPECT_EQ(options.face.mixer, untouched.face.mixer);
     EXPECT_EQ(options.face.rules, untouched.face.rules);
-    EXPECT_EQ(options.pose.camera, untouched.pose.camera);
+    EXPECT_EQ(options.pose.viewpoint, untouched.pose.viewpoint);
     EXPECT_EQ(options.log_level, untouched.log_level);
   }
 }
