@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "client/gallery/section_names.h"
+#include "client/playback/playback_controller.h"
+#include "client/view/video_encoder.h"
 #include "common/number_of.h"
 #include "common/text.h"
 
@@ -13,8 +16,14 @@ namespace {
 using Kind = OptionValue::Kind;
 using Where = OptionRow::Where;
 
-constexpr int kSizeMax = 8192;
+constexpr int kSizeMax = view::kVideoSideMax;
 constexpr double kSecondsMax = 86'400;
+constexpr int kDelayMaxMs = playback::BufferOptions::kDelayMax.count();
+constexpr int kSpeedMaxMs = playback::PlaybackController::kSpeedMax.count();
+
+std::string text_of_range(std::size_t low, std::size_t high) {
+  return std::to_string(low) + " to " + std::to_string(high);
+}
 
 template <typename Number>
 bool read_whole(std::string_view text, Number low, Number high, Number& out) {
@@ -67,9 +76,9 @@ Complaint read_muscle(const std::string& word,
 Complaint read_sections(const std::string& word, std::vector<std::string>& sections) {
   for (const std::string_view part : split(word, ',')) {
     std::string section;
-    if (const auto wrong = one_of(section, {"aus", "prototypes", "combinations", "appendix-a",
-                                            "appendix-b", "sweeps", "coverage"})
-                               .read(std::string(part))) {
+    if (const auto wrong =
+            one_of(section, {gallery::kSectionNames.begin(), gallery::kSectionNames.end()})
+                .read(std::string(part))) {
       return wrong;
     }
     sections.push_back(std::move(section));
@@ -79,17 +88,22 @@ Complaint read_sections(const std::string& word, std::vector<std::string>& secti
 
 /// SEED[:INTERVAL_MS[:CLOSING_MS]]
 Complaint read_blink(const std::string& word, std::optional<playback::BlinkOptions>& out) {
-  playback::BlinkOptions blink;
+  using Blink = playback::BlinkOptions;
+  Blink blink;
   const auto parts = split(word, ':');
   constexpr auto kSeedMax = std::numeric_limits<std::uint64_t>::max();
-  const bool good = parts.size() <= 3 &&
-                    read_whole(parts[0], std::uint64_t{0}, kSeedMax, blink.seed) &&
-                    (parts.size() < 2 || read_whole(parts[1], 500, 60'000, blink.interval_ms)) &&
-                    (parts.size() < 3 || read_whole(parts[2], 25, 500, blink.closing_ms)) &&
-                    blink.closing_ms * 6 <= blink.interval_ms;
+  const bool good =
+      parts.size() <= 3 && read_whole(parts[0], std::uint64_t{0}, kSeedMax, blink.seed) &&
+      (parts.size() < 2 ||
+       read_whole(parts[1], Blink::kIntervalMinMs, Blink::kIntervalMaxMs, blink.interval_ms)) &&
+      (parts.size() < 3 ||
+       read_whole(parts[2], Blink::kClosingMinMs, Blink::kClosingMaxMs, blink.closing_ms)) &&
+      blink.closing_ms * 6 <= blink.interval_ms;
   if (!good) {
-    return "is not SEED[:INTERVAL[:CLOSING]]: a number, then milliseconds, 500 to 60000 from blink "
-           "to blink and 25 to 500, at most a sixth of that, to close the lids";
+    return "is not SEED[:INTERVAL[:CLOSING]]: a number, then milliseconds, " +
+           text_of_range(Blink::kIntervalMinMs, Blink::kIntervalMaxMs) +
+           " from blink to blink and " + text_of_range(Blink::kClosingMinMs, Blink::kClosingMaxMs) +
+           ", at most a sixth of that, to close the lids";
   }
   out = blink;
   return std::nullopt;
@@ -103,15 +117,17 @@ Complaint read_idle(const std::string& word, PlaybackOptions& playback) {
 }
 
 Complaint read_buffer(const std::string& word, playback::BufferOptions& buffers) {
-  if (read_whole(word, std::size_t{1}, std::size_t{10'000}, buffers.receiver_capacity)) {
+  constexpr std::size_t kSetsMax = playback::BufferOptions::kSetsMax;
+  if (read_whole(word, std::size_t{1}, kSetsMax, buffers.receiver_capacity)) {
     return std::nullopt;
   }
   int time_ms = 0;
   const bool timed =
       word.ends_with("ms") &&
-      read_whole(std::string_view(word).substr(0, word.size() - 2), 0, 60'000, time_ms);
+      read_whole(std::string_view(word).substr(0, word.size() - 2), 0, kDelayMaxMs, time_ms);
   if (word != "auto" && !timed) {
-    return "is neither auto, nor a time of 0ms to 60000ms, nor 1 to 10000 sets";
+    return "is neither auto, nor a time of 0ms to " + std::to_string(kDelayMaxMs) + "ms, nor " +
+           text_of_range(1, kSetsMax) + " sets";
   }
   buffers.receiver_capacity = playback::kReceiverSetsByTime;
   buffers.by_time = true;
@@ -124,7 +140,7 @@ Complaint read_buffer(const std::string& word, playback::BufferOptions& buffers)
 
 Complaint read_live_delay(const std::string& word, playback::BufferOptions& buffers) {
   buffers.adapt = false;
-  return whole(buffers.live_delay, 0, 60'000).read(word);
+  return whole(buffers.live_delay, 0, kDelayMaxMs).read(word);
 }
 
 std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
@@ -137,7 +153,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        parsed(Kind::Word, read_buffer, buffers), "Receiving"},
       {"playout", "N", "30", "Playout buffer, in sets (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
-       whole(buffers.playout_capacity, 1, 10'000)},
+       whole(buffers.playout_capacity, 1, playback::BufferOptions::kSetsMax)},
       {"threshold", "PERCENT", "40", "how full it must be before playback starts (40)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
@@ -209,7 +225,7 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
       {"speed", "MS", "", "how long keyframes without a time last (250)",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
-       whole(playback.speed, 1, 1000), "Animation"},
+       whole(playback.speed, 1, kSpeedMaxMs), "Animation"},
       {"interpolation", "KIND", "linear", "linear or cosine (linear)",
        "Between keyframes: linear or cosine.",
        one_of<Interpolation>(playback.interpolation, {{"linear", Interpolation::Linear},
@@ -266,7 +282,7 @@ OptionRow fps_row(OutputOptions& output) {
       "",
       "pictures a second of a video, of frames, of a GLB",
       "Pictures a second, 1 to 240. In the window: of GLB files, and what , and . step by (25).",
-      whole(output.fps, 1, 240)};
+      whole(output.fps, 1, view::kVideoFpsMax)};
 }
 
 std::vector<OptionRow> film_rows(PlayerOptions& options) {

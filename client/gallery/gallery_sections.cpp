@@ -6,6 +6,7 @@
 
 #include "client/face/au_blender.h"
 #include "client/face/side_word.h"
+#include "client/gallery/section_names.h"
 #include "client/pipeline/expression_muscles.h"
 #include "common/text.h"
 #include "protocol/codec.h"
@@ -50,8 +51,8 @@ std::vector<Side> sides_of(const face::Face& face, int number) {
 
 }  // namespace
 
-bool GalleryPlanner::wanted(const std::string& section) const {
-  return input_.only.empty() || input_.only.contains(section);
+bool GalleryPlanner::wanted(std::string_view section) const {
+  return input_.only.empty() || input_.only.contains(std::string(section));
 }
 
 const Expression* GalleryPlanner::expression(const std::string& name) const {
@@ -111,7 +112,7 @@ GalleryFigure GalleryPlanner::expression_figure(const Expression& expression) {
 }
 
 void GalleryPlanner::add_aus() {
-  GallerySection section{"aus",
+  GallerySection section{std::string(kAusSection),
                          "Action Units",
                          "Every Action Unit that this face has, from a trace (A) to the maximum "
                          "(E). Left and right are the subject's own.",
@@ -140,7 +141,7 @@ void GalleryPlanner::add_aus() {
 }
 
 void GalleryPlanner::add_prototypes() {
-  GallerySection section{"prototypes",
+  GallerySection section{std::string(kPrototypesSection),
                          "Prototypes",
                          "What the literature says an emotion looks like; each name is what "
                          "face-player pose --expression takes.",
@@ -178,7 +179,7 @@ GalleryBlock GalleryPlanner::combination_block(const std::string& heading,
 
 void GalleryPlanner::add_combinations() {
   plan_.sections.push_back(
-      {"combinations",
+      {std::string(kCombinationsSection),
        "Combinations of two",
        "Two basic expressions at once (the thesis' figure 5.18): the Action Units of both.",
        {combination_block("FACS Investigator's Guide", ""),
@@ -197,7 +198,7 @@ void GalleryPlanner::add_appendix_a() {
     }
     block.rows.front().figures.push_back(std::move(figure));
   }
-  plan_.sections.push_back({"appendix-a",
+  plan_.sections.push_back({std::string(kAppendixASection),
                             "Appendix A",
                             "The Action Units that the thesis' player implemented, at maximum.",
                             {std::move(block)}});
@@ -226,7 +227,7 @@ GalleryRow GalleryPlanner::benchmark_row(const std::string& emotion, face::Mixer
 
 void GalleryPlanner::add_appendix_b() {
   GallerySection section{
-      "appendix-b",
+      std::string(kAppendixBSection),
       "Appendix B",
       "The thesis' six expressions (table 3.2) with both mixers, with and without co-occurrence "
       "rules, beside Waters' own six, muscle by muscle (values above what a muscle of this face "
@@ -243,11 +244,11 @@ void GalleryPlanner::add_appendix_b() {
 }
 
 void GalleryPlanner::add_sections() {
-  if (wanted("aus")) add_aus();
-  if (wanted("prototypes")) add_prototypes();
-  if (wanted("combinations")) add_combinations();
-  if (wanted("appendix-a")) add_appendix_a();
-  if (wanted("appendix-b")) add_appendix_b();
+  if (wanted(kAusSection)) add_aus();
+  if (wanted(kPrototypesSection)) add_prototypes();
+  if (wanted(kCombinationsSection)) add_combinations();
+  if (wanted(kAppendixASection)) add_appendix_a();
+  if (wanted(kAppendixBSection)) add_appendix_b();
 }
 
 void GalleryPlanner::add_sweep_frames(const std::string& name, const std::string& title,
@@ -308,7 +309,7 @@ Result<void> GalleryPlanner::add_sweeps() {
     }
   }
   if (!plan_.sweeps.empty()) {
-    plan_.sections.push_back({"sweeps",
+    plan_.sections.push_back({std::string(kSweepsSection),
                               "Sweeps",
                               "From the neutral face to the apex and back: onset 600 ms, apex 400 "
                               "ms, offset 600 ms, 25 pictures a second. Here the apex.",

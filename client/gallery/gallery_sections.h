@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "client/gallery/gallery_plan.h"
@@ -27,7 +28,7 @@ class GalleryPlanner {
     std::vector<ExpressionMuscle> muscles;
   };
 
-  [[nodiscard]] bool wanted(const std::string& section) const;
+  [[nodiscard]] bool wanted(std::string_view section) const;
   [[nodiscard]] const Expression* expression(const std::string& name) const;
   [[nodiscard]] bool can_show(const Expression& expression) const;
   [[nodiscard]] static Subject subject(const Expression& expression);

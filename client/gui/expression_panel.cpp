@@ -127,9 +127,13 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   bool changed = in_between(look, "way", way);
   settings.cosine = way == Interpolation::Cosine;
   label(look, tr("expression.frames"), tr("tip.frames"));
-  if (number_field("##frames", settings.frames, {.least = 1, .most = 500})) changed = true;
+  if (number_field("##frames", settings.frames,
+                   {.least = 1, .most = TransitionSettings::kFramesMax}))
+    changed = true;
   label(look, tr("expression.each_ms"));
-  if (number_field("##frame", settings.frame_ms, {.least = 1, .most = 1000})) changed = true;
+  if (number_field("##frame", settings.frame_ms,
+                   {.least = 1, .most = TransitionSettings::kFrameMsMax}))
+    changed = true;
   quiet_text(tr("expression.takes", settings.frames * settings.frame_ms));
   if (changed) commands.push_back(ChangeTransition{settings});
 }

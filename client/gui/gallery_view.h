@@ -3,27 +3,29 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "client/gallery/section_names.h"
 #include "client/gui/texts.h"
 
 namespace aucast::gui {
 
 /// A section of a gallery: as `gallery --only` has it, and in words, short and longer.
 struct GallerySection {
-  const char* name;
+  std::string_view name;
   TextKey text;
   TextKey tip;
 };
-inline constexpr std::array<GallerySection, 7> kGallerySections = {{
-    {"aus", "gallery.aus", "gallery.aus_tip"},
-    {"prototypes", "gallery.prototypes", "gallery.prototypes_tip"},
-    {"combinations", "gallery.combinations", "gallery.combinations_tip"},
-    {"appendix-a", "gallery.appendix_a", "gallery.appendix_a_tip"},
-    {"appendix-b", "gallery.appendix_b", "gallery.appendix_b_tip"},
-    {"coverage", "gallery.coverage", "gallery.coverage_tip"},
-    {"sweeps", "gallery.sweeps", "gallery.sweeps_tip"},
+inline constexpr std::array<GallerySection, gallery::kSectionNames.size()> kGallerySections = {{
+    {gallery::kAusSection, "gallery.aus", "gallery.aus_tip"},
+    {gallery::kPrototypesSection, "gallery.prototypes", "gallery.prototypes_tip"},
+    {gallery::kCombinationsSection, "gallery.combinations", "gallery.combinations_tip"},
+    {gallery::kAppendixASection, "gallery.appendix_a", "gallery.appendix_a_tip"},
+    {gallery::kAppendixBSection, "gallery.appendix_b", "gallery.appendix_b_tip"},
+    {gallery::kCoverageSection, "gallery.coverage", "gallery.coverage_tip"},
+    {gallery::kSweepsSection, "gallery.sweeps", "gallery.sweeps_tip"},
 }};
 
 /// What a gallery is made of.

@@ -164,8 +164,11 @@ struct ExpressionsView {
 
 /// How an expression is reached from the face as it is.
 struct TransitionSettings {
-  int frames = 50;   ///< 1-500 in-between frames
-  int frame_ms = 5;  ///< 1-1000
+  static constexpr int kFramesMax = 500;
+  static constexpr int kFrameMsMax = 1000;
+
+  int frames = 50;   ///< in between, 1 to kFramesMax
+  int frame_ms = 5;  ///< 1 to kFrameMsMax
   bool cosine = false;
   friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
 };
@@ -174,12 +177,22 @@ struct TransitionSettings {
 enum class Ground : std::uint8_t { Studio, Black, Grey, White, None };
 enum class Facing : std::uint8_t { Front, ThreeQuarter, Profile };
 
+/// To either side, and up and down.
+inline constexpr int kLightYawMaxDeg = 180;
+inline constexpr int kLightPitchMaxDeg = 80;
+inline constexpr int kLightPercentMax = 200;
+/// Of a random seed, which may be larger.
+inline constexpr int kSeedShownMax = 999'999;
+[[nodiscard]] constexpr int shown_seed(std::uint64_t seed) {
+  return seed < kSeedShownMax ? static_cast<int>(seed) : kSeedShownMax;
+}
+
 struct RenderingSettings {
   view::Layers layers;
   Ground ground = Ground::Studio;
-  int light_yaw_deg = -31;   ///< of the key light, to the subject's left; -180 to 180
-  int light_pitch_deg = 32;  ///< up; -80 to 80
-  int light_percent = 100;   ///< 0-200
+  int light_yaw_deg = -31;   ///< of the key light, to the subject's left; up to kLightYawMaxDeg
+  int light_pitch_deg = 32;  ///< up; up to kLightPitchMaxDeg
+  int light_percent = 100;   ///< 0 to kLightPercentMax
   bool blinking = false;
   playback::BlinkOptions blink;
   friend bool operator==(const RenderingSettings&, const RenderingSettings&) = default;

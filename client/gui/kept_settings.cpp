@@ -42,13 +42,13 @@ constexpr std::array<std::string_view, 4> kBehind{"sets", "live", "auto", "time"
 void read_remote(Fields fields, KeptSettings& settings) {
   RemoteSettings& remote = settings.remote;
   fields.take("address", remote.address);
-  fields.take("port", remote.port, 1, 65535);
-  fields.take("buffer", remote.buffer, 1, 10'000);
-  fields.take("playout", remote.playout, 1, 10'000);
+  fields.take("port", remote.port, 1, RemoteSettings::kPortMax);
+  fields.take("buffer", remote.buffer, 1, RemoteSettings::kSetsMax);
+  fields.take("playout", remote.playout, 1, RemoteSettings::kSetsMax);
   fields.take("threshold_percent", remote.threshold_percent, 1, 100);
   fields.take("behind", remote.behind, kBehind);
-  fields.take("behind_ms", remote.behind_ms, 0, 60'000);
-  fields.take("speed_ms", remote.speed_ms, 0, 1000);
+  fields.take("behind_ms", remote.behind_ms, 0, RemoteSettings::kBehindMsMax);
+  fields.take("speed_ms", remote.speed_ms, 0, RemoteSettings::kSpeedMsMax);
   fields.take("reconnect", remote.reconnect);
   fields.take("stream", remote.stream);
   fields.take("tls", remote.tls);
@@ -93,13 +93,15 @@ void read_animation(Fields fields, KeptSettings& settings) {
   fields.take("mixer", settings.animation.mixer, kMixers);
   fields.take("rules", settings.animation.rules);
   fields.take("interpolation", settings.animation.interpolation, kInterpolations);
-  fields.take("transition_frames", settings.transition.frames, 1, 500);
-  fields.take("transition_frame_ms", settings.transition.frame_ms, 1, 1000);
+  fields.take("transition_frames", settings.transition.frames, 1, TransitionSettings::kFramesMax);
+  fields.take("transition_frame_ms", settings.transition.frame_ms, 1,
+              TransitionSettings::kFrameMsMax);
   fields.take("transition_cosine", settings.transition.cosine);
   fields.finish();
 }
 
 void read_rendering(Fields fields, RenderingSettings& rendering) {
+  using Blink = playback::BlinkOptions;
   std::string layers = view::format_layers(rendering.layers);
   fields.take("show", layers);
   rendering.layers.textured = false;
@@ -111,15 +113,17 @@ void read_rendering(Fields fields, RenderingSettings& rendering) {
     }
   }
   fields.take("background", rendering.ground, kGrounds);
-  fields.take("light_yaw_deg", rendering.light_yaw_deg, -180, 180);
-  fields.take("light_pitch_deg", rendering.light_pitch_deg, -80, 80);
-  fields.take("light_percent", rendering.light_percent, 0, 200);
+  fields.take("light_yaw_deg", rendering.light_yaw_deg, -kLightYawMaxDeg, kLightYawMaxDeg);
+  fields.take("light_pitch_deg", rendering.light_pitch_deg, -kLightPitchMaxDeg, kLightPitchMaxDeg);
+  fields.take("light_percent", rendering.light_percent, 0, kLightPercentMax);
   fields.take("blinking", rendering.blinking);
-  fields.take("blink_interval_ms", rendering.blink.interval_ms, 500, 60'000);
-  fields.take("blink_closing_ms", rendering.blink.closing_ms, 25, 500);
+  fields.take("blink_interval_ms", rendering.blink.interval_ms, Blink::kIntervalMinMs,
+              Blink::kIntervalMaxMs);
+  fields.take("blink_closing_ms", rendering.blink.closing_ms, Blink::kClosingMinMs,
+              Blink::kClosingMaxMs);
   fields.take("blink_interpolation", rendering.blink.interpolation, kInterpolations);
-  int seed = static_cast<int>(std::min<std::uint64_t>(rendering.blink.seed, 999'999));
-  fields.take("blink_seed", seed, 0, 999'999);
+  int seed = shown_seed(rendering.blink.seed);
+  fields.take("blink_seed", seed, 0, kSeedShownMax);
   rendering.blink.seed = static_cast<std::uint64_t>(seed);
   fields.finish();
 }
@@ -232,16 +236,15 @@ std::string format_settings(const KeptSettings& settings) {
           line("transition_cosine", settings.transition.cosine);
   const RenderingSettings& rendering = settings.rendering;
   text += "\n[rendering]\n";
-  text +=
-      line("show", view::format_layers(rendering.layers)) +
-      line("background", rendering.ground, kGrounds) +
-      line("light_yaw_deg", rendering.light_yaw_deg) +
-      line("light_pitch_deg", rendering.light_pitch_deg) +
-      line("light_percent", rendering.light_percent) + line("blinking", rendering.blinking) +
-      line("blink_interval_ms", rendering.blink.interval_ms) +
-      line("blink_closing_ms", rendering.blink.closing_ms) +
-      line("blink_interpolation", rendering.blink.interpolation, kInterpolations) +
-      line("blink_seed", static_cast<int>(std::min<std::uint64_t>(rendering.blink.seed, 999'999)));
+  text += line("show", view::format_layers(rendering.layers)) +
+          line("background", rendering.ground, kGrounds) +
+          line("light_yaw_deg", rendering.light_yaw_deg) +
+          line("light_pitch_deg", rendering.light_pitch_deg) +
+          line("light_percent", rendering.light_percent) + line("blinking", rendering.blinking) +
+          line("blink_interval_ms", rendering.blink.interval_ms) +
+          line("blink_closing_ms", rendering.blink.closing_ms) +
+          line("blink_interpolation", rendering.blink.interpolation, kInterpolations) +
+          line("blink_seed", shown_seed(rendering.blink.seed));
   const PictureSettings& pictures = settings.pictures;
   text += "\n[pictures]\n" + line("folder", pictures.folder) + line("name", pictures.pattern) +
           line("width", pictures.width) + line("height", pictures.height);

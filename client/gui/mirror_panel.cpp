@@ -150,7 +150,8 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
   }
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(port_width);
-  static_cast<void>(number_field("##liveport", form.port, {.most = 65535, .buttons = false}));
+  static_cast<void>(
+      number_field("##liveport", form.port, {.most = RemoteSettings::kPortMax, .buttons = false}));
   tip(tr("camera.port_tip"));
 }
 

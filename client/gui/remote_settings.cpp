@@ -7,10 +7,6 @@
 namespace aucast::gui {
 namespace {
 
-constexpr int kPortMax = 65535;
-constexpr int kSetsMax = 10'000;
-constexpr int kSpeedMax = 1000;
-constexpr int kBehindMax = 60'000;
 constexpr std::size_t kAddressMax = 253;
 
 std::optional<std::string> outside(TextKey what, int value, int low, int high) {
@@ -24,7 +20,7 @@ std::optional<std::string> problem_of_host(const std::string& host, int port) {
   for (const char c : host) {
     if (c <= ' ' || c > '~') return tr("address.letters");
   }
-  return outside("address.port", port, 1, kPortMax);
+  return outside("address.port", port, 1, RemoteSettings::kPortMax);
 }
 
 std::string host_text(const std::string& host, int port) {
@@ -40,14 +36,17 @@ std::optional<std::string> problem(const RemoteSettings& settings) {
   for (const protocol::Endpoint& other : settings.others) {
     if (auto wrong = problem_of_host(other.host, other.port)) return wrong;
   }
-  if (auto wrong = outside("address.buffer", settings.buffer, 1, kSetsMax)) return wrong;
-  if (auto wrong = outside("address.playout", settings.playout, 1, kSetsMax)) return wrong;
+  if (auto wrong = outside("address.buffer", settings.buffer, 1, RemoteSettings::kSetsMax))
+    return wrong;
+  if (auto wrong = outside("address.playout", settings.playout, 1, RemoteSettings::kSetsMax))
+    return wrong;
   if (settings.playout > settings.buffer) {
     return tr("address.playout_larger");
   }
   if (auto wrong = outside("address.threshold", settings.threshold_percent, 1, 100)) return wrong;
-  if (auto wrong = outside("address.behind", settings.behind_ms, 0, kBehindMax)) return wrong;
-  return outside("address.speed", settings.speed_ms, 0, kSpeedMax);
+  if (auto wrong = outside("address.behind", settings.behind_ms, 0, RemoteSettings::kBehindMsMax))
+    return wrong;
+  return outside("address.speed", settings.speed_ms, 0, RemoteSettings::kSpeedMsMax);
 }
 
 std::string address_text(const RemoteSettings& settings) {

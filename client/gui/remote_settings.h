@@ -6,8 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "client/playback/keyframe_buffers.h"
+#include "client/playback/playback_controller.h"
 #include "protocol/endpoint.h"
-
 #include "protocol/limits.h"
 
 namespace aucast::gui {
@@ -22,19 +23,24 @@ enum class Behind : std::uint8_t {
 
 /// The form of the remote player, as people fill it in.
 struct RemoteSettings {
+  static constexpr int kPortMax = 65535;
+  static constexpr int kSetsMax = playback::BufferOptions::kSetsMax;
+  static constexpr int kSpeedMsMax = playback::PlaybackController::kSpeedMax.count();
+  static constexpr int kBehindMsMax = playback::BufferOptions::kDelayMax.count();
+
   std::string address = "127.0.0.1";  ///< a host
   int port = protocol::kDefaultPort;
-  int buffer = 100;
-  int playout = 30;
+  int buffer = 100;  ///< sets, 1 to kSetsMax
+  int playout = 30;  ///< the same, at most `buffer`
   int threshold_percent = 40;
-  int speed_ms = 0;        ///< 0: the server's own time
+  int speed_ms = 0;        ///< 1 to kSpeedMsMax; 0: the server's own time
   bool reconnect = false;  ///< try again when the server is lost
   std::string stream{};    ///< empty: the server's first
   bool tls = false;
   std::string token_file{};                  ///< empty: as the command line says
   std::vector<protocol::Endpoint> others{};  ///< where the stream is too, tried in turn
   Behind behind = Behind::Sets;
-  int behind_ms = 300;  ///< 0-60,000, of Behind::Time
+  int behind_ms = 300;  ///< 0 to kBehindMsMax, of Behind::Time
   friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
 };
 

@@ -94,12 +94,12 @@ bool light(const Look& look, RenderingSettings& settings) {
     quiet_text(tr("view.none_help"));
     toned_text(Tone::Waiting, tr("view.none_video"));
   }
-  changed |=
-      named_slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg, -180, 180, "%d°");
-  changed |=
-      named_slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg, -80, 80, "%d°");
-  changed |= named_slider(look, tr("view.strength"), "##strength", settings.light_percent, 0, 200,
-                          "%d %%");
+  changed |= named_slider(look, tr("view.light_aside"), "##yaw", settings.light_yaw_deg,
+                          -kLightYawMaxDeg, kLightYawMaxDeg, "%d°");
+  changed |= named_slider(look, tr("view.light_up"), "##pitch", settings.light_pitch_deg,
+                          -kLightPitchMaxDeg, kLightPitchMaxDeg, "%d°");
+  changed |= named_slider(look, tr("view.strength"), "##strength", settings.light_percent, 0,
+                          kLightPercentMax, "%d %%");
   return changed;
 }
 
@@ -117,11 +117,15 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   changed |= ImGui::Checkbox("##blinking", &settings.blinking);
   if (!settings.blinking) return changed;
   playback::BlinkOptions& blink = settings.blink;
-  changed |= number(look, tr("view.every_ms"), "##interval", blink.interval_ms, 500, 60'000, 100);
-  changed |= number(look, tr("view.closing_ms"), "##closing", blink.closing_ms, 25, 500, 25);
+  changed |=
+      number(look, tr("view.every_ms"), "##interval", blink.interval_ms,
+             playback::BlinkOptions::kIntervalMinMs, playback::BlinkOptions::kIntervalMaxMs, 100);
+  changed |=
+      number(look, tr("view.closing_ms"), "##closing", blink.closing_ms,
+             playback::BlinkOptions::kClosingMinMs, playback::BlinkOptions::kClosingMaxMs, 25);
   changed |= in_between(look, "lids", blink.interpolation);
-  int seed = static_cast<int>(std::min<std::uint64_t>(blink.seed, 999'999));
-  if (number(look, tr("view.seed"), "##seed", seed, 0, 999'999, 1, tr("tip.seed"))) {
+  int seed = shown_seed(blink.seed);
+  if (number(look, tr("view.seed"), "##seed", seed, 0, kSeedShownMax, 1, tr("tip.seed"))) {
     blink.seed = static_cast<std::uint64_t>(seed);
     changed = true;
   }

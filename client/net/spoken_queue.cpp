@@ -18,7 +18,8 @@ std::optional<T> front_of(std::deque<T>& queue) {
 }  // namespace
 
 void SpokenQueue::add(playback::Voice voice) {
-  if (voice_.size() == kVoicePacketsMax || voice_bytes_ + voice.opus.size() > kVoiceBytesMax) {
+  if (voice_.size() == playback::kVoicePacketsMax ||
+      voice_bytes_ + voice.opus.size() > playback::kVoiceBytesMax) {
     ++voice_left_out_;
     return;
   }

@@ -10,15 +10,11 @@
 
 namespace aucast::net {
 
-/// Voice and captions that have come and wait to be taken. What comes when there is no room is left
+/// Voice and captions that have come and wait to be taken: at most playback::kVoiceBytesMax and
+/// kVoicePacketsMax of the one, kCaptionsMax of the other. What comes when there is no room is left
 /// out and counted. Thread: none of its own.
 class SpokenQueue {
  public:
-  /// The most bytes of voice: an hour at 24 kbit/s.
-  static constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
-  /// The most packets: an hour of the shortest, 10 ms. Each takes memory beside its bytes, however
-  /// few these are.
-  static constexpr std::size_t kVoicePacketsMax = 360'000;
   static constexpr std::size_t kCaptionsMax = 10'000;
 
   void add(playback::Voice voice);

@@ -7,9 +7,15 @@
 namespace aucast::playback {
 
 struct BlinkOptions {
+  static constexpr int kIntervalMinMs = 500;
+  static constexpr int kIntervalMaxMs = 60'000;
+  static constexpr int kClosingMinMs = 25;
+  static constexpr int kClosingMaxMs = 500;
+
   std::uint64_t seed = 1;
-  int interval_ms = 4000;  ///< 500-60,000; 15 blinks a minute, as people at rest do
-  int closing_ms = 100;    ///< 25-500, at most a sixth of the interval
+  int interval_ms =
+      4000;  ///< kIntervalMinMs to kIntervalMaxMs; 15 blinks a minute, as people at rest do
+  int closing_ms = 100;  ///< kClosingMinMs to kClosingMaxMs, at most a sixth of the interval
   Interpolation interpolation = Interpolation::Linear;
   friend bool operator==(const BlinkOptions&, const BlinkOptions&) = default;
 };

@@ -7,9 +7,6 @@
 namespace aucast::playback {
 namespace {
 
-constexpr std::size_t kCapacityMax = 10'000;
-constexpr Milliseconds kLiveDelayMax{60'000};
-
 /// Live: what must be there to play without waiting for each keyframe.
 constexpr std::size_t kLiveKeyframesMin = 2;
 constexpr int kFasterPercent = 95;
@@ -21,11 +18,13 @@ constexpr Milliseconds kAdaptedMax{10'000};
 }  // namespace
 
 KeyframeBuffers::KeyframeBuffers(BufferOptions options) : options_(options) {
-  AUCAST_CHECK(options.receiver_capacity >= 1 && options.receiver_capacity <= kCapacityMax);
+  AUCAST_CHECK(options.receiver_capacity >= 1 &&
+               options.receiver_capacity <= BufferOptions::kSetsMax);
   AUCAST_CHECK(options.playout_capacity >= 1);
   AUCAST_CHECK(options.playout_capacity <= options.receiver_capacity);
   AUCAST_CHECK(options.threshold_percent >= 1 && options.threshold_percent <= 100);
-  AUCAST_CHECK(options.live_delay >= Milliseconds::zero() && options.live_delay <= kLiveDelayMax);
+  AUCAST_CHECK(options.live_delay >= Milliseconds::zero() &&
+               options.live_delay <= BufferOptions::kDelayMax);
 }
 
 void KeyframeBuffers::set_live(std::optional<Milliseconds> untimed) {
@@ -51,7 +50,7 @@ KeyframeBuffers::Stored KeyframeBuffers::store(const Keyframe& keyframe) {
 }
 
 void KeyframeBuffers::set_delay(Milliseconds delay) {
-  options_.live_delay = std::clamp(delay, Milliseconds::zero(), kLiveDelayMax);
+  options_.live_delay = std::clamp(delay, Milliseconds::zero(), BufferOptions::kDelayMax);
 }
 
 bool KeyframeBuffers::enough() const {

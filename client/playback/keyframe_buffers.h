@@ -10,11 +10,14 @@
 namespace aucast::playback {
 
 struct BufferOptions {
-  std::size_t receiver_capacity = 100;  ///< sets, 1-10,000
-  std::size_t playout_capacity = 30;    ///< sets, 1-10,000, at most receiver_capacity
+  static constexpr std::size_t kSetsMax = 10'000;
+  static constexpr Milliseconds kDelayMax{60'000};
+
+  std::size_t receiver_capacity = 100;  ///< sets, 1 to kSetsMax
+  std::size_t playout_capacity = 30;    ///< sets, 1 to kSetsMax, at most receiver_capacity
   int threshold_percent = 40;           ///< of the receiver buffer, 1-100; for the first fill and
                                         ///< after a stall
-  Milliseconds live_delay{300};         ///< live streams wait for this instead, 0-60,000
+  Milliseconds live_delay{300};         ///< live streams wait for this instead, 0 to kDelayMax
   bool by_time = false;                 ///< --buffer auto or Nms: recorded streams wait for
                                         ///< `live_delay` too, and not for the threshold
   bool adapt = false;                   ///< `live_delay` is only the initial value
@@ -22,8 +25,8 @@ struct BufferOptions {
                                         ///< and is reached at its own Keyframe::due
 };
 
-/// The Receiver buffer of --buffer auto and --buffer Nms, in sets: for the 60 s of the longest
-/// delay at 30 a second.
+/// The Receiver buffer of --buffer auto and --buffer Nms, in sets: for kDelayMax at 30 a second,
+/// and some more.
 inline constexpr std::size_t kReceiverSetsByTime = 2000;
 
 /// How many sets must be in the Receiver buffer before the Playout buffer is filled: the

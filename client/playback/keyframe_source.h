@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,6 +24,12 @@ struct Keyframe {
   Milliseconds span{0};                  ///< its length on that clock, whatever --speed says
   bool spoken = false;  ///< live: a voice is heard meanwhile, so its pace stays in 99.5-100.5 %
 };
+
+/// Bytes of voice that wait to be taken, at most: an hour at 24 kbit/s.
+inline constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
+/// The same in packets: an hour of the shortest, 10 ms. Each takes memory beside its bytes, however
+/// few these are.
+inline constexpr std::size_t kVoicePacketsMax = 360'000;
 
 /// One Opus packet of a source's voice.
 struct Voice {

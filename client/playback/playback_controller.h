@@ -57,7 +57,11 @@ struct PlaybackProgress {
 /// times handed in must not go back. Thread: the player's.
 class PlaybackController {
  public:
-  /// `speed`: --speed; nullopt: the server's default for keyframes without a time.
+  /// The longest time that --speed gives a keyframe.
+  static constexpr Milliseconds kSpeedMax{1000};
+
+  /// `speed`: --speed, 1 ms to kSpeedMax; nullopt: the server's default for keyframes without a
+  /// time.
   explicit PlaybackController(std::optional<Milliseconds> speed);
 
   /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "client/playback/keyframe_source.h"
 #include "protocol/voice_packet.h"
 
 namespace aucast::sound {
@@ -41,7 +42,8 @@ void VoiceTrack::add(Milliseconds place, std::string opus) {
     ++counts_.out_of_order;
     return;
   }
-  if (waiting_.size() == kWaitingPacketsMax || waiting_bytes_ + opus.size() > kWaitingBytesMax) {
+  if (waiting_.size() == playback::kVoicePacketsMax ||
+      waiting_bytes_ + opus.size() > playback::kVoiceBytesMax) {
     ++counts_.left_out;
     return;
   }

@@ -14,17 +14,13 @@ namespace aucast::sound {
 /// The voice of a stream, from Opus packets that come in the order of their places and in time: a
 /// stretch that is read before its packet has come is silent. Where no packet follows, the voice
 /// fades out, and it fades in where it begins again. It can be read forwards, and up to kKept
-/// backwards.
+/// backwards. At most playback::kVoiceBytesMax and kVoicePacketsMax wait to be read; any more are
+/// left out.
 /// Thread: none of its own.
 class VoiceTrack final : public SoundTrack {
  public:
   /// What read() can go back by.
   static constexpr Milliseconds kKept{1000};
-  /// Bytes of packets that wait to be read, an hour at 24 kbit/s; any more are left out.
-  static constexpr std::size_t kWaitingBytesMax = std::size_t{11} << 20U;
-  /// The same for the number of packets, an hour of the shortest, 10 ms: each takes memory beside
-  /// its bytes.
-  static constexpr std::size_t kWaitingPacketsMax = 360'000;
 
   struct Counts {
     std::uint64_t packets = 0;

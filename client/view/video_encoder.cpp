@@ -15,8 +15,6 @@
 namespace aucast::view {
 namespace {
 
-constexpr int kSideMax = 8192;
-constexpr int kFpsMax = 240;
 constexpr int kGifFpsMax = 50;  ///< browsers slow down what asks for more
 
 enum class Format : std::uint8_t { Mp4, Webm, Gif };
@@ -137,15 +135,16 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
             path.string(),
             "not a kind of video that can be written: let its name end in .mp4, .webm or .gif")};
   }
-  if (width < 1 || height < 1 || width > kSideMax || height > kSideMax) {
+  if (width < 1 || height < 1 || width > kVideoSideMax || height > kVideoSideMax) {
     return Error{ErrorKind::Usage, "a video of " + std::to_string(width) + "x" +
                                        std::to_string(height) + " is not possible: 1x1 to " +
-                                       std::to_string(kSideMax) + "x" + std::to_string(kSideMax)};
+                                       std::to_string(kVideoSideMax) + "x" +
+                                       std::to_string(kVideoSideMax)};
   }
-  if (fps < 1 || fps > kFpsMax) {
+  if (fps < 1 || fps > kVideoFpsMax) {
     return Error{ErrorKind::Usage, std::to_string(fps) +
                                        " pictures a second are not possible: 1 to " +
-                                       std::to_string(kFpsMax)};
+                                       std::to_string(kVideoFpsMax)};
   }
   return {};
 }

@@ -8,6 +8,9 @@
 
 namespace aucast::view {
 
+inline constexpr int kVideoSideMax = 8192;
+inline constexpr int kVideoFpsMax = 240;
+
 /// A video file written by ffmpeg as a child process: .mp4 (H.264), .webm (VP9) or .gif by the
 /// name's ending. The file appears under its name when finish() succeeds; what was there before
 /// stays until then, and nothing is left behind otherwise. Same pictures, same bytes.
@@ -17,7 +20,8 @@ namespace aucast::view {
 class VideoEncoder {
  public:
   /// Failed when ffmpeg is missing (the message says what to install) or the place cannot be
-  /// written; Usage for an unknown ending, a side outside 1-8192 or fps outside 1-240.
+  /// written; Usage for an unknown ending, a side above kVideoSideMax or fps above kVideoFpsMax, or
+  /// either below 1.
   [[nodiscard]] static Result<std::unique_ptr<VideoEncoder>> open(const std::filesystem::path& path,
                                                                   int width, int height, int fps);
   ~VideoEncoder();

@@ -1,10 +1,16 @@
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
 #include "client/app/option_rows.h"
+#include "client/playback/playback_controller.h"
+#include "client/view/video_encoder.h"
 
 namespace aucast::app {
 namespace {
@@ -72,6 +78,24 @@ TEST(OptionRows, DefaultsThatTheyNameAreThoseOfTheProgram) {
     EXPECT_EQ(options.pose.viewpoint, untouched.pose.viewpoint);
     EXPECT_EQ(options.log_level, untouched.log_level);
   }
+}
+
+TEST(OptionRows, NameTheLimitsThatAreChecked) {
+  const std::map<std::string_view, std::int64_t> limits{
+      {"buffer", playback::BufferOptions::kSetsMax},
+      {"live-delay", playback::BufferOptions::kDelayMax.count()},
+      {"speed", playback::PlaybackController::kSpeedMax.count()},
+      {"size", view::kVideoSideMax},
+      {"fps", view::kVideoFpsMax}};
+  PlayerOptions options;
+  std::size_t seen = 0;
+  for (const OptionRow& row : option_rows(Command::Play, options)) {
+    const auto limit = limits.find(row.name);
+    if (limit == limits.end()) continue;
+    ++seen;
+    EXPECT_NE(row.more.find(std::to_string(limit->second)), std::string::npos) << row.more;
+  }
+  EXPECT_EQ(seen, limits.size());
 }
 
 TEST(HelpText, VersionNamesProtocolAndLicence) {

@@ -137,7 +137,7 @@ TEST_F(ReaderVoice, CaptionsThatNobodyTakesHaveALimit) {
 TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
   connect("voice=opus");
   const std::string large = kOpus + std::string(1000, 'x');
-  const std::size_t fit = SpokenQueue::kVoiceBytesMax / large.size();
+  const std::size_t fit = playback::kVoiceBytesMax / large.size();
   feed(protocol::encode(protocol::VoiceData{0, large}));
   for (std::size_t sent = 0; sent <= fit; ++sent) {
     feed(protocol::encode(protocol::VoiceData{std::nullopt, large}));

@@ -23,7 +23,7 @@ TEST(SpokenQueue, GivesWhatCameInItsOrder) {
 
 TEST(SpokenQueue, VoiceOfOneByteAPacketHasItsLimitToo) {
   SpokenQueue queue;
-  for (std::size_t i = 0; i < SpokenQueue::kVoicePacketsMax; ++i) {
+  for (std::size_t i = 0; i < playback::kVoicePacketsMax; ++i) {
     queue.add(playback::Voice{Milliseconds(10 * static_cast<int>(i)), kTenMs});
   }
   EXPECT_EQ(queue.voice_left_out(), 0U);
@@ -39,7 +39,7 @@ TEST(SpokenQueue, VoiceOfOneByteAPacketHasItsLimitToo) {
 TEST(SpokenQueue, VoiceOfManyBytesIsLimitedByThem) {
   SpokenQueue queue;
   const std::string large(1000, '\0');
-  constexpr std::size_t kFit = SpokenQueue::kVoiceBytesMax / 1000;
+  constexpr std::size_t kFit = playback::kVoiceBytesMax / 1000;
   for (std::size_t i = 0; i < kFit + 5; ++i) queue.add(playback::Voice{0ms, large});
   EXPECT_EQ(queue.voice_left_out(), 5U);
 }

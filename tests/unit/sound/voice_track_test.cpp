@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "client/playback/keyframe_source.h"
 #include "client/sound/sound_mixer.h"
 #include "common/voice/voice_encoder.h"
 #include "tests/unit/sound/cranked_out.h"
@@ -142,7 +143,7 @@ TEST(VoiceTrack, AfterALeapTheVoiceIsAsIfNothingHadBeenLeftOut) {
 TEST(VoiceTrack, KeepsNoMoreThanItsLimitOfWhatNobodyReads) {
   VoiceTrack track;
   const std::string opus = packets(0.1).front().opus;
-  const std::size_t fit = VoiceTrack::kWaitingBytesMax / opus.size();
+  const std::size_t fit = playback::kVoiceBytesMax / opus.size();
   for (std::size_t i = 0; i < fit + 10; ++i) {
     track.add(Milliseconds(60 * static_cast<int>(i)), opus);
   }
@@ -153,11 +154,11 @@ TEST(VoiceTrack, KeepsNoMoreThanItsLimitOfWhatNobodyReads) {
 TEST(VoiceTrack, PacketsOfOneByteHaveTheirLimitToo) {
   VoiceTrack track;
   const std::string opus(1, '\0');  // 10 ms
-  for (std::size_t i = 0; i < VoiceTrack::kWaitingPacketsMax + 10; ++i) {
+  for (std::size_t i = 0; i < playback::kVoicePacketsMax + 10; ++i) {
     track.add(Milliseconds(10 * static_cast<int>(i)), opus);
   }
   EXPECT_EQ(track.counts().left_out, 10U);
-  EXPECT_EQ(track.end(), std::int64_t{VoiceTrack::kWaitingPacketsMax} * 10 * kSamplesPerMs);
+  EXPECT_EQ(track.end(), std::int64_t{playback::kVoicePacketsMax} * 10 * kSamplesPerMs);
 }
 
 TEST(VoiceTrack, WhatIsNoOpusPacketOrOutOfOrderIsLeftOut) {
