@@ -5,7 +5,8 @@
 
 It checks which folder includes what, what pure folders touch, that a file's own header comes first,
 the lengths of lines, functions and files, leftovers, names that only a unity build would find
-twice, and that READMEs name every file. It reads what git tracks; outside a git repository, everything below ROOT but build/.
+twice, texts that are translated but never said, and that READMEs name every file. It reads what git tracks; outside a
+git repository, everything below ROOT but build/.
 """
 
 import pathlib
@@ -14,6 +15,7 @@ import subprocess
 import sys
 
 import readmes
+import said_texts
 import unity_names
 
 LINE_MAX = 100
@@ -266,6 +268,7 @@ def findings(root: pathlib.Path):
     if not all_paths:
         yield ".", 1, "no source here"
     yield from unity_names.collisions(root, all_paths)
+    yield from said_texts.findings(root, all_paths)
     yield from readmes.findings(root, all_paths, tracked_files(root, ("README.md",)))
     for path in all_paths:
         lines = (root / path).read_text(encoding="utf-8").splitlines()

@@ -7,7 +7,8 @@
 namespace aucast::gui {
 
 /// What comes up in English from the network and from what is written, and is put into the language
-/// in use by in_used_language(): the texts are those of the code that says them.
+/// in use by in_used_language(): the texts are those of the code that says them, which
+/// scripts/tidy.py checks.
 inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"net.cannot_reach", "cannot reach {server}: {why}"},
     {"net.unreachable", "cannot be reached: {why}"},
