@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "client/gui/picture_settings.h"
+
 namespace aucast::gui {
 
 std::vector<std::string> wanted_sections(const GallerySettings& settings) {
