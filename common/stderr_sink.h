@@ -11,17 +11,16 @@
 
 namespace aucast {
 
-/// Writes the log to a descriptor, usually stderr, without ever blocking. A line that cannot be
+/// Writes the log to a descriptor, usually stderr, and waits for no reader: a line that cannot be
 /// written at once (a pipe nobody reads, a stopped terminal) is dropped and counted, and the count
-/// is logged before the next line that can be. The descriptor stays blocking, since other
-/// programs may share it.
+/// is logged before the next line that can be. The descriptor stays blocking, since other programs
+/// may share it: if one fills the pipe between our look at it and our write, that write waits.
 class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   /// `colours`: the level is coloured.
   StderrSink(int descriptor, bool colours) : descriptor_(descriptor), colours_(colours) {}
 
-  /// A pipe that is ready is sure to take this much at once. Longer lines are cut: none of ours is
-  /// that long, and a log is no place for a file.
+  /// A pipe that is ready takes this much at once. Longer lines are cut.
   static constexpr std::size_t kLineBytesMax = PIPE_BUF;
 
  protected:

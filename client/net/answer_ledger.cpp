@@ -5,8 +5,9 @@
 namespace aucast::net {
 namespace {
 
-/// Answers wait so long for each other, and until so much of the window is owed.
+/// Answers are collected and sent together: the first one waits at most this long, ...
 constexpr Milliseconds kAnswersLate{250};
+/// ... and none once a quarter of the window is owed.
 constexpr std::size_t kWindowPartOwed = 4;
 
 bool negotiated(const protocol::ClientSession& session) {

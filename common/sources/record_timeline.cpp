@@ -9,7 +9,7 @@
 namespace aucast::sources {
 namespace {
 
-/// What is late by less is no pause: processes wait for each other so long.
+/// A gap shorter than this is no pause: it is how late a busy machine may be.
 constexpr std::int64_t kPauseMs = 100;
 
 }  // namespace

@@ -111,7 +111,7 @@ void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadySe
 
 /// With a voice: the face that stood since the last keyframe, with the time that it stood.
 void LiveStream::fill_pause(SteadySeconds now) {
-  /// Processes wait for each other so long.
+  /// A gap shorter than this is no pause: it is how late a busy machine may be.
   constexpr Milliseconds kPauseLeast{100};
   if (!clock_begin_) return;
   const double passed = (now - *clock_begin_) * 1000;
@@ -190,7 +190,7 @@ std::optional<double> LiveStream::silent_since() const {
 
 /// With a voice: when the face that stands is sent again, so that the clock goes on.
 double LiveStream::beat() const {
-  /// The last keyframe is over for so long: the face has been given up by then (kHoldSeconds).
+  /// From the end of the last keyframe; by then the face is no longer held (kHoldSeconds).
   constexpr double kBeatSeconds = sources::kHoldSeconds + 0.25;
   return clock_begin_.value_or(0) + seconds(end_) + kBeatSeconds;
 }

@@ -16,7 +16,7 @@ namespace {
 /// What a power cut may take.
 constexpr std::chrono::seconds kSyncEvery{1};
 
-/// A disk that takes nothing for so much, some ten minutes of a face, is none to record to.
+/// The most that may wait for the disk, some ten minutes of a face; beyond that recording ends.
 constexpr std::size_t kUnwrittenBytesMax = std::size_t{1} << 20U;
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kFirstPassed = 3;
 
-/// A manager that is busy gets so long to take what it must not miss.
+/// How long a busy manager is waited for with what it must not miss.
 constexpr timeval kSayTimeMax{1, 0};
 
 std::string variable(const char* name) {

@@ -8,8 +8,9 @@
 namespace aucast::server {
 namespace {
 
-/// By so much the sound may be off its place while somebody speaks, and in a pause.
+/// How far the sound may be from its place while somebody speaks, ...
 constexpr Milliseconds kOffMax{80};
+/// ... and in a pause, which is a silence of at least kPause.
 constexpr Milliseconds kOffInPause{5};
 constexpr Milliseconds kPause{120};
 /// A longer hole is left open, a shorter one is filled with silence.

@@ -7,7 +7,7 @@ namespace {
 
 /// Crystals differ by 100 millionths; ten times that lets the line find its way back up.
 constexpr double kRise = 1e-3;
-/// Later than this for so long is no jitter.
+/// Being kLate late for kLateTime, both in seconds, is no jitter.
 constexpr double kLate = 0.3;
 constexpr double kLateTime = 2;
 
