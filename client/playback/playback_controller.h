@@ -111,9 +111,6 @@ class PlaybackController {
   [[nodiscard]] const DelayMeter& delays() const { return delays_; }
   /// From the arrival of each keyframe that has a due time to that time.
   [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
-  /// From position 0 of the first keyframe to the last position reached, on the given clock, stalls
-  /// and pauses included. Exact: the moment of the position, not that of the call that noticed it.
-  [[nodiscard]] Duration playback_time() const;
   /// Sum of the times of the keyframes played.
   [[nodiscard]] Milliseconds media_time() const;
 
@@ -140,7 +137,7 @@ class PlaybackController {
   std::optional<Instant> due_;
   DelayMeter delays_;
   DelayMeter delays_meant_;
-  std::optional<Instant> first_begin_;
+  bool begun_ = false;  ///< a keyframe has
   Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
   bool film_clock_ = false;

@@ -307,17 +307,6 @@ Result<std::vector<Recording>> RecordingReader::finish() {
 
 }  // namespace
 
-Result<Recording> read_recording(std::string_view text, std::string_view file,
-                                 const RecordingOptions& options,
-                                 const ConditioningSettings& conditioning,
-                                 const LoadCurves& load_curves) {
-  RecordingOptions of_one = options;
-  of_one.all_faces = false;
-  auto faces = read_faces(text, file, of_one, conditioning, load_curves);
-  if (!faces) return faces.error();
-  return std::move(faces->front());
-}
-
 Result<std::vector<Recording>> read_faces(std::string_view text, std::string_view file,
                                           const RecordingOptions& options,
                                           const ConditioningSettings& conditioning,

@@ -72,24 +72,18 @@ struct Recording {
   Found found;
 };
 
-/// Reads a recogniser's recording from `text` in two passes, row by row; measuring for
-/// `conditioning` takes one more pass over the first seconds of a face. The dead band of
-/// `conditioning` is not applied here. `file` is what messages call the recording. `load_curves`
-/// loads what a table of ARKit's curves needs. BadData with one line file:line:column for each of
-/// the first 20 errors; Usage when --fps is needed, --face-id names no face of the file, or no row
-/// shows a face.
-[[nodiscard]] Result<Recording> read_recording(std::string_view text, std::string_view file,
-                                               const RecordingOptions& options,
-                                               const ConditioningSettings& conditioning = {},
-                                               const LoadCurves& load_curves = load_arkit_table);
-
 /// How many faces read_faces() returns at most; further ones are counted in Found::faces only.
 inline constexpr std::size_t kFacesReadMax = 64;
 
-/// The same for several faces. With options.all_faces: one recording for each face that has data,
-/// the most frequent first, kFacesReadMax at most; without: one recording. Their times are those of
-/// the file, so that faces seen together play together: a face that comes late is neutral until
-/// then. Asked to stop, it returns stopped_early() at the next row.
+/// Reads a recogniser's recording from `text` in two passes, row by row; measuring for
+/// `conditioning` takes one more pass over the first seconds of a face. The dead band of
+/// `conditioning` is not applied here. `file` is what messages call the recording. `load_curves`
+/// loads what a table of ARKit's curves needs. With options.all_faces: one recording for each face
+/// that has data, the most frequent first, kFacesReadMax at most; without: one recording. Their
+/// times are those of the file, so that faces seen together play together: a face that comes late
+/// is neutral until then. BadData with one line file:line:column for each of the first 20 errors;
+/// Usage when --fps is needed, --face-id names no face of the file, or no row shows a face. Asked
+/// to stop, it returns stopped_early() at the next row.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
     const ConditioningSettings& conditioning = {}, const LoadCurves& load_curves = load_arkit_table,

@@ -6,6 +6,7 @@
 #include "common/sources/recording.h"
 #include "protocol/limits.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/support/read_recording.h"
 
 using namespace aucast;
 using namespace aucast::sources;

@@ -19,6 +19,7 @@
 #include "common/camera/y4m.h"
 #include "common/files.h"
 #include "common/sources/recording.h"
+#include "tests/support/read_recording.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::camera {

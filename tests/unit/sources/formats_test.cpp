@@ -5,6 +5,7 @@
 #include "common/sources/found_report.h"
 #include "common/sources/recording.h"
 #include "protocol/codec.h"
+#include "tests/support/read_recording.h"
 #include "tests/unit/sources/tables.h"
 
 namespace aucast::sources {

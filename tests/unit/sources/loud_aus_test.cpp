@@ -4,6 +4,7 @@
 
 #include "common/sources/found_report.h"
 #include "common/sources/recording.h"
+#include "tests/support/read_recording.h"
 #include "tests/unit/sources/tables.h"
 
 namespace aucast::sources {

@@ -6,6 +6,7 @@
 
 #include "common/sources/recording.h"
 #include "protocol/codec.h"
+#include "tests/support/read_recording.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::sources {

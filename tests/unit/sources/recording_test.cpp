@@ -7,6 +7,7 @@
 #include "common/sources/found_report.h"
 #include "common/sources/source_reader.h"
 #include "protocol/codec.h"
+#include "tests/support/read_recording.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/sources/tables.h"
 
