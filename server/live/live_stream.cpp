@@ -28,7 +28,8 @@ LiveStream::LiveStream(std::string name, const LiveStreamOptions& options,
                                                  with_voice)),
       reader_(sources::name_of(options.path), reading, sources::load_arkit_table),
       thinning_(reading.keyframe_ms,
-                with_voice ? options.link : LinkLimits{options.link.kbits, options.link.batch}) {
+                with_voice ? options.link : LinkLimits{options.link.kbits, options.link.batch}),
+      silence_(options.timeout) {
   if (with_voice) voice_.emplace(options.encoder, options.voice_delay);
 }
 
@@ -74,7 +75,7 @@ void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, SteadySe
 }
 
 void LiveStream::end_input(SteadySeconds now, bool for_good) {
-  input_over_ = for_good;
+  silence_.set_final(for_good);
   reader_.end_input(now);
 }
 
@@ -90,7 +91,7 @@ bool LiveStream::full() const {
 
 void LiveStream::send_due(SteadySeconds now) {
   if (queue_.size() == 0) return;
-  if (std::exchange(silence_said_, false)) {
+  if (silence_.broken()) {
     spdlog::info("{}: {}", name_, begun() ? "goes on" : "the first keyframe is there");
   }
   // Rows of a recogniser with a clock of its own follow each other by that.
@@ -151,23 +152,22 @@ void LiveStream::rest(SteadySeconds now) {
   reader_.idle(now);
   for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true, now);
   if (voice_ && !feed_->ended() && now >= beat()) fill_pause(now);
-  const bool can_end = options_.timeout.count() > 0 && !feed_->ended();
   const auto since = silent_since();
   if (!since) {
-    if (!can_end || !input_over_ || begun()) return;
+    if (!silence_.ends() || feed_->ended() || !silence_.is_final() || begun()) return;
     spdlog::warn("{}: it ended before the first keyframe", sources::name_of(options_.path));
     end();
     return;
   }
-  if (now - *since >= sources::kHoldSeconds && !std::exchange(silence_said_, true)) {
+  if (silence_.to_be_said(*since, now)) {
     spdlog::info("{}: nothing comes; the face holds, then goes to neutral", name_);
   }
-  if (!can_end || now - *since < patience()) return;
-  if (input_over_) {
+  if (feed_->ended() || !silence_.is_over(*since, now)) return;
+  if (silence_.is_final()) {
     spdlog::info("{}: it has ended, and so has the stream", sources::name_of(options_.path));
   } else {
     spdlog::warn("{}: nothing for {} s: the stream ends for the clients there (--source-timeout)",
-                 name_, patience());
+                 name_, silence_.patience());
   }
   end();
 }
@@ -184,7 +184,7 @@ void LiveStream::end() {
 /// Since when neither face nor voice has come. Of what can come no more the voice does not count.
 std::optional<double> LiveStream::silent_since() const {
   const auto since = reader_.silent_since();
-  if (!since || !voice_ || input_over_) return since;
+  if (!since || !voice_ || silence_.is_final()) return since;
   return std::max(*since, voice_at_);
 }
 
@@ -195,21 +195,14 @@ double LiveStream::beat() const {
   return clock_begin_.value_or(0) + seconds(end_) + kBeatSeconds;
 }
 
-/// How long a silence may be. Of what nothing can come any more, only until the face is neutral.
-double LiveStream::patience() const {
-  const double asked = seconds(options_.timeout);
-  return input_over_ ? std::min(asked, sources::kHoldSeconds + sources::kEaseSeconds) : asked;
-}
-
 std::optional<double> LiveStream::next() const {
   std::optional<double> next = thinning_.due();
   if (const auto due = queue_.due()) return earlier(next, due);
-  const auto perhaps = [&next](double at) { next = earlier(next, std::optional(at)); };
   next = earlier(next, reader_.idle_due());
-  const auto since = silent_since();
-  if (since && !silence_said_) perhaps(*since + sources::kHoldSeconds);
-  if (since && options_.timeout.count() > 0 && !feed_->ended()) perhaps(*since + patience());
-  if (clock_begin_) perhaps(beat());
+  if (const auto since = silent_since()) {
+    next = earlier(next, silence_.next(*since, feed_->ended()));
+  }
+  if (clock_begin_) next = earlier(next, std::optional(beat()));
   return next;
 }
 

@@ -18,6 +18,7 @@
 #include "protocol/live_feed.h"
 #include "protocol/server_session.h"
 #include "server/live/recorder.h"
+#include "server/live/source_silence.h"
 #include "server/streams/live_thinning.h"
 #include "server/voice/live_voice.h"
 
@@ -94,7 +95,6 @@ class LiveStream {
   void end();
   [[nodiscard]] std::optional<double> silent_since() const;
   [[nodiscard]] double beat() const;
-  [[nodiscard]] double patience() const;
 
   std::string name_;
   const LiveStreamOptions& options_;
@@ -104,9 +104,8 @@ class LiveStream {
   sources::LiveQueue queue_;
   LiveThinning thinning_;
   std::unique_ptr<Recorder> recorder_;
-  bool silence_said_ = true;
-  bool input_over_ = false;  ///< for good
-  Milliseconds end_{0};      ///< of the last keyframe that was made, on the feed's clock
+  SourceSilence silence_;
+  Milliseconds end_{0};  ///< of the last keyframe that was made, on the feed's clock
 
   // With a voice only.
   std::optional<LiveVoice> voice_;

@@ -22,6 +22,11 @@ class LiveStreamTest : public ::testing::Test {
  protected:
   LiveStreamTest() {
     options_.path = "face.txt";
+    begin();
+  }
+
+  /// A stream with the options as they are now.
+  void begin() {
     stream_.emplace("face", options_, options_.reader, false, [this] {
       const auto feed = stream_->served().live();
       sent_.push_back(feed->ended() ? "end" : feed->newest()->full);
@@ -111,6 +116,7 @@ TEST_F(LiveStreamTest, WithoutAnyKeyframeItEndsWithItsInput) {
 
 TEST_F(LiveStreamTest, WithoutATimeoutItNeverEnds) {
   options_.timeout = Milliseconds(0);
+  begin();
   EXPECT_EQ(fed("12:50;100\n").size(), 1U);
   stream_->end_input(now_, true);
   after(1000);
