@@ -29,12 +29,13 @@ Reception::Reception(asio::io_context& io, Options options, Events events)
       timer_(io) {}
 
 void Reception::start() {
+  state_ = State::Waiting;
   silent_since_ = steady_clock::now();
   await_giving_up();
 }
 
 void Reception::stop() {
-  stopped_ = true;
+  state_ = State::Stopped;
   timer_.cancel();
   drop_parent();
 }
@@ -78,14 +79,13 @@ void Reception::end() {
 void Reception::begin_anew() {
   stream_.give_up();
   stream_ = RelayedStream(stream_options(options_));
-  ever_received_ = given_up_ = whole_said_ = false;
+  ever_received_ = false;
   start();
 }
 
 void Reception::on_moved_on() {
-  if (!receiving_ && parent_->keyframes() > 0) {
-    receiving_ = true;
-    given_up_ = false;
+  if (state_ != State::Receiving && parent_->keyframes() > 0) {
+    state_ = State::Receiving;
     timer_.cancel();
     say_goes_on();
     ever_received_ = true;
@@ -110,14 +110,16 @@ void Reception::say_goes_on() {
 }
 
 void Reception::on_over(const Parent::Outcome& outcome) {
-  if (stopped_) return;
+  if (state_ == State::Stopped) return;
   drop_parent();
-  if (std::exchange(receiving_, false)) {
+  if (state_ == State::Receiving) {
+    state_ = State::Waiting;
     silent_since_ = steady_clock::now();
     await_giving_up();
     if (!outcome.in_order) ++losses_;
   }
-  if (stream_.whole() && !std::exchange(whole_said_, true)) {
+  if (stream_.whole() && state_ != State::Whole) {
+    state_ = State::Whole;
     spdlog::info("{}: it is here whole, {} s", name(), seconds(stream_.place()));
     timer_.cancel();
   }
@@ -134,12 +136,12 @@ void Reception::drop_parent() {
 void Reception::await_giving_up() {
   timer_.expires_at(silent_since_ + options_.wait);
   timer_.async_wait([this](const std::error_code& error) {
-    if (!error && !stopped_ && !receiving_ && !stream_.whole()) give_up();
+    if (!error && state_ == State::Waiting && !stream_.whole()) give_up();
   });
 }
 
 void Reception::give_up() {
-  given_up_ = true;
+  state_ = State::GivenUp;
   spdlog::warn("{}: no {} sends it: {} (--upstream-wait {})", name(), options_.sender,
                ever_received_ ? "it ends for the clients there" : "who asks for it is told so",
                seconds(options_.wait));
@@ -156,7 +158,7 @@ UpstreamStatus Reception::status() const {
   UpstreamStatus status;
   status.stream = stream_.shared()->name;
   status.parent = parent_ ? peer_ : "";
-  status.receiving = receiving_;
+  status.receiving = state_ == State::Receiving;
   status.connects = connects_;
   status.losses = losses_;
   status.keyframes = keyframes_before_ + (parent_ ? parent_->keyframes() : 0);

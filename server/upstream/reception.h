@@ -61,7 +61,7 @@ class Reception {
 
   [[nodiscard]] bool connected() const { return parent_ != nullptr; }
   /// The clients were told that it has ended, and nothing has come since.
-  [[nodiscard]] bool given_up() const { return given_up_; }
+  [[nodiscard]] bool given_up() const { return state_ == State::GivenUp; }
   /// A recorded stream is here to its end.
   [[nodiscard]] bool whole() const { return stream_.whole(); }
   [[nodiscard]] std::string name() const;  ///< for the log
@@ -73,6 +73,14 @@ class Reception {
   [[nodiscard]] UpstreamStatus status() const;
 
  private:
+  enum class State : std::uint8_t {
+    Waiting,    ///< for a first keyframe, or for the next parent's
+    Receiving,  ///< the parent has sent a keyframe
+    GivenUp,    ///< none came in time, and the clients were told
+    Whole,      ///< a recorded stream is here to its end, and that was logged
+    Stopped,
+  };
+
   void connect(std::shared_ptr<link::Link> link, std::string peer,
                const Parent::Greeting& greeting);
   void on_moved_on();
@@ -88,12 +96,9 @@ class Reception {
   asio::steady_timer timer_;
   std::unique_ptr<Parent> parent_;  ///< null: none is connected
   std::string peer_;
-  bool receiving_ = false;  ///< the parent has sent a keyframe
-  bool ever_received_ = false;
-  bool given_up_ = false;
-  bool whole_said_ = false;
-  bool stopped_ = false;
-  Instant silent_since_{};  ///< while not receiving
+  State state_ = State::Waiting;
+  bool ever_received_ = false;  ///< of this stream
+  Instant silent_since_{};      ///< while not receiving
   std::uint64_t connects_ = 0;
   std::uint64_t losses_ = 0;
   std::uint64_t keyframes_before_ = 0;  ///< of parents that were left
