@@ -140,6 +140,18 @@ std::string counted(std::uint64_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
 }
 
+std::string length_text(Milliseconds length) {
+  const bool any = length > Milliseconds::zero();
+  const auto whole = std::max<std::int64_t>((length.count() + 500) / 1000, any ? 1 : 0);
+  const auto two_digits = [](std::int64_t value) {
+    return (value < 10 ? "0" : "") + std::to_string(value);
+  };
+  const std::int64_t minutes = whole / 60;
+  const std::string end = ":" + two_digits(whole % 60);
+  if (minutes < 60) return std::to_string(minutes) + end;
+  return std::to_string(minutes / 60) + ":" + two_digits(minutes % 60) + end;
+}
+
 std::string number_text(double value) {
   std::array<char, 32> digits{};
 #if defined(__cpp_lib_to_chars)

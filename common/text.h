@@ -7,6 +7,8 @@
 #include <system_error>
 #include <vector>
 
+#include "common/time.h"
+
 namespace aucast {
 
 /// Makes bytes of a peer or a file safe for a terminal or a log: printable ASCII as it is,
@@ -50,6 +52,10 @@ namespace aucast {
 
 /// The shortest text that reads back as the same number.
 [[nodiscard]] std::string number_text(double value);
+
+/// A length as clocks show it, to the nearest second: "0:07", "1:23", "1:02:03". 0:00 is none at
+/// all. Not below 0.
+[[nodiscard]] std::string length_text(Milliseconds length);
 
 /// The message of an errno: "No such file or directory".
 [[nodiscard]] std::string system_reason(int error_number);

@@ -32,6 +32,16 @@ TEST(Escaped, IsCut) {
   EXPECT_EQ(escaped(std::string(100, 'x'), 5), "xxxxx...");
 }
 
+TEST(LengthText, IsThatOfAClock) {
+  EXPECT_EQ(length_text(Milliseconds(0)), "0:00");
+  EXPECT_EQ(length_text(Milliseconds(1)), "0:01") << "there is something";
+  EXPECT_EQ(length_text(Milliseconds(59'499)), "0:59");
+  EXPECT_EQ(length_text(Milliseconds(59'500)), "1:00");
+  EXPECT_EQ(length_text(Milliseconds(83'000)), "1:23");
+  EXPECT_EQ(length_text(Milliseconds(3'723'000)), "1:02:03");
+  EXPECT_EQ(length_text(Milliseconds(1'000'000'000'000)), "277777:46:40");
+}
+
 TEST(Nearest, FindsTheTypoAndNothingFar) {
   const std::vector<std::string> known{"--speed", "--size", "--rules"};
   EXPECT_EQ(nearest("--sped", known), "--speed");
