@@ -116,7 +116,7 @@ bool is_of(Kind kind, std::string_view value) {
 std::optional<std::string> string_of(Kind kind, std::string_view value) {
   if (kind == Kind::Text) {
     auto text = from_base64(value);
-    return text && is_title(*text) ? text : std::nullopt;
+    return !value.empty() && text && is_title(*text) ? text : std::nullopt;
   }
   return is_of(kind, value) ? std::optional<std::string>(value) : std::nullopt;
 }

@@ -104,6 +104,7 @@ TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{error 40 x}", DecodeFault::BadField, 7},
       {"{error 4x4 x}", DecodeFault::BadField, 7},
       {"{error 044 x}", DecodeFault::BadField, 7},
+      {"{hello title=}", DecodeFault::BadField, 13},
       {"{streams a/b}", DecodeFault::BadField, 9},
   };
   for (const Row& row : rows) {
