@@ -25,6 +25,9 @@ namespace aucast::protocol {
 [[nodiscard]] std::string encode(const HelloAsked& hello);
 [[nodiscard]] std::string encode(const HelloGranted& hello);
 [[nodiscard]] std::string encode(const ErrorReply& error);
+/// With all that is known of the streams, if that fits into one packet with all of them; else
+/// without the titles; else, as where nothing is known, the names alone, as many as fit. Streams
+/// whose name is none are left out.
 [[nodiscard]] std::string encode(const StreamList& list);
 [[nodiscard]] std::string encode(const StreamsAsked& asked);
 [[nodiscard]] std::string encode(const VoiceData& voice);

@@ -44,7 +44,13 @@ Joining::Answer Joining::hello(const HelloAsked& asked, Instant now) const {
 Joining::Answer Joining::list(const StreamsAsked& asked, Instant now) const {
   if (auto refusal = viewer_refused(asked.token, now)) return std::move(*refusal);
   StreamList list;
-  for (const ServedStream& served : catalogue_->streams) list.names.push_back(served.known_name());
+  for (const ServedStream& served : catalogue_->streams) {
+    if (asked.details) {
+      list.streams.push_back(served.listed(catalogue_->loop));
+    } else {
+      list.streams.push_back({served.known_name()});
+    }
+  }
   return list;
 }
 

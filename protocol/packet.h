@@ -88,15 +88,25 @@ struct ErrorReply {
   friend bool operator==(const ErrorReply&, const ErrorReply&) = default;
 };
 
-/// {streams NAME NAME ...}.
+/// A stream of a server's list. What the server did not say, or does not know, is left out.
+struct ListedStream {
+  std::string name;
+  std::optional<bool> live{};                  ///< false: a recorded one
+  std::optional<std::uint64_t> duration_ms{};  ///< of the whole stream
+  std::string title{};                         ///< for people; UTF-8
+  friend bool operator==(const ListedStream&, const ListedStream&) = default;
+};
+
+/// {streams NAME NAME ...}, or with details {streams stream=NAME live=1 stream=NAME ...}.
 struct StreamList {
-  std::vector<std::string> names;
+  std::vector<ListedStream> streams;
   friend bool operator==(const StreamList&, const StreamList&) = default;
 };
 
 /// {streams}, sent by a client instead of a hello.
 struct StreamsAsked {
   std::string token;
+  bool details = false;  ///< it reads more than names
   friend bool operator==(const StreamsAsked&, const StreamsAsked&) = default;
 };
 

@@ -33,4 +33,16 @@ const UpstreamStream* ServedStream::upstream() const {
   return from != nullptr ? from->get() : nullptr;
 }
 
+ListedStream ServedStream::listed(bool loops) const {
+  ListedStream listed{.name = known_name(),
+                      .title = upstream() != nullptr ? upstream()->title : title};
+  if (known()) listed.live = live() != nullptr;
+  if (live()) {
+    listed.duration_ms = live()->duration_ms();
+  } else if (const RecordedStream* const of = recorded(); of && !loops && !loops_there()) {
+    listed.duration_ms = (of->voiced ? of->voiced : of->encoded)->duration_ms;
+  }
+  return listed;
+}
+
 }  // namespace aucast::protocol

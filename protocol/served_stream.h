@@ -8,6 +8,7 @@
 #include "protocol/encoded_stream.h"
 #include "protocol/encoded_track.h"
 #include "protocol/live_channel.h"
+#include "protocol/packet.h"
 #include "protocol/upstream_stream.h"
 
 namespace aucast::protocol {
@@ -51,6 +52,9 @@ struct ServedStream {
   [[nodiscard]] const std::string& known_name() const {
     return name.empty() && upstream() != nullptr ? upstream()->name : name;
   }
+  /// What a list of streams says of it. `loops`: a recorded one starts again at its end, and so has
+  /// no length.
+  [[nodiscard]] ListedStream listed(bool loops) const;
   /// At the server that it comes from it starts again at its end.
   [[nodiscard]] bool loops_there() const { return upstream() != nullptr && upstream()->loop; }
 

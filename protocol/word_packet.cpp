@@ -44,13 +44,14 @@ std::vector<Piece> pieces_after_word(std::string_view text) {
 
 enum class Kind : std::uint8_t { Number, Name, Token, Text, ServerId, Servers };
 
-/// A key of a hello: where its value goes and what it may be. The default is what the member is
-/// initialized with; a flag is a number of 0-1.
+/// A key of a hello or of a stream in a list: where its value goes and what it may be. The default
+/// is what the member is initialized with; a flag is a number of 0-1.
 template <typename Hello>
 struct Key {
   std::string_view key;
   std::variant<int Hello::*, std::uint32_t Hello::*, std::uint64_t Hello::*,
-               std::optional<std::uint64_t> Hello::*, bool Hello::*, std::string Hello::*>
+               std::optional<std::uint64_t> Hello::*, bool Hello::*, std::optional<bool> Hello::*,
+               std::string Hello::*>
       member;
   std::uint64_t min = 0;  ///< of a number
   std::uint64_t max = 1;
@@ -103,6 +104,17 @@ constexpr Key<Granted> kGrantedKeys[] = {
 
 constexpr Key<StreamsAsked> kListKeys[] = {
     {.key = "token", .member = &StreamsAsked::token, .kind = Kind::Token},
+    {.key = "details", .member = &StreamsAsked::details},
+};
+
+/// Of a list with details; with this one a stream begins.
+constexpr Key<ListedStream> kListedName = {
+    .key = "stream", .member = &ListedStream::name, .kind = Kind::Name};
+constexpr Key<ListedStream> kListedKeys[] = {
+    kListedName,
+    {.key = "live", .member = &ListedStream::live},
+    {.key = "duration", .member = &ListedStream::duration_ms, .max = kPlaceMsMax},
+    {.key = "title", .member = &ListedStream::title, .kind = Kind::Text},
 };
 
 bool is_of(Kind kind, std::string_view value) {
@@ -165,25 +177,44 @@ std::string rule_of(const Key<Hello>& key, std::string_view found) {
          ", found '" + escaped(found) + "'";
 }
 
+/// A piece that is key=value.
+struct Field {
+  std::string_view key;
+  std::string_view value;
+  std::size_t value_position = 0;  ///< as that of a piece
+};
+
+std::variant<Field, FieldFault> field_of(const Piece& piece) {
+  const std::size_t equals = piece.text.find('=');
+  if (equals == 0 || equals == std::string_view::npos) {
+    return FieldFault{piece.position, "expected key=value, found '" + escaped(piece.text) + "'"};
+  }
+  return Field{piece.text.substr(0, equals), piece.text.substr(equals + 1),
+               piece.position + equals + 1};
+}
+
+/// Takes the field into the hello if its key is one of these; the fault, if that cannot be read.
+template <typename Hello, std::size_t N>
+std::optional<FieldFault> take_field(const Field& field, const Key<Hello> (&keys)[N],
+                                     Hello& hello) {
+  const auto* key =
+      std::find_if(std::begin(keys), std::end(keys),
+                   [&field](const Key<Hello>& known) { return known.key == field.key; });
+  if (key == std::end(keys) || read_value(*key, field.value, hello)) return std::nullopt;
+  return FieldFault{field.value_position, rule_of(*key, field.value)};
+}
+
 template <typename Hello, std::size_t N>
 std::variant<Hello, FieldFault> parse_fields(std::string_view text, const Key<Hello> (&keys)[N]) {
   Hello hello;
   // First the version: in another one the other fields may mean something else.
   for (const bool version : {true, false}) {
     for (const Piece& piece : pieces_after_word(text)) {
-      const std::size_t equals = piece.text.find('=');
-      if (equals == 0 || equals == std::string_view::npos) {
-        return FieldFault{piece.position,
-                          "expected key=value, found '" + escaped(piece.text) + "'"};
-      }
-      const std::string_view name = piece.text.substr(0, equals);
-      const std::string_view value = piece.text.substr(equals + 1);
-      const auto* key = std::find_if(std::begin(keys), std::end(keys),
-                                     [name](const Key<Hello>& known) { return known.key == name; });
-      if (key == std::end(keys) || version != (name == "v")) continue;
-      if (!read_value(*key, value, hello)) {
-        return FieldFault{piece.position + equals + 1, rule_of(*key, value)};
-      }
+      const auto read = field_of(piece);
+      if (const auto* const fault = std::get_if<FieldFault>(&read)) return *fault;
+      const Field& field = std::get<Field>(read);
+      if (version != (field.key == "v")) continue;
+      if (auto fault = take_field(field, keys, hello)) return *std::move(fault);
     }
     if constexpr (!std::is_same_v<Hello, StreamsAsked>) {
       if (hello.version != kProtocolVersion) return hello;
@@ -203,8 +234,9 @@ std::optional<std::string> value_text(const Key<Hello>& key, const Hello& hello)
         if constexpr (std::is_same_v<Value, std::string>) {
           std::string text = key.kind == Kind::Text ? to_base64(value) : value;
           return string_of(key.kind, text) ? std::optional(std::move(text)) : std::nullopt;
-        } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
-          return std::to_string(*value);
+        } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>> ||
+                             std::is_same_v<Value, std::optional<bool>>) {
+          return std::to_string(static_cast<std::uint64_t>(*value));
         } else {
           return std::to_string(static_cast<std::uint64_t>(value));
         }
@@ -212,15 +244,74 @@ std::optional<std::string> value_text(const Key<Hello>& key, const Hello& hello)
       key.member);
 }
 
+/// " key=value" for each.
 template <typename Hello, std::size_t N>
-std::string encode_fields(std::string_view word, const Hello& hello, const Key<Hello> (&keys)[N]) {
-  std::string text = '{' + std::string(word);
+std::string fields_text(const Hello& hello, const Key<Hello> (&keys)[N]) {
+  std::string text;
   for (const Key<Hello>& key : keys) {
     if (const auto value = value_text(key, hello)) {
       text.append(" ").append(key.key).append("=").append(*value);
     }
   }
+  return text;
+}
+
+template <typename Hello, std::size_t N>
+std::string encode_fields(std::string_view word, const Hello& hello, const Key<Hello> (&keys)[N]) {
+  return '{' + std::string(word) + fields_text(hello, keys) + '}';
+}
+
+std::variant<StreamList, FieldFault> parse_names(const std::vector<Piece>& pieces) {
+  StreamList list;
+  for (const Piece& piece : pieces) {
+    if (!is_stream_name(piece.text)) {
+      return FieldFault{piece.position, "'" + escaped(piece.text) + "' is no stream's name"};
+    }
+    list.streams.push_back({std::string(piece.text)});
+  }
+  return list;
+}
+
+std::variant<StreamList, FieldFault> parse_details(const std::vector<Piece>& pieces) {
+  StreamList list;
+  for (const Piece& piece : pieces) {
+    const auto read = field_of(piece);
+    if (const auto* const fault = std::get_if<FieldFault>(&read)) return *fault;
+    const Field& field = std::get<Field>(read);
+    if (field.key == kListedName.key) list.streams.emplace_back();
+    if (list.streams.empty()) continue;  // of the list itself, of which nothing is said yet
+    if (auto fault = take_field(field, kListedKeys, list.streams.back())) return *std::move(fault);
+  }
+  return list;
+}
+
+std::string encode_names(const StreamList& list) {
+  std::string text = "{streams";
+  for (const ListedStream& stream : list.streams) {
+    if (!is_stream_name(stream.name)) continue;
+    if (text.size() + stream.name.size() + 2 > kPacketBytesMax) break;
+    text += ' ' + stream.name;
+  }
   return text + '}';
+}
+
+/// Whether anything but the name is known.
+bool has_details(const ListedStream& stream) {
+  return stream.live || stream.duration_ms || !stream.title.empty();
+}
+
+/// With all streams; nothing when there is no room for them, or nothing to say of them.
+std::optional<std::string> encode_details(const StreamList& list, bool titles) {
+  std::string text = "{streams";
+  bool any = false;
+  for (ListedStream stream : list.streams) {
+    if (!is_stream_name(stream.name)) continue;
+    if (!titles) stream.title.clear();
+    any = any || has_details(stream);
+    text += fields_text(stream, kListedKeys);
+    if (text.size() + 1 > kPacketBytesMax) return std::nullopt;
+  }
+  return any ? std::optional(text + '}') : std::nullopt;
 }
 
 /// A byte of an error's text: what cannot stand in a packet, replaced. A backslash is let through
@@ -306,14 +397,10 @@ std::variant<ErrorReply, FieldFault> parse_error_reply(std::string_view text) {
 }
 
 std::variant<StreamList, FieldFault> parse_stream_list(std::string_view text) {
-  StreamList list;
-  for (const Piece& piece : pieces_after_word(text)) {
-    if (!is_stream_name(piece.text)) {
-      return FieldFault{piece.position, "'" + escaped(piece.text) + "' is no stream's name"};
-    }
-    list.names.emplace_back(piece.text);
-  }
-  return list;
+  const std::vector<Piece> pieces = pieces_after_word(text);
+  // A name has no '='.
+  const bool details = !pieces.empty() && pieces.front().text.find('=') != std::string_view::npos;
+  return details ? parse_details(pieces) : parse_names(pieces);
 }
 
 std::string encode(const HelloAsked& hello) {
@@ -340,13 +427,10 @@ std::string encode(const ErrorReply& error) {
 }
 
 std::string encode(const StreamList& list) {
-  std::string text = "{streams";
-  for (const std::string& name : list.names) {
-    if (!is_stream_name(name)) continue;
-    if (text.size() + name.size() + 2 > kPacketBytesMax) break;
-    text += ' ' + name;
+  for (const bool titles : {true, false}) {
+    if (auto text = encode_details(list, titles)) return *std::move(text);
   }
-  return text + '}';
+  return encode_names(list);
 }
 
 }  // namespace aucast::protocol

@@ -36,7 +36,9 @@ void StreamQuestion::on_bytes(std::string_view bytes) {
     return;
   }
   if (const auto* list = std::get_if<protocol::StreamList>(&*packet)) {
-    end(list->names);
+    Names names;
+    for (const protocol::ListedStream& stream : list->streams) names.push_back(stream.name);
+    end(std::move(names));
   } else if (const auto* refused = std::get_if<protocol::ErrorReply>(&*packet)) {
     abandon("refused: " + std::to_string(refused->code) + " " + escaped(refused->text, 200));
   } else {

@@ -28,7 +28,7 @@ EncodingOptions encoding_of(const TransmitterOptions& options) {
 protocol::StreamList names_of(const std::vector<Source>& sources) {
   protocol::StreamList list;
   for (const Source& source : sources) {
-    if (!source.name.empty()) list.names.push_back(source.name);
+    if (!source.name.empty()) list.streams.push_back({source.name});
   }
   return list;
 }
@@ -44,11 +44,11 @@ void say_what_was_found(const std::vector<Source>& sources) {
 void warn_of_cut_list(const std::vector<Source>& sources) {
   const protocol::StreamList list = names_of(sources);
   const std::size_t shown = listed(sources);
-  if (shown == list.names.size()) return;
+  if (shown == list.streams.size()) return;
   spdlog::warn(
       "the list of {} streams is cut after '{}', for it is one packet: --list shows {}, "
       "--stream plays the others too",
-      list.names.size(), list.names[shown - 1], shown);
+      list.streams.size(), list.streams[shown - 1].name, shown);
 }
 
 }  // namespace

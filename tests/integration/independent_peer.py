@@ -65,6 +65,7 @@ class Error:
 @dataclasses.dataclass
 class Streams:
     names: list
+    details: dict = dataclasses.field(default_factory=dict)  # of each name what is said of it
 
 
 @dataclasses.dataclass
@@ -142,6 +143,34 @@ def parse_sound(text, word, place, data):
     return voice
 
 
+def parse_streams(text, inside):
+    """A list of streams, with details or without [5.3]."""
+    pieces = inside[7:].split()
+    if inside[7:8] not in ("", " ") or len(text) > PACKET_BYTES_MAX:
+        raise Violation(f"no list of streams: {text!r}")
+    if not pieces or "=" not in pieces[0]:
+        if not all(NAME.fullmatch(name) for name in pieces):
+            raise Violation(f"no names of streams: {text!r}")
+        return Streams(pieces)
+    streams = Streams([])
+    for piece in pieces:
+        key, equals, value = piece.partition("=")
+        if not key or not equals:
+            raise Violation(f"no field {piece!r} in {text!r}")
+        if key == "stream":
+            if not NAME.fullmatch(value):
+                raise Violation(f"no name {value!r} in {text!r}")
+            streams.names.append(value)
+            said = streams.details.setdefault(value, {})
+        elif streams.names and key in ("live", "duration"):
+            if not NUMBER.fullmatch(value) or int(value) > (1 if key == "live" else 10 ** 12):
+                raise Violation(f"no number {value!r} in {text!r}")
+            said[key] = int(value)
+        elif streams.names and key == "title":
+            said[key] = from_base64(value).decode("utf-8")
+    return streams
+
+
 def parse(text):
     """One packet of a server, with its braces."""
     inside = text[1:-1]
@@ -158,10 +187,7 @@ def parse(text):
             raise Violation(f"no error: {text!r}")
         return Error(int(match[1]), match[2] or "")
     if inside.startswith("streams"):
-        names = inside[7:].split()
-        if not all(NAME.fullmatch(name) for name in names) or inside[7:8] not in ("", " "):
-            raise Violation(f"no list of streams: {text!r}")
-        return Streams(names)
+        return parse_streams(text, inside)
     if sound := re.fullmatch(r"([at])(?:@(0|[1-9][0-9]{0,12}))?(?: ([A-Za-z0-9+/]+))?", inside):
         return parse_sound(text, *sound.groups())
     terms, has_timing, timing = inside.partition(";")
@@ -215,7 +241,9 @@ def refusal(word, fields, token="", names=(), full_up=False):
     def readable(key, value):
         if key == "token":
             return len(value) <= TOKEN_BYTES_MAX
-        if word == "streams" or key not in (*ASKED, "stream", "voice"):
+        if word == "streams":
+            return key != "details" or (NUMBER.fullmatch(value) and int(value) <= 1)
+        if key not in (*ASKED, "stream", "voice"):
             return True
         if key in ("stream", "voice"):
             return NAME.fullmatch(value)

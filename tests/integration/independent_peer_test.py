@@ -302,6 +302,39 @@ class OurClient(PeerTest):
                 self.assertEqual(client.packet().fields["stream"], "second.v2")
                 self.assertEqual(len(client.rest()), 2)
 
+    def test_streams_with_details(self):
+        first, _ = self.stream(3, duration=40)
+        second = stream_file(self.folder, "second.v2", faces(2), [500, 500])
+        second.write_text("# title: Zwei Köpfe\n" + second.read_text(encoding="utf-8"),
+                          encoding="utf-8")
+        for options, known in (((), [{"live": 0, "duration": 120},
+                                     {"live": 0, "duration": 1000, "title": "Zwei Köpfe"}]),
+                               (("--loop",), [{"live": 0}, {"live": 0, "title": "Zwei Köpfe"}]),
+                               (("--live", "--loop"), [{"live": 1},
+                                                       {"live": 1, "title": "Zwei Köpfe"}])):
+            with Transmitter(*options, first, second) as server:
+                with Client(server.port, "{streams colour=green details=1}") as client:
+                    packet = client.packet()
+                    self.assertEqual(packet.names, ["lively", "second.v2"])
+                    self.assertEqual(list(packet.details.values()), known)
+                    client.expect_end()
+                with Client(server.port, "{streams}") as client:
+                    while client.more():
+                        pass
+                    self.assertEqual(client.pending, b"{streams lively second.v2}")
+
+    def test_a_relay_passes_on_what_it_knows_of_a_stream(self):
+        path, _ = self.stream(3, duration=40)
+        path.write_text("# title: A face\n" + path.read_text(encoding="ascii"), encoding="ascii")
+        with Transmitter(path) as parent:
+            with Transmitter(f"aucast://127.0.0.1:{parent.port}") as relay:
+                with Client(relay.port, "{hello}") as client:  # waits for the stream
+                    self.assertEqual(client.packet().fields["stream"], "lively")
+                    client.rest()
+                with Client(relay.port, "{streams details=1}") as client:
+                    self.assertEqual(client.packet().details,
+                                     {"lively": {"live": 0, "duration": 120, "title": "A face"}})
+
     def test_more_streams_than_a_packet_lists(self):
         names = [f"a_rather_long_name_of_a_stream_{n:03}" for n in range(200)]
         for name in names:

@@ -55,6 +55,8 @@ TEST(ClientPacketDecoder, TakesAHelloOrStreamsBeforeTheFirstCode) {
   EXPECT_EQ(decoded("{hello v=2 window=64}1"), "{hello v=2 window=64} 1");
   EXPECT_EQ(decoded("\r\n {hello}"), "{hello v=2 window=1}");
   EXPECT_EQ(decoded("{streams}"), "{streams}");
+  EXPECT_EQ(decoded("{streams details=1}"), "{streams details=1}");
+  EXPECT_EQ(decoded("{streams details=0 token=a}"), "{streams token=a}");
   EXPECT_EQ(decoded("{hello v=2 colour=green window=7}"), "{hello v=2 window=7}")
       << "unknown keys are ignored";
   EXPECT_EQ(decoded("{hello window=999999}"), "{hello v=2 window=999999}")
@@ -93,6 +95,8 @@ TEST(ClientPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{hello v=}", DecodeFault::BadField, 9},
       {"{hello nonsense}", DecodeFault::BadField, 7},
       {"{streams all}", DecodeFault::BadField, 9},
+      {"{streams details=2}", DecodeFault::BadField, 17},
+      {"{streams details}", DecodeFault::BadField, 9},
   };
   for (const Row& row : rows) {
     const DecodeError error = error_of(row.bytes);

@@ -136,10 +136,74 @@ TEST(EncodeError, IsOneSafePacketWhateverTheText) {
 
 TEST(EncodeStreams, ListsLegalNamesWithinThePacketLimit) {
   EXPECT_EQ(encode(StreamsAsked{}), "{streams}");
-  EXPECT_EQ(encode(StreamList{{"talk", "bad name", "a.b_c-1"}}), "{streams talk a.b_c-1}");
-  const StreamList many{std::vector<std::string>(100, std::string(64, 'x'))};
+  EXPECT_EQ(encode(StreamsAsked{"word", true}), "{streams token=word details=1}");
+  EXPECT_EQ(encode(StreamList{}), "{streams}");
+  EXPECT_EQ(encode(StreamList{{{"talk"}, {"bad name"}, {"a.b_c-1"}}}), "{streams talk a.b_c-1}");
+  const StreamList many{std::vector<ListedStream>(100, {std::string(64, 'x')})};
   EXPECT_LE(encode(many).size(), kPacketBytesMax);
   EXPECT_GT(encode(many).size(), kPacketBytesMax - 66);
+}
+
+TEST(EncodeStreams, SaysWhatIsKnownOfEach) {
+  const StreamList list{{{"talk", false, 60'000, "A talk"},
+                         {"bad name", true},
+                         {"hall", true},
+                         {"later"},
+                         {"turns", false}}};
+  EXPECT_EQ(encode(list),
+            "{streams stream=talk live=0 duration=60000 title=QSB0YWxr stream=hall live=1 "
+            "stream=later stream=turns live=0}");
+  EXPECT_EQ(encode(StreamList{{{"bad name", true}, {"later"}}}), "{streams later}")
+      << "nothing is known of what is listed";
+  EXPECT_EQ(encode(StreamList{{{"talk", std::nullopt, std::nullopt, "a\nb"}}}),
+            "{streams stream=talk}")
+      << "which is no title";
+}
+
+/// So many streams, each with a name of nine bytes and a title of 120.
+StreamList titled(std::size_t count) {
+  StreamList list;
+  for (std::size_t i = 0; i < count; ++i) {
+    list.streams.push_back({"stream" + std::to_string(100 + i), false, 1'000'000'000'000,
+                            std::string(kTitleBytesMax, 't')});
+  }
+  return list;
+}
+
+std::size_t places_of(const std::string& text, std::string_view part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+TEST(EncodeStreams, DetailsCostNoNames) {
+  // Each takes 213 bytes with its title and 47 without, or ten as a name.
+  const std::string all = encode(titled(19));
+  EXPECT_EQ(places_of(all, " stream="), 19U);
+  EXPECT_EQ(places_of(all, " title="), 19U);
+  const std::string untitled = encode(titled(20));
+  EXPECT_EQ(places_of(untitled, " stream="), 20U);
+  EXPECT_EQ(places_of(untitled, " duration="), 20U);
+  EXPECT_EQ(places_of(untitled, " title="), 0U);
+  EXPECT_EQ(places_of(encode(titled(86)), " stream="), 86U);
+  const std::string names = encode(titled(87));
+  EXPECT_EQ(names.find('='), std::string::npos);
+  EXPECT_EQ(places_of(names, " stream"), 87U);
+  EXPECT_EQ(places_of(encode(titled(1000)), " stream"), (kPacketBytesMax - 9) / 10)
+      << "the list ends early";
+}
+
+TEST(EncodeStreams, APacketMayBeFullToTheLastByte) {
+  StreamList list;
+  while (list.streams.size() < 42) list.streams.push_back({std::string(64, 'n'), true, 100'000});
+  list.streams.push_back({"n", true, kPlaceMsMax});
+  const std::size_t left = kPacketBytesMax - encode(list).size();
+  ASSERT_LT(left, 63U) << "the last name takes them";
+  list.streams.back().name.resize(1 + left, 'n');
+  EXPECT_EQ(encode(list).size(), kPacketBytesMax);
+  EXPECT_EQ(places_of(encode(list), " live=1"), 43U);
+  list.streams.back().name += 'n';
+  EXPECT_EQ(encode(list).find('='), std::string::npos);
 }
 
 TEST(EncodeCode, IsWhatTheThesisWrites) {

@@ -9,6 +9,7 @@
 
 #include "protocol/encoded_stream.h"
 #include "protocol/limits.h"
+#include "protocol/live_feed.h"
 
 namespace aucast::protocol {
 namespace {
@@ -104,6 +105,48 @@ TEST_F(JoiningTest, APublishersTokenIsForItsNamesAndForNoViewer) {
   brings.token = "word";
   EXPECT_EQ(text_of(joining().hello(brings, now_)), "401 later");
   EXPECT_EQ(text_of(joining().hello(hello("push"), now_)), "401 later");
+}
+
+TEST_F(JoiningTest, TheListSaysOfEachStreamWhatIsKnown) {
+  const std::vector<Keyframe> two(2);
+  const auto recorded = std::make_shared<const EncodedStream>(encode_stream(two, 250, 20));
+  const auto longer = std::make_shared<const EncodedStream>(encode_stream(two, 400, 20));
+  const auto parents = [](std::string name) {
+    auto upstream = std::make_shared<UpstreamStream>();
+    upstream->name = std::move(name);
+    return upstream;
+  };
+  const auto relayed = parents("relayed");
+  relayed->title = "Theirs";
+  relayed->content = std::make_shared<const LiveFeed>(40, 20, false, false, 9000);
+  const auto turning = parents("turning");
+  turning->content = RecordedStream{recorded};
+  turning->loop = true;
+  catalogue_.streams = {{"talk", recorded},
+                        {"spoken", RecordedStream{recorded, nullptr, longer}},
+                        {"face", std::make_shared<const LiveFeed>(40, 20)},
+                        {"", relayed},
+                        {"", turning},
+                        {"", parents("")},
+                        {"late", parents("")}};
+  catalogue_.streams.front().title = "A talk";
+  const auto list = [this](bool details, bool loop = false) {
+    catalogue_.loop = loop;
+    return std::get<StreamList>(joining().list({"", details}, now_)).streams;
+  };
+  EXPECT_EQ(list(true), (std::vector<ListedStream>{{"talk", false, 500, "A talk"},
+                                                   {"spoken", false, 800},
+                                                   {"face", true},
+                                                   {"relayed", true, 9000, "Theirs"},
+                                                   {"turning", false},
+                                                   {""},
+                                                   {"late"}}));
+  EXPECT_EQ(list(true, true)[0], (ListedStream{"talk", false, std::nullopt, "A talk"}))
+      << "what starts again has no length";
+  EXPECT_EQ(list(false),
+            (std::vector<ListedStream>{
+                {"talk"}, {"spoken"}, {"face"}, {"relayed"}, {"turning"}, {""}, {"late"}}))
+      << "who did not ask may not understand";
 }
 
 TEST_F(JoiningTest, WhoWaitsIsAskedForNothingAgain) {

@@ -93,8 +93,15 @@ ServerPacket random_server_packet(Seeded& seeded) {
       return ErrorReply{seeded.integer(100, 999), random_text(seeded, "a b'.=0", 200)};
     case 3: {
       StreamList list;
-      for (int i = seeded.integer(0, 20); i > 0; --i)
-        list.names.push_back(random_stream_name(seeded));
+      const bool details = seeded.chance(0.5);
+      for (int i = seeded.integer(0, 15); i > 0; --i) {
+        ListedStream stream{random_stream_name(seeded)};
+        if (details && seeded.chance(0.7)) stream.live = seeded.chance(0.5);
+        if (details && seeded.chance(0.5))
+          stream.duration_ms = static_cast<std::uint64_t>(seeded.integer(0, 1 << 30));
+        if (details && seeded.chance(0.3)) stream.title = random_text(seeded, "aB {}=", 20);
+        list.streams.push_back(std::move(stream));
+      }
       return list;
     }
     case 4: {

@@ -50,6 +50,17 @@ TEST(ServerPacketDecoder, ReadsEveryKindOfPacket) {
   EXPECT_EQ(decoded_server("{error 404 no such stream}"), "{error 404 no such stream}");
   EXPECT_EQ(decoded_server("{error 503}"), "{error 503 }");
   EXPECT_EQ(decoded_server("{streams a b}{streams}"), "{streams a b}{streams}");
+  EXPECT_EQ(decoded_server("{streams stream=a live=1  duration=7 stream=b title=QQ}"),
+            "{streams stream=a live=1 duration=7 stream=b title=QQ}");
+  EXPECT_EQ(decoded_server("{streams stream=a stream=b}"), "{streams a b}");
+  EXPECT_EQ(decoded_server("{streams stream=a live=0 colour=red live=1}"),
+            "{streams stream=a live=1}")
+      << "the last value counts, and what is not known is ignored";
+  EXPECT_EQ(decoded_server("{streams count=1 live=1 stream=a}"), "{streams a}")
+      << "before the first name it is said of the list";
+  EXPECT_EQ(decoded_server("{streams stream=live stream=duration live=1}"),
+            "{streams stream=live stream=duration live=1}")
+      << "names as keys are";
 }
 
 TEST(ServerPacketDecoder, AcceptsBlanksBetweenPacketsAndAroundNumbers) {
@@ -106,6 +117,17 @@ TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{error 044 x}", DecodeFault::BadField, 7},
       {"{hello title=}", DecodeFault::BadField, 13},
       {"{streams a/b}", DecodeFault::BadField, 9},
+      {"{streams a live=1}", DecodeFault::BadField, 11},
+      {"{streams stream=a b}", DecodeFault::BadField, 18},
+      {"{streams stream=a/b}", DecodeFault::BadField, 16},
+      {"{streams stream=}", DecodeFault::BadField, 16},
+      {"{streams =a}", DecodeFault::BadField, 9},
+      {"{streams stream=a live=2}", DecodeFault::BadField, 23},
+      {"{streams stream=a live=}", DecodeFault::BadField, 23},
+      {"{streams stream=a live=1 live=x}", DecodeFault::BadField, 30},
+      {"{streams stream=a duration=1000000000001}", DecodeFault::BadField, 27},
+      {"{streams stream=a title=gA}", DecodeFault::BadField, 24},
+      {"{streams stream=a title=}", DecodeFault::BadField, 24},
   };
   for (const Row& row : rows) {
     const DecodeError error = server_error_of(row.bytes);
@@ -122,6 +144,8 @@ TEST(ServerPacketDecoder, SaysWhyInASentenceWithPeerBytesEscaped) {
             "window is a number of 0-256, found '300'");
   EXPECT_EQ(server_error_of("{error no}").reason, "an error has a code of 100-999, found 'no'");
   EXPECT_EQ(server_error_of("{streams a/b}").reason, "'a/b' is no stream's name");
+  EXPECT_EQ(server_error_of("{streams stream=a live=2}").reason,
+            "live is a number of 0-1, found '2'");
 }
 
 TEST(ServerPacketDecoder, FindsTheFaultBeforeAnyClosingBrace) {

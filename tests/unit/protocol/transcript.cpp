@@ -204,7 +204,7 @@ class ServerReplay {
     auto replay = std::make_shared<LiveReplay>(first.recorded()->encoded, catalogue.loop, Instant{},
                                                first.recorded()->spoken);
     replay->advance(Instant{});
-    first = {first.name, replay};
+    first.kind = replay;
     return replay;
   }
 
