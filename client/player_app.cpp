@@ -1,5 +1,7 @@
 #include "client/player_app.h"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -15,6 +17,7 @@
 #include "client/app/remote_options.h"
 #include "client/app/sound_device.h"
 #include "client/app/stream_files.h"
+#include "client/app/stream_table.h"
 #include "client/app/window/settings/window_settings.h"
 #include "client/app/window/window_run.h"
 #include "client/net/remote_source.h"
@@ -92,10 +95,11 @@ Result<std::unique_ptr<sound::SoundTrack>> open_track(const PlayerOptions& optio
 Result<void> print_list(const PlaybackOptions& options, const net::Security& security) {
   const auto endpoint = net::parse_endpoint(options.endpoint);
   if (!endpoint) return endpoint.error();
-  const auto names = net::list_streams(remote_options(options, *endpoint, security));
-  if (!names) return names.error();
-  for (const std::string& name : *names) std::fputs((name + "\n").c_str(), stdout);
-  return {};
+  const auto list = net::list_streams(remote_options(options, *endpoint, security));
+  if (!list) return list.error();
+  // A program that reads the names gets nothing else.
+  const bool for_people = ::isatty(STDOUT_FILENO) == 1;
+  return print_now(for_people ? stream_table(*list) : stream_names(*list));
 }
 
 /// What the end of a source means for the exit code.

@@ -463,7 +463,10 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
          "hosts is tried when one is lost (as with --reconnect), is full or does not have the "
          "stream yet; it gives up when all have refused.",
          word(options.playback.endpoint), "", Where::Positional},
-        {"list", "", "", "", "Prints the names of the server's streams.", flag(options.list)},
+        {"list", "", "", "",
+         "Prints the server's streams, one a line: on a terminal with \"live\" or their length, "
+         "and their title, as far as the server tells; to a pipe or file the names alone.",
+         flag(options.list)},
         {"mirror", "", "", "",
          "Begins with the window's Camera tab: your own face as others will see it, beside what "
          "the camera sees, with \"Go live\" there. In place of HOST stands the camera: camera "

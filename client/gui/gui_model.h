@@ -20,6 +20,7 @@
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
 #include "client/view/style.h"
+#include "protocol/packet.h"
 
 namespace aucast::gui {
 
@@ -241,7 +242,7 @@ struct SpokenView {
 /// The streams of the server whose address is in the form.
 struct StreamsView {
   bool asking = false;
-  std::vector<std::string> names;
+  std::vector<protocol::ListedStream> streams;
   std::string problem;  ///< why there are none, a sentence
   friend bool operator==(const StreamsView&, const StreamsView&) = default;
 };

@@ -12,9 +12,13 @@
 #include "client/gui/panels.h"
 #include "client/gui/texts.h"
 #include "client/gui/tips.h"
+#include "client/gui/view_text.h"
 
 namespace aucast::gui {
 namespace {
+
+/// Longer titles of streams are cut.
+constexpr float kTitleWidth = 280;
 
 constexpr std::array kRules = {"facs", "kumar2010", "none"};
 
@@ -65,6 +69,42 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   return entered;
 }
 
+/// The server does not say it of each stream, but of the one that plays it is known.
+std::string words_of(const GuiModel& model, const protocol::ListedStream& stream) {
+  const std::string words = stream_in_words(stream);
+  if (!words.empty() || !model.playing.live || stream.name != model.playing.stream) return words;
+  return *model.playing.live ? tr("play.is_live") : tr("play.is_recorded");
+}
+
+/// Its streams, each a line: name, whether it is live or how long it is, title. The chosen one;
+/// null: none.
+const protocol::ListedStream* list_of_streams(const Look& look, const GuiModel& model,
+                                              const std::string& chosen) {
+  float words_at = 0;
+  float title_at = 0;
+  for (const protocol::ListedStream& stream : model.streams.streams) {
+    words_at = std::max(words_at, ImGui::CalcTextSize(stream.name.c_str()).x);
+    title_at = std::max(title_at, ImGui::CalcTextSize(words_of(model, stream).c_str()).x);
+  }
+  const float gap = 2 * ImGui::GetStyle().ItemSpacing.x;
+  words_at += ImGui::GetCursorPosX() + gap;
+  title_at += words_at + gap;
+  const float right = ImGui::GetWindowPos().x + title_at + kTitleWidth * look.scale;
+  const protocol::ListedStream* taken = nullptr;
+  for (const protocol::ListedStream& stream : model.streams.streams) {
+    if (list_item(stream.name, stream.name == chosen)) taken = &stream;
+    const std::string words = words_of(model, stream);
+    if (!words.empty()) {
+      ImGui::SameLine(words_at);
+      ImGui::TextDisabled("%s", words.c_str());
+    }
+    if (stream.title.empty()) continue;
+    ImGui::SameLine(title_at);
+    fitted_text(stream.title, right, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+  }
+  return taken;
+}
+
 /// What the server has, asked when the list is opened; the chosen one is connected to.
 void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
   label(look, tr("play.stream"));
@@ -79,16 +119,9 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   if (!good) ImGui::TextDisabled("%s", tr("play.no_address"));
   if (streams.asking) ImGui::TextDisabled("%s", tr("play.asking"));
   if (!streams.problem.empty()) quiet_text(streams.problem);
-  for (const std::string& name : streams.names) {
-    const bool taken = list_item(name, name == chosen);
-    // The list of a server has names alone: of the one that plays it is known.
-    if (model.playing.live && name == model.playing.stream) {
-      ImGui::SameLine();
-      ImGui::TextDisabled("%s", *model.playing.live ? tr("play.is_live") : tr("play.is_recorded"));
-    }
-    if (!taken) continue;
+  if (const auto* const taken = list_of_streams(look, model, chosen)) {
     RemoteSettings settings = form.settings;
-    settings.stream = name;
+    settings.stream = taken->name;
     fill_form(settings, form);
     commands.push_back(Connect{settings});
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "client/gui/texts.h"
+#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -159,6 +160,12 @@ std::string state_in_words(PlaybackState state, const playback::SourceStatus& st
 bool plays_the_rest(PlaybackState state, const playback::SourceStatus& status) {
   const bool tried_again = !status.connected && status.reconnects > 0;
   return state == PlaybackState::Playing && (went_wrong(status.end) || tried_again);
+}
+
+std::string stream_in_words(const protocol::ListedStream& stream) {
+  if (stream.live.value_or(false)) return tr("play.is_live");
+  if (stream.duration_ms) return length_text(Milliseconds(*stream.duration_ms));
+  return stream.live ? tr("play.is_recorded") : "";
 }
 
 std::string table_in_words(const TableSettings& settings) {

@@ -12,6 +12,7 @@
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "client/playback/playback_controller.h"
+#include "protocol/packet.h"
 
 namespace aucast::gui {
 
@@ -35,6 +36,10 @@ namespace aucast::gui {
 /// The server was lost, and what it sent before is being played.
 [[nodiscard]] bool plays_the_rest(playback::PlaybackState state,
                                   const playback::SourceStatus& status);
+
+/// "live"; of a recorded stream its length, "1:23", or "recorded" where that is not known; empty:
+/// the server does not say.
+[[nodiscard]] std::string stream_in_words(const protocol::ListedStream& stream);
 
 /// "30 keyframes/s, gain 150 %": what of a table is not read as it is; empty: nothing.
 [[nodiscard]] std::string table_in_words(const TableSettings& settings);

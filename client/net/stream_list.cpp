@@ -17,19 +17,17 @@
 namespace aucast::net {
 namespace {
 
-using Names = std::vector<std::string>;
-
 /// Dials and asks. Everything runs in the calling thread.
-Result<Names> ask(const RemoteOptions& options) {
+Result<protocol::StreamList> ask(const RemoteOptions& options) {
   const std::string server = link::host_and_port(options.host, options.port);
-  std::optional<Result<Names>> answer;
+  std::optional<Result<protocol::StreamList>> answer;
   asio::io_context io{1};
   link::Dialler dialler{io};
   StreamQuestion question({.server = server,
                            .token = options.security.token,
                            .until = std::chrono::steady_clock::now() + options.connect_timeout,
                            .remedy = "--connect-timeout sets how long to wait"},
-                          [&](Result<Names> result) { answer = std::move(result); });
+                          [&](Result<protocol::StreamList> result) { answer = std::move(result); });
   dialler.dial(dial_options(options), [&](link::Dialled dialled) {
     if (auto* const link = std::get_if<std::shared_ptr<link::Link>>(&dialled)) {
       question.ask(std::move(*link));
@@ -44,7 +42,7 @@ Result<Names> ask(const RemoteOptions& options) {
 
 }  // namespace
 
-Result<std::vector<std::string>> list_streams(const RemoteOptions& options) {
+Result<protocol::StreamList> list_streams(const RemoteOptions& options) {
   // Asio throws when the system has no descriptor left for it.
   try {
     return ask(options);

@@ -26,7 +26,7 @@ void StreamQuestion::abandon(const std::string& why) {
 
 void StreamQuestion::on_open() {
   link_->wake_at(terms_.until);
-  link_->write(protocol::encode(protocol::StreamsAsked{terms_.token}));
+  link_->write(protocol::encode(protocol::StreamsAsked{terms_.token, true}));
 }
 
 void StreamQuestion::on_bytes(std::string_view bytes) {
@@ -36,9 +36,7 @@ void StreamQuestion::on_bytes(std::string_view bytes) {
     return;
   }
   if (const auto* list = std::get_if<protocol::StreamList>(&*packet)) {
-    Names names;
-    for (const protocol::ListedStream& stream : list->streams) names.push_back(stream.name);
-    end(std::move(names));
+    end(*list);
   } else if (const auto* refused = std::get_if<protocol::ErrorReply>(&*packet)) {
     abandon("refused: " + std::to_string(refused->code) + " " + escaped(refused->text, 200));
   } else {
@@ -62,7 +60,7 @@ void StreamQuestion::on_closed(const link::Ending& ending) {
   }
 }
 
-void StreamQuestion::end(Result<Names> result) {
+void StreamQuestion::end(Result<protocol::StreamList> result) {
   if (!answered_) return;
   if (link_) link_->close();
   std::exchange(answered_, nullptr)(std::move(result));

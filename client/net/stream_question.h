@@ -4,22 +4,21 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "common/link/link.h"
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/decoder.h"
+#include "protocol/packet.h"
 
 namespace aucast::net {
 
-/// Asks a server for the names of its streams: one question over one link. `answered` is called
-/// once, and never from within this object's own calls, except abandon().
+/// Asks a server which streams it has, with all that it says of them: one question over one link.
+/// `answered` is called once, and never from within this object's own calls, except abandon().
 /// Thread: that of the link.
 class StreamQuestion final : public link::LinkUser {
  public:
-  using Names = std::vector<std::string>;
-  using Answered = std::function<void(Result<Names>)>;
+  using Answered = std::function<void(Result<protocol::StreamList>)>;
 
   struct Terms {
     std::string server;    ///< as messages call it
@@ -42,7 +41,7 @@ class StreamQuestion final : public link::LinkUser {
   void on_peer_end() override;
   void on_time() override;
   void on_closed(const link::Ending& ending) override;
-  void end(Result<Names> result);
+  void end(Result<protocol::StreamList> result);
 
   const Terms terms_;
   Answered answered_;  ///< empty once it was called

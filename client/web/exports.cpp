@@ -251,7 +251,7 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_streams() {
   if (!answer) return "";
   if (!*answer) return kept(text, "!" + answer->error().message);
   std::string names;
-  for (const std::string& name : **answer) names += (names.empty() ? "" : " ") + name;
+  for (const auto& stream : (*answer)->streams) names += (names.empty() ? "" : " ") + stream.name;
   return kept(text, "=" + names);
 }
 

@@ -147,7 +147,7 @@ void Page::ask_streams(const std::string& server, const std::string& token) {
   streams_.reset();
   question_ = std::make_unique<net::StreamQuestion>(
       net::StreamQuestion::Terms{.server = server, .token = token, .until = now() + kAnswerTimeMax},
-      [this](Result<std::vector<std::string>> answer) { streams_ = std::move(answer); });
+      [this](Result<protocol::StreamList> answer) { streams_ = std::move(answer); });
   question_->ask(SocketLink::create());
 }
 

@@ -17,6 +17,7 @@
 #include "client/view/scene.h"
 #include "client/view/style.h"
 #include "common/result.h"
+#include "protocol/packet.h"
 
 namespace aucast::web {
 
@@ -71,7 +72,7 @@ class Page {
 
   /// Asks the server for its streams; streams() has the answer once there is one.
   void ask_streams(const std::string& server, const std::string& token);
-  [[nodiscard]] const std::optional<Result<std::vector<std::string>>>& streams() const {
+  [[nodiscard]] const std::optional<Result<protocol::StreamList>>& streams() const {
     return streams_;
   }
 
@@ -110,7 +111,7 @@ class Page {
   std::vector<float> posed_;   ///< those that the view has
   std::vector<std::string> begun_;
   std::unique_ptr<net::StreamQuestion> question_;
-  std::optional<Result<std::vector<std::string>>> streams_;
+  std::optional<Result<protocol::StreamList>> streams_;
   view::Viewpoint viewpoint_;
   view::Style style_;
 };

@@ -7,7 +7,9 @@
 import argparse
 import contextlib
 import json
+import os
 import pathlib
+import pty
 import random
 import signal
 import subprocess
@@ -888,16 +890,38 @@ class OurServer(PeerTest):
             code, stats, said = player.end()
             self.assertEqual((code, stats["end_reason"]), (0, "stopped"), said)
 
-    def test_list(self):
+    def listed(self, answer, terminal=False):
+        """What --list prints of a server's answer."""
+        ours, theirs = pty.openpty() if terminal else (None, subprocess.PIPE)
         with Server() as server:
             asking = subprocess.Popen((BIN / "face-player", "--list", f"127.0.0.1:{server.port}"),
-                                      stdout=subprocess.PIPE, text=True)
+                                      stdout=theirs, text=True)
             connection = server.accept()
-            self.assertEqual(connection.hello(), ("streams", {}))
-            connection.send("{streams talk smile.v2}", one_by_one=True)
+            self.assertEqual(connection.hello(), ("streams", {"details": "1"}))
+            connection.send(answer, one_by_one=True)
             connection.close_properly()
-            listed, _ = asking.communicate(timeout=10)
-            self.assertEqual((asking.returncode, listed.split()), (0, ["talk", "smile.v2"]))
+            listed = ""
+            if terminal:
+                os.close(theirs)
+                # Of a terminal that nobody writes to any more nothing can be read.
+                with contextlib.suppress(OSError), open(ours, encoding="utf-8", newline="") as out:
+                    for line in out:
+                        listed += line
+            else:
+                listed, _ = asking.communicate(timeout=10)
+            self.assertEqual(asking.wait(timeout=10), 0)
+            return listed.replace("\r", "")
+
+    DETAILS = "{streams stream=talk live=0 duration=83000 title=QSB0YWxr stream=smile.v2 live=1 }"
+
+    def test_list(self):
+        for answer in ("{streams talk smile.v2}", self.DETAILS):
+            self.assertEqual(self.listed(answer), "talk\nsmile.v2\n")
+
+    def test_list_on_a_terminal(self):
+        self.assertEqual(self.listed("{streams talk smile.v2}", terminal=True), "talk\nsmile.v2\n")
+        self.assertEqual(self.listed(self.DETAILS, terminal=True),
+                         "talk      1:23  A talk\nsmile.v2  live\n")
 
 
 def main():

@@ -3,6 +3,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <cstdint>
@@ -269,9 +270,36 @@ TEST_F(Panels, EnterInTheAddressConnects) {
 TEST_F(Panels, AStreamOfTheServerIsChosenFromTheList) {
   const GuiCommands opened = click(700, 154);
   ASSERT_TRUE(first_of<AskStreams>(opened).has_value());
-  model_.streams.names = {"talk", "lecture"};
+  model_.streams.streams = {{"talk"}, {"lecture"}};
   const auto connect = find_by_clicking<Connect>(600, 170, 200);
   ASSERT_TRUE(connect.has_value());
+  EXPECT_EQ(connect->settings.stream, "talk");
+}
+
+TEST_F(Panels, TheListSaysOfEachStreamWhatIsKnown) {
+  model_.streams.streams = {{"talk"}, {"lecture"}};
+  static_cast<void>(click(700, 154));
+  const auto names = picture().rgba;
+  model_.streams.streams[0].duration_ms = 83'000;
+  const auto lengths = picture().rgba;
+  EXPECT_NE(lengths, names);
+  model_.streams.streams[1].title = "Faces that speak";
+  const auto titles = picture().rgba;
+  EXPECT_NE(titles, lengths);
+  model_.streams.streams[0].live = true;
+  EXPECT_NE(picture().rgba, titles) << "it is live, however long";
+}
+
+TEST_F(Panels, TheLongestTitleKeepsTheListInTheWindow) {
+  model_.streams.streams = {{"talk", false, 83'000, std::string(120, 'W')}, {"lecture"}};
+  static_cast<void>(click(700, 154));
+  static_cast<void>(picture());
+  const ImGuiWindow* const list = ImGui::FindWindowByName("##Combo_00");
+  ASSERT_NE(list, nullptr);
+  EXPECT_GE(list->Pos.x, 0);
+  EXPECT_LE(list->Pos.x + list->Size.x, kWidth);
+  const auto connect = find_by_clicking<Connect>(list->Pos.x + list->Size.x - 20, 170, 200);
+  ASSERT_TRUE(connect.has_value()) << "all of the line is for the mouse";
   EXPECT_EQ(connect->settings.stream, "talk");
 }
 
@@ -293,7 +321,7 @@ TEST_F(Panels, TheAddressStaysAsShortAsItIsWhenAStreamIsChosen) {
     ImGui::GetIO().MousePos = ImVec2(1, 1);
     return rows(picture(), 110, 136).rgba;
   };
-  model_.streams.names = {"talk", "lecture"};
+  model_.streams.streams = {{"talk"}, {"lecture"}};
   const auto before = address();
   static_cast<void>(click(700, 154));
   ASSERT_TRUE(find_by_clicking<Connect>(600, 170, 200).has_value());

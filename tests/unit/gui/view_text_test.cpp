@@ -97,6 +97,21 @@ TEST(ViewText, BytesAreWrittenAsInTheLanguage) {
   use_english();
 }
 
+TEST(ViewText, OfAStreamItIsSaidWhetherItIsLiveOrHowLong) {
+  EXPECT_EQ(stream_in_words({"a", true, 60'000}), "live") << "how long it was matters less";
+  EXPECT_EQ(stream_in_words({"a", false, 83'000}), "1:23");
+  EXPECT_EQ(stream_in_words({"a", false}), "recorded");
+  EXPECT_EQ(stream_in_words({"a", std::nullopt, 83'000}), "1:23");
+  EXPECT_EQ(stream_in_words({"a", std::nullopt, std::nullopt, "A title"}), "");
+  auto french = load_language(std::string(AUCAST_TEST_DATA) + "/languages/fr.toml");
+  ASSERT_TRUE(french) << french.error().message;
+  use_language(*std::move(french));
+  EXPECT_EQ(stream_in_words({"a", true}), "en direct");
+  EXPECT_EQ(stream_in_words({"a", false, 83'000}), "1:23");
+  EXPECT_EQ(stream_in_words({"a", false}), "enregistré");
+  use_english();
+}
+
 TEST(ViewText, UnchangedAusHaveNoReason) {
   const AuFrame both = frame({{12, Side::Both, 80}, {1, Side::Both, 100}});
   EXPECT_EQ(au_rows(both, both, {}, kAll),

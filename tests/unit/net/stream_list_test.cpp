@@ -32,16 +32,27 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(StreamList, NamesComeInTheServersOrder) {
-  ScriptedServer server({Accept{}, Expect{"{streams}"}, Send{"{streams talk b-2 A.1}", 1}});
-  const auto names = list_streams(options_to(server));
-  ASSERT_TRUE(names) << names.error().message;
-  EXPECT_EQ(*names, (std::vector<std::string>{"talk", "b-2", "A.1"}));
+std::vector<protocol::ListedStream> answered(const std::string& packet) {
+  ScriptedServer server({Accept{}, Expect{"{streams details=1}"}, Send{packet, 1}});
+  const auto list = list_streams(options_to(server));
+  EXPECT_TRUE(list) << list.error().message;
   EXPECT_EQ(server.finish(), "");
+  return list ? list->streams : std::vector<protocol::ListedStream>{};
+}
+
+TEST(StreamList, NamesOfAnOlderServerComeInItsOrder) {
+  EXPECT_EQ(answered("{streams talk b-2 A.1}"),
+            (std::vector<protocol::ListedStream>{{"talk"}, {"b-2"}, {"A.1"}}));
+}
+
+TEST(StreamList, WhatTheServerSaysOfItsStreamsComesToo) {
+  EXPECT_EQ(answered("{streams stream=talk live=0 duration=83000 title=QSB0YWxr stream=b}"),
+            (std::vector<protocol::ListedStream>{{"talk", false, 83'000, "A talk"}, {"b"}}));
 }
 
 TEST(StreamList, TokenIsShown) {
-  ScriptedServer server({Accept{}, Expect{"{streams token=secret}"}, Send{"{streams talk}"}});
+  ScriptedServer server(
+      {Accept{}, Expect{"{streams token=secret details=1}"}, Send{"{streams talk}"}});
   RemoteOptions options = options_to(server);
   options.security.token = "secret";
   EXPECT_TRUE(list_streams(options));
@@ -49,15 +60,18 @@ TEST(StreamList, TokenIsShown) {
 }
 
 TEST(StreamList, RefusalIsSaidAndHarmless) {
-  EXPECT_TRUE(has(failure({Accept{}, Expect{"{streams}"}, Send{"{error 401 a token is needed}"}}),
-                  "refused: 401 a token is needed"));
+  EXPECT_TRUE(
+      has(failure({Accept{}, Expect{"{streams details=1}"}, Send{"{error 401 a token is needed}"}}),
+          "refused: 401 a token is needed"));
   EXPECT_NE(failure({Accept{}, Send{"{error 401 \x1b[31m}"}}), "");
 }
 
 TEST(StreamList, OtherAnswersAreNoList) {
   EXPECT_TRUE(has(failure({Accept{}, Send{"{1,2}"}}), "classic server"));
   EXPECT_TRUE(has(failure({Accept{}, Send{"HTTP/1.1 400"}}), "is it an au-transmitter?"));
-  EXPECT_TRUE(has(failure({Accept{}, Expect{"{streams}"}, Close{}}), "ended the connection"));
+  EXPECT_TRUE(
+      has(failure({Accept{}, Expect{"{streams details=1}"}, Close{}}), "ended the connection"));
+  EXPECT_TRUE(has(failure({Accept{}, Send{"{streams stream=a live=2}"}}), "live is a number"));
   EXPECT_TRUE(has(failure({Accept{}}, std::chrono::milliseconds(200)), "no answer in time"));
 }
 

@@ -9,7 +9,7 @@ StreamLister::StreamLister(Ask ask) : ask_(std::move(ask)) {}
 
 void StreamLister::ask(net::RemoteOptions server) {
   server.connect_timeout = std::min<Duration>(server.connect_timeout, kTimeMax);
-  view_ = {.asking = true, .names = {}, .problem = {}};
+  view_ = {.asking = true, .streams = {}, .problem = {}};
   next_ = std::move(server);
   if (!asking_.running()) begin();
 }
@@ -17,7 +17,7 @@ void StreamLister::ask(net::RemoteOptions server) {
 void StreamLister::begin() {
   const auto begun = asking_.start(
       [ask = ask_, server = *std::exchange(next_, std::nullopt)] { return ask(server); });
-  if (!begun) view_ = {.asking = false, .names = {}, .problem = begun.error().message};
+  if (!begun) view_ = {.asking = false, .streams = {}, .problem = begun.error().message};
 }
 
 void StreamLister::advance() {
@@ -26,7 +26,7 @@ void StreamLister::advance() {
   if (next_) return begin();
   view_ = {};
   if (*answer) {
-    view_.names = **std::move(answer);
+    view_.streams = (*answer)->streams;
   } else {
     view_.problem = answer->error().message;
   }

@@ -2,20 +2,19 @@
 
 #include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "client/gui/gui_model.h"
 #include "client/net/remote_source.h"
 #include "common/task.h"
+#include "protocol/packet.h"
 
 namespace aucast::app {
 
-/// Asks a server for the names of its streams on a thread of its own, one question at a time.
+/// Asks a server for its streams on a thread of its own, one question at a time.
 /// Thread: the player's.
 class StreamLister {
  public:
-  using Ask = std::function<Result<std::vector<std::string>>(const net::RemoteOptions&)>;
+  using Ask = std::function<Result<protocol::StreamList>(const net::RemoteOptions&)>;
   /// `ask` runs on the other thread and may block.
   explicit StreamLister(Ask ask);
   /// Waits for an answer that is still out: at most kTimeMax.
@@ -37,7 +36,7 @@ class StreamLister {
   Ask ask_;
   gui::StreamsView view_;
   std::optional<net::RemoteOptions> next_;
-  Task<Result<std::vector<std::string>>> asking_;
+  Task<Result<protocol::StreamList>> asking_;
 };
 
 }  // namespace aucast::app

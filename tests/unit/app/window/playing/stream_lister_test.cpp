@@ -7,7 +7,8 @@
 namespace aucast::app {
 namespace {
 
-using Names = std::vector<std::string>;
+using protocol::StreamList;
+using Streams = std::vector<protocol::ListedStream>;
 
 void answered(StreamLister& lister) {
   while (lister.view().asking) {
@@ -16,30 +17,31 @@ void answered(StreamLister& lister) {
   }
 }
 
-TEST(StreamLister, ShowsTheNamesThatCame) {
-  StreamLister lister([](const net::RemoteOptions&) { return Names{"talk", "lecture"}; });
+TEST(StreamLister, ShowsTheStreamsThatCame) {
+  const Streams all{{"talk", false, 83'000, "A talk"}, {"lecture"}};
+  StreamLister lister([&all](const net::RemoteOptions&) { return StreamList{all}; });
   EXPECT_FALSE(lister.view().asking);
   lister.ask({});
   EXPECT_TRUE(lister.view().asking);
   answered(lister);
-  EXPECT_EQ(lister.view().names, (Names{"talk", "lecture"}));
+  EXPECT_EQ(lister.view().streams, all);
 }
 
 TEST(StreamLister, SaysWhyThereAreNone) {
-  StreamLister lister([](const net::RemoteOptions&) -> Result<Names> {
+  StreamLister lister([](const net::RemoteOptions&) -> Result<StreamList> {
     return Error{ErrorKind::Network, "cannot be reached"};
   });
   lister.ask({});
   answered(lister);
   EXPECT_EQ(lister.view().problem, "cannot be reached");
-  EXPECT_TRUE(lister.view().names.empty());
+  EXPECT_TRUE(lister.view().streams.empty());
 }
 
 TEST(StreamLister, TheLastQuestionCountsAndNobodyWaitsLong) {
   Duration longest{0};
   StreamLister lister([&](const net::RemoteOptions& server) {
     longest = std::max(longest, server.connect_timeout);
-    return Names{server.host};
+    return StreamList{{{server.host}}};
   });
   net::RemoteOptions server;
   for (const char* host : {"a", "b", "c"}) {
@@ -47,7 +49,7 @@ TEST(StreamLister, TheLastQuestionCountsAndNobodyWaitsLong) {
     lister.ask(server);
   }
   answered(lister);
-  EXPECT_EQ(lister.view().names, Names{"c"});
+  EXPECT_EQ(lister.view().streams, Streams{{"c"}});
   EXPECT_LE(longest, StreamLister::kTimeMax);
 }
 
