@@ -244,15 +244,20 @@ EMSCRIPTEN_KEEPALIVE void aucast_ask_streams(const char* server, const char* tok
   page()->ask_streams(server, token);
 }
 
-/// "": no answer yet; "!REASON", or "=" and the names, with a blank between them.
+/// "": no answer yet; "!REASON", or "=" and the streams, a line each, with tabs in between: name,
+/// "live", "recorded" or nothing, length in ms or nothing, title. No text has tabs or line feeds.
 EMSCRIPTEN_KEEPALIVE const char* aucast_streams() {
   static std::string text;
   const auto& answer = page()->streams();
   if (!answer) return "";
   if (!*answer) return kept(text, "!" + answer->error().message);
-  std::string names;
-  for (const auto& stream : (*answer)->streams) names += (names.empty() ? "" : " ") + stream.name;
-  return kept(text, "=" + names);
+  std::string lines = "=";
+  for (const aucast::protocol::ListedStream& stream : (*answer)->streams) {
+    const char* const kind = !stream.live ? "" : *stream.live ? "live" : "recorded";
+    const std::string length = stream.duration_ms ? std::to_string(*stream.duration_ms) : "";
+    lines += stream.name + '\t' + kind + '\t' + length + '\t' + stream.title + '\n';
+  }
+  return kept(text, std::move(lines));
 }
 
 EMSCRIPTEN_KEEPALIVE void aucast_socket_opened(std::uint32_t socket) {

@@ -94,7 +94,11 @@ class AucastPlayer extends HTMLElement {
   resume() { this.setPaused(false); }
 
   /// The names of the server's streams.
-  async streams() {
+  async streams() { return (await this.list()).map(({ name }) => name); }
+
+  /// What the server says of its streams: `{name, live, duration, title}`. `duration` is in ms; what
+  /// it does not say is undefined, an unknown title empty.
+  async list() {
     await this.load();
     return this.engine.streams(this.server, this.token);
   }

@@ -11,6 +11,21 @@ function button(label, act) {
   return made;
 }
 
+/// "1:05", "1:02:03".
+function clock(ms) {
+  const all = Math.max(Math.round(ms / 1000), ms > 0 ? 1 : 0);
+  const two = value => String(value).padStart(2, '0');
+  const minutes = Math.floor(all / 60);
+  const start = minutes < 60 ? minutes : `${Math.floor(minutes / 60)}:${two(minutes % 60)}`;
+  return `${start}:${two(all % 60)}`;
+}
+
+/// "A lecture (live)"; a stream without a title by its name.
+function words({ name, live, duration, title }) {
+  const kind = live ? 'live' : duration !== undefined ? clock(duration) : '';
+  return (title || name) + (kind && ` (${kind})`);
+}
+
 export class Controls {
   constructor(player) {
     this.player = player;
@@ -65,17 +80,18 @@ export class Controls {
     if (!server || this.asking) return;
     this.asking = true;
     try {
-      const names = await player.streams();
+      const streams = await player.list();
       if (player.server !== server) throw new Error('another server was chosen meanwhile');
-      const chosen = player.getAttribute('stream') || names[0];
-      this.choice.replaceChildren(...names.map(name => {
+      const chosen = player.getAttribute('stream') || streams[0]?.name;
+      this.choice.replaceChildren(...streams.map(stream => {
         const option = document.createElement('option');
-        option.value = option.textContent = name;
-        option.selected = name === chosen;
+        option.value = stream.name;
+        option.textContent = words(stream);
+        option.selected = stream.name === chosen;
         return option;
       }));
-      this.choice.hidden = names.length < 2;
-      this.only = names.length < 2 ? chosen : '';
+      this.choice.hidden = streams.length < 2;
+      this.only = streams.length < 2 ? chosen : '';
       this.listed = server;
       this.followStream();
     } catch {

@@ -33,6 +33,13 @@ function mayShowToken(url) {
       /^(localhost|127(\.\d+){3}|\[::1\])$/.test(url.hostname);
 }
 
+/// A line of aucast_streams().
+function streamOf(line) {
+  const [name, kind, length, title] = line.split('\t');
+  return { name, live: kind ? kind === 'live' : undefined,
+           duration: length ? Number(length) : undefined, title };
+}
+
 /// Other tasks first. A hidden page's timers ring once a second; its messages come at once.
 function nextTask() {
   return new Promise(resolve => {
@@ -201,14 +208,14 @@ export class PlayerEngine {
                     [this.server(server, token), stream, token, this.decodes ? 1 : 0]);
   }
 
-  /// The names of the server's streams.
+  /// The server's streams, in its order.
   async streams(server, token) {
     this.call('aucast_ask_streams', [this.server(server, token), token]);
     for (;;) {
       await new Promise(resolve => setTimeout(resolve, 50));
       const answer = this.call('aucast_streams');
       if (answer.startsWith('!')) throw new Error(answer.slice(1));
-      if (answer.startsWith('=')) return answer.slice(1).split(' ').filter(Boolean);
+      if (answer.startsWith('=')) return answer.slice(1).split('\n').filter(Boolean).map(streamOf);
     }
   }
 
