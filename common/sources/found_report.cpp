@@ -71,11 +71,11 @@ std::string hasty_clock(const Found& found, const SettingNames& names) {
 /// Nothing for a face at rest.
 std::string unquiet_face(const Found& found, const SettingNames& names) {
   if (found.unquiet.empty()) return {};
-  return loud_text(found.unquiet) + ": no face at rest was taken off; " +
+  const std::string neutral(names.neutral);
+  return unquiet_text(found.unquiet) +
          (found.quiet_seconds
-              ? std::string(names.neutral) + " " + fixed(*found.quiet_seconds, 0) + " takes off one"
-              : "leave out " + std::string(names.neutral) +
-                    ", or cut what is before the face is quiet");
+              ? "; " + neutral + " " + fixed(*found.quiet_seconds, 0) + " takes off one"
+              : "; leave out " + neutral + ", or cut what is before the face is quiet");
 }
 
 }  // namespace

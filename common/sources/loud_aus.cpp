@@ -27,6 +27,10 @@ std::vector<LoudAu> loud_aus(const Signals& neutral) {
   return loud;
 }
 
+std::string unquiet_text(const std::vector<LoudAu>& loud) {
+  return loud_text(loud) + ": no face at rest was taken off";
+}
+
 std::string loud_text(const std::vector<LoudAu>& loud) {
   constexpr std::size_t kShownMax = 3;
   std::string text;

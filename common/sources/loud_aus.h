@@ -22,6 +22,9 @@ inline constexpr double kRestPercentMax = 30;
 /// head and eyes are turned to says nothing: a camera may stand aside.
 [[nodiscard]] std::vector<LoudAu> loud_aus(const Signals& neutral);
 
+/// "AU12 100 %, AU1 40 %: no face at rest was taken off": what is to be known of these.
+[[nodiscard]] std::string unquiet_text(const std::vector<LoudAu>& loud);
+
 /// The strongest few: "AU7 100 %, AU20 100 %, AUL10 77 % and 12 more".
 [[nodiscard]] std::string loud_text(const std::vector<LoudAu>& loud);
 

@@ -6,6 +6,7 @@
 #include "common/earlier.h"
 #include "common/log.h"
 #include "common/sources/profile.h"
+#include "common/sources/loud_aus.h"
 #include "common/sources/source_reader.h"
 #include "server/live/steady_seconds.h"
 #include "server/streams/film_source.h"
@@ -127,15 +128,25 @@ void LiveStreams::condition(const sources::ConditioningSettings& settings) {
   for (const auto& stream : streams_) stream->reader().condition(ours);
 }
 
+/// As of a recording, whose other first seconds can be looked at, too.
+void LiveStreams::warn_if_unquiet(const std::string& name,
+                                  const sources::MeasuredNeutral& neutral) const {
+  if (options_.each.reader.conditioning.neutral_turns_only) return;
+  const auto loud = sources::loud_aus(neutral.signals);
+  if (loud.empty()) return;
+  spdlog::warn("{}: {}; start again with the face at rest, or leave out --neutral", name,
+               sources::unquiet_text(loud));
+}
+
 /// Each face has a neutral one of its own; the first stream's is what a profile is made of.
 void LiveStreams::say_neutral() {
   for (const auto& stream : streams_) {
     const auto neutral = stream->reader().take_neutral();
     if (!neutral) continue;
     const bool is_first = stream == streams_.front();
-    spdlog::info("{}: neutral face {}",
-                 is_first ? sources::name_of(options_.each.path) : stream->name(),
-                 sources::measured_text(*neutral));
+    const std::string name = is_first ? sources::name_of(options_.each.path) : stream->name();
+    spdlog::info("{}: neutral face {}", name, sources::measured_text(*neutral));
+    warn_if_unquiet(name, *neutral);
     if (is_first) events_.on_neutral(*neutral);
   }
 }

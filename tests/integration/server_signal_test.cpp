@@ -111,6 +111,22 @@ TEST(ServerSignal, MistakesEndWithTheirExitCodes) {
   EXPECT_FALSE(std::filesystem::exists(saved));
 }
 
+TEST(ServerSignal, ALiveFaceThatIsNotAtRestWhileItIsMeasuredIsWarnedOf) {
+  const TempFolder folder;
+  const auto path = folder.write("webcam.csv", kColumns);
+  RunningTransmitter server(
+      {"--follow", "--source-timeout", "0", "--neutral", "0.2", path.string()});
+  for (int frame = 0; frame < 6; ++frame) {
+    std::ofstream(path, std::ios::app) << row(frame, "2.5") << std::flush;
+  }
+  EXPECT_TRUE(
+      logs(server,
+           "webcam.csv: AU12 50 %: no face at rest was taken off; start again with the face "
+           "at rest, or leave out --neutral"))
+      << server.log();
+  EXPECT_EQ(server.terminate(), 0);
+}
+
 /// A followed file, so that rows come when the test writes them.
 TEST(ServerSignal, ALiveFaceIsMeasuredAndItsProfileChangesOnSighup) {
   const TempFolder folder;
@@ -132,6 +148,7 @@ TEST(ServerSignal, ALiveFaceIsMeasuredAndItsProfileChangesOnSighup) {
   ASSERT_TRUE(logs(server, "the profile was written to")) << server.log();
   EXPECT_TRUE(has(server.log(), "webcam.csv: neutral face measured in 5 rows of 0.2 s: 4 10 %"))
       << server.log();
+  EXPECT_FALSE(has(server.log(), "no face at rest")) << server.log();
   EXPECT_TRUE(has(folder.read("saved.toml"), "\n4 = 10\n12 = 5\n52 = 16.37\n"));
   std::ofstream(profile) << "[gain]\n12 = 2\n" << std::flush;
   server.process().signal(SIGHUP);
