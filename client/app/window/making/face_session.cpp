@@ -1,6 +1,9 @@
 #include "client/app/window/making/face_session.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "client/app/window/making/own_faces.h"
@@ -30,6 +33,33 @@ fs::path own_faces() {
 bool same_folder(const fs::path& a, const fs::path& b) {
   std::error_code gone;
   return a == b || fs::equivalent(a, b, gone);
+}
+
+/// The bytes of its files, by their paths within it; nothing when one of them cannot be read.
+std::optional<std::map<fs::path, std::string>> files_in(const fs::path& folder) {
+  std::map<fs::path, std::string> files;
+  std::error_code failed;
+  for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end;
+       at.increment(failed)) {
+    if (at->is_directory(failed)) continue;
+    auto bytes = read_file(at->path());
+    if (!bytes) return std::nullopt;
+    files.emplace(at->path().lexically_relative(folder), *std::move(bytes));
+  }
+  return failed ? std::nullopt : std::optional(std::move(files));
+}
+
+/// Whether a folder holds the shipped face of its name: where the programs are built, data/ is
+/// there twice, as it is written and as a copy beside them.
+bool is_copy(const fs::path& face, const fs::path& shipped) {
+  const auto same = [&](const fs::path& name) {
+    std::error_code gone;
+    if (!fs::is_directory(shipped / name, gone)) return false;
+    const auto files = files_in(face.parent_path() / name);
+    return files && files == files_in(shipped / name);
+  };
+  // A face may use files of the default one beside it.
+  return same(face.filename()) && same("default");
 }
 
 }  // namespace
@@ -64,10 +94,15 @@ void FaceSession::shown_from(const fs::path& folder) {
   const fs::path whole = plain(folder);
   view_.shown = whole.string();
   const fs::path among = whole.parent_path();
-  for (const fs::path& known : {plain(assets_.data_folder / "faces"), own_faces()}) {
+  const fs::path shipped = plain(assets_.data_folder / "faces");
+  for (const fs::path& known : {shipped, own_faces()}) {
     if (!same_folder(among, known)) continue;
     // The same face by the name that the list has for it.
     view_.shown = (known / whole.filename()).string();
+    return list();
+  }
+  if (is_copy(whole, shipped)) {
+    view_.shown = (shipped / whole.filename()).string();
     return list();
   }
   looked_in_ = among;
@@ -75,18 +110,19 @@ void FaceSession::shown_from(const fs::path& folder) {
 }
 
 void FaceSession::list() {
+  const fs::path shipped = plain(assets_.data_folder / "faces");
   std::vector<gui::FaceEntry> entries;
-  const auto add = [&entries](const fs::path& folder, gui::FaceKind kind) {
+  const auto add = [&](const fs::path& folder, gui::FaceKind kind) {
     if (folder.empty()) return;
     for (gui::FaceEntry& entry : gui::faces_in(folder)) {
+      if (kind == gui::FaceKind::Elsewhere && is_copy(entry.folder, shipped)) continue;
       entry.kind = kind;
       entries.push_back(std::move(entry));
     }
   };
-  add(plain(assets_.data_folder / "faces"), gui::FaceKind::Shipped);
+  add(shipped, gui::FaceKind::Shipped);
   add(own_faces(), gui::FaceKind::Own);
-  const bool listed = same_folder(looked_in_, plain(assets_.data_folder / "faces")) ||
-                      same_folder(looked_in_, own_faces());
+  const bool listed = same_folder(looked_in_, shipped) || same_folder(looked_in_, own_faces());
   if (!listed) add(looked_in_, gui::FaceKind::Elsewhere);
   view_.elsewhere = looked_in_.string();
   view_.entries = std::make_shared<const std::vector<gui::FaceEntry>>(std::move(entries));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include "tests/support/temp_folder.h"
 #include "tests/unit/app/window/window_session_fixture.h"
@@ -89,6 +90,45 @@ TEST_F(FaceSessionTest, AShippedFaceIsListedOnceHoweverItsFolderIsReached) {
                           [&](const auto& one) { return one.folder == model().faces.shown; }),
             1);
   EXPECT_EQ(session_->kept().face, "marek");
+}
+
+TEST_F(FaceSessionTest, AShippedFaceIsListedOnceWhenACopyOfItIsOpened) {
+  const gui::FacesView before = model().faces;
+  const test::TempFolder folder;
+  const fs::path copy = folder.path() / "marek";
+  for (const char* name : {"default", "marek"}) {
+    fs::copy(assets_->data_folder / "faces" / name, folder.path() / name,
+             fs::copy_options::recursive);
+  }
+  ask(gui::OpenStream{(copy / "face.toml").string()});
+  EXPECT_EQ(assets_->face.name, "marek");
+  EXPECT_EQ(*model().faces.entries, *before.entries);
+  EXPECT_EQ(fs::path(model().faces.shown).parent_path(), fs::path(before.shown).parent_path())
+      << "it is marked where it is listed";
+  EXPECT_EQ(session_->kept().face, copy.string()) << "the next start shows what was chosen";
+  fs::copy(made_.path(), folder.path() / "anna", fs::copy_options::recursive);
+  ask(gui::ShowFace{(folder.path() / "anna").string()});
+  ASSERT_EQ(model().faces.entries->size(), before.entries->size() + 1) << "nor as a neighbour";
+  EXPECT_EQ(model().faces.entries->back().name, "anna");
+  std::ofstream(copy / "face.toml", std::ios::app) << "# changed\n";
+  ask(gui::ShowFace{copy.string()});
+  EXPECT_EQ(model().faces.shown, copy.string()) << "one that was changed is another one";
+  EXPECT_EQ(model().faces.entries->size(), before.entries->size() + 2);
+  fs::copy(assets_->data_folder / "faces" / "marek" / "face.toml", copy,
+           fs::copy_options::overwrite_existing);
+  std::ofstream(folder.path() / "default" / "aus.toml", std::ios::app) << "# changed\n";
+  ask(gui::ShowFace{copy.string()});
+  EXPECT_EQ(model().faces.shown, copy.string()) << "as is one that uses what was changed";
+}
+
+TEST_F(FaceSessionTest, AnUnchangedCopyOfOnesOwnIsOnesOwn) {
+  const fs::path copy = home_.path() / "aucast" / "faces" / "default";
+  fs::copy(assets_->data_folder / "faces" / "default", copy, fs::copy_options::recursive);
+  ask(gui::ShowFace{copy.string()});
+  EXPECT_EQ(model().faces.shown, copy.string());
+  EXPECT_EQ(std::count_if(model().faces.entries->begin(), model().faces.entries->end(),
+                          [](const auto& one) { return one.name == "default"; }),
+            2);
 }
 
 TEST_F(FaceSessionTest, WhatIsEditedOrComposedStays) {
