@@ -44,7 +44,8 @@ bool stop_asked() {
   return g_interrupted != 0;
 }
 
-/// SIGINT and SIGTERM end the playing in good order; a broken pipe is an error, not a death.
+/// SIGINT and SIGTERM end playing in good order. A broken pipe is an error and does not end the
+/// program.
 void set_up_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
@@ -56,7 +57,8 @@ void set_up_signals() {
   ::sigaction(SIGPIPE, &action, nullptr);
 }
 
-/// In a window a file can be sought; without one it is played as if it came from a server.
+/// Opens a stream file. In a window it can be sought; without one it is played as if it came from a
+/// server.
 Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& options,
                                                       const SourcePlayback::Options& how) {
   auto opened = open_stream(options.playback.file, {});
@@ -102,7 +104,7 @@ Result<void> print_list(const PlaybackOptions& options, const net::Security& sec
   return print_now(for_people ? stream_table(*list) : stream_names(*list));
 }
 
-/// What the end of a source means for the exit code.
+/// The error that the end of a source means for the exit code, if it is one.
 Result<void> outcome(const playback::SourceStatus& status) {
   switch (status.end) {
     case playback::EndReason::NotEnded:
@@ -166,7 +168,7 @@ Result<void> play(const PlayerOptions& given, const net::Security& security, Pla
   return done ? outcome(status) : done;
 }
 
-/// Certificates and token, before anything is connected to or drawn.
+/// Reads certificates and token, before anything is connected or drawn.
 Result<net::Security> load_security(const PlaybackOptions& options) {
   std::string host;
   if (!options.endpoint.empty()) {
@@ -180,7 +182,7 @@ Result<net::Security> load_security(const PlaybackOptions& options) {
   return security;
 }
 
-/// Plays and writes --stats whatever came of it.
+/// Plays, and writes --stats whether or not that succeeded.
 Result<void> play_and_count(const PlayerOptions& options, const net::Security& security) {
   PlayerStats stats;
   Result<void> played = play(options, security, stats);

@@ -5,7 +5,7 @@
 
 namespace aucast::app {
 
-/// Runs face-player. `arguments` are without the program's name; returns the exit code. Results go
+/// Runs face-player and returns its exit code. `arguments`: without the program's name. Results go
 /// to stdout, log and errors to stderr.
 [[nodiscard]] int run_player(std::vector<std::string> arguments);
 

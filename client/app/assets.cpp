@@ -12,7 +12,7 @@
 namespace aucast::app {
 namespace {
 
-/// --face names a folder, or one of those in data/faces.
+/// The folder that --face names: a path, or the name of one in data/faces.
 std::filesystem::path face_folder(const FaceOptions& options, const std::filesystem::path& data) {
   std::error_code ignored;
   const std::filesystem::path shipped = data / "faces" / options.face;

@@ -15,7 +15,7 @@
 
 namespace aucast::app {
 
-/// What the files say, read once at the start.
+/// What is read from files once at the start.
 struct Assets {
   std::filesystem::path data_folder;
   std::filesystem::path face_folder;
@@ -25,25 +25,25 @@ struct Assets {
   std::map<int, std::string> au_looks;  ///< what each AU looks like, in words
 };
 
-/// The texts of data/action_units.toml.
+/// Reads the texts of data/action_units.toml, by AU number.
 [[nodiscard]] Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file);
 
 /// Reads face, rules and expressions, and logs Face::remarks.
 [[nodiscard]] Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options);
 
-/// The expression with this name; Usage error with the nearest one.
+/// The expression with this name. If there is none, a Usage error that suggests the nearest one.
 [[nodiscard]] Result<Expression> find_expression(const Assets& assets, const std::string& name);
 
 /// The same with all intensities and activations times `strength`, in [0,1].
 [[nodiscard]] Expression at_strength(Expression expression, float strength);
 
-/// How the face of `assets` is driven.
+/// The mapping for the face of `assets`.
 [[nodiscard]] inline pipeline::AuMapping au_mapping(const Assets& assets, face::Mixer mixer) {
   return {assets.face, assets.face.recordings, assets.rules, mixer};
 }
 
-/// The label of the first expression that is exactly these AUs, else the AUs themselves: for
-/// captions.
+/// These AUs for a caption: the label of the first expression that has exactly these AUs, else the
+/// AUs themselves.
 [[nodiscard]] std::string describe(const Assets& assets, const AuFrame& aus);
 
 }  // namespace aucast::app

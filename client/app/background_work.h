@@ -12,11 +12,11 @@
 
 namespace aucast::app {
 
-/// One long piece of work at a time, on a thread of its own, that says how far it is and can be
-/// cancelled. Thread: the player's.
+/// Does one long piece of work at a time on a thread of its own. It says how far the work is, and
+/// can cancel it. Thread: the player's.
 class BackgroundWork {
  public:
-  /// What the work has to do with its owner, from its own thread.
+  /// What the work shares with its owner. The work calls these functions from its own thread.
   class Course {
    public:
     void reached(std::size_t done, std::size_t total) {
@@ -31,29 +31,29 @@ class BackgroundWork {
     std::atomic<std::size_t> total_{0};
     std::atomic<bool> cancelled_{false};
   };
-  /// Returns a sentence about what was made. What it throws is a failure.
+  /// Returns a sentence about what was made. An exception counts as a failure.
   using Work = std::function<Result<std::string>(Course&)>;
 
   BackgroundWork() = default;
-  /// Cancels and waits.
+  /// Cancels the work and waits for its end.
   ~BackgroundWork();
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-  /// Only while nothing is running(). Failed when there can be no thread.
+  /// Begins the work. Must not be called while running(). Fails if no thread can be started.
   [[nodiscard]] Result<void> begin(Work work);
   /// Asks the work to end soon.
   void cancel();
-  /// Waits until it is over.
+  /// Waits until the work has ended.
   void wait() const { task_.wait(); }
   [[nodiscard]] bool running() const { return task_.running(); }
   [[nodiscard]] bool cancelled() const { return course_ != nullptr && course_->cancelled_; }
-  /// What has been done, and of how much; 0 of 0 while that is not known.
+  /// How much is done, and how much there is to do; both are 0 while that is not known.
   [[nodiscard]] std::size_t done() const { return course_ == nullptr ? 0 : course_->done_.load(); }
   [[nodiscard]] std::size_t total() const {
     return course_ == nullptr ? 0 : course_->total_.load();
   }
-  /// What became of it, once, when it is over: it no longer runs then.
+  /// The result, once, after the work has ended; running() is false from then on.
   [[nodiscard]] std::optional<Result<std::string>> take_outcome() { return task_.take(); }
 
  private:

@@ -10,12 +10,12 @@
 
 namespace aucast::app {
 
-/// Why --live changes nothing for a stream.
+/// Why --live has no effect on a stream.
 enum class LiveObjection : std::uint8_t {
-  None,        ///< --live does change something, or was not given
+  None,        ///< --live has an effect, or was not given
   IsFile,      ///< there is no server
-  IsClassic,   ///< the server cannot say that it is live
-  IsRecorded,  ///< the server says that it is not
+  IsClassic,   ///< a classic server cannot say that a stream is live
+  IsRecorded,  ///< the server says that the stream is not live
 };
 [[nodiscard]] LiveObjection live_objection(const PlaybackOptions& options,
                                            const playback::SourceStatus& status);
@@ -24,7 +24,7 @@ enum class LiveObjection : std::uint8_t {
 /// The same in the words of the window.
 [[nodiscard]] std::string window_text(LiveObjection objection);
 
-/// "42 ms (at most 57, wanted 41)"; empty when nothing was measured.
+/// "42 ms (at most 57, wanted 41)"; empty if nothing was measured.
 [[nodiscard]] std::string delay_text(const playback::DelaySummary& delay, Milliseconds wanted);
 
 }  // namespace aucast::app

@@ -8,8 +8,8 @@
 
 namespace aucast::app {
 
-/// One sentence for the user, which goes away by itself: the last one that was said, in the
-/// language in use where it is one of those that come up in English.
+/// The last sentence that was said to the user. It disappears after a while. English messages from
+/// other code are translated if possible.
 class Notices {
  public:
   void say(const std::string& text, bool bad, Instant now) {
@@ -17,12 +17,12 @@ class Notices {
     until_ = now + (bad ? kBadTime : kTime);
   }
   void clear() { notice_ = {}; }
-  /// Forgets what was said long enough ago.
+  /// Removes the sentence if it has been shown long enough.
   void expire(Instant now) {
     if (now >= until_) clear();
   }
   [[nodiscard]] const gui::Notice& view() const { return notice_; }
-  /// When it goes away; only while there is one.
+  /// When the sentence disappears. Only meaningful while there is one.
   [[nodiscard]] Instant until() const { return until_; }
 
  private:

@@ -11,10 +11,10 @@ namespace aucast::app {
 /// The options of a command in the order of --help, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> option_rows(Command command, PlayerOptions& options);
 
-/// What --help and the manual page say of a command.
+/// What --help and the manual page say about a command.
 [[nodiscard]] CommandPage command_page(Command command);
 
-/// All commands, watching first.
+/// The pages of all commands; the first is Command::Watch.
 [[nodiscard]] std::vector<CommandPage> command_pages();
 
 }  // namespace aucast::app

@@ -9,8 +9,8 @@
 namespace aucast::app {
 namespace {
 
-/// For scripts/live_delay.py: which face was reached when, by the clock that all programs of this
-/// computer share (CLOCK_MONOTONIC).
+/// Logs for scripts/live_delay.py which face was reached when, by the clock that all programs on
+/// this computer share (CLOCK_MONOTONIC).
 void trace_reached(const AuFrame& aus, Instant now) {
   if (!spdlog::should_log(spdlog::level::trace)) return;
   spdlog::trace("reached {{{}}} at {:.6f}", protocol::format_au_set(aus),

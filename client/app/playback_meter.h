@@ -7,18 +7,18 @@
 
 namespace aucast::app {
 
-/// Measures how long playing takes, on the clock of the caller.
+/// Measures how long playing takes, by the times that the caller hands in.
 class PlaybackMeter {
  public:
   explicit PlaybackMeter(PlayerStats& stats) : stats_(stats) {}
 
-  /// To be called for each keyframe that advancing `playback` to `now` begins.
+  /// Call it for each keyframe that begins when `playback` is advanced to `now`.
   void keyframe_begun(const playback::Playback& playback, const playback::KeyframeBegun& keyframe,
                       Instant now);
-  /// To be called whenever `playback` was advanced to `now`: counts what has been played until
-  /// then. True once, when the first keyframe has begun.
+  /// Call it whenever `playback` was advanced to `now`: counts what has been played up to then.
+  /// Returns true once, when the first keyframe has begun.
   [[nodiscard]] bool count(const playback::Playback& playback, Instant now);
-  /// Something else is played from now on.
+  /// Call it when something else is played.
   void begin_again();
 
  private:
@@ -28,7 +28,7 @@ class PlaybackMeter {
   std::optional<Instant> first_begin_;
   std::uint64_t played_ = 0;
   AuFrame under_way_;
-  bool told_ = false;  ///< that the first has begun
+  bool told_ = false;  ///< count() has returned true
 };
 
 }  // namespace aucast::app

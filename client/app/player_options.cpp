@@ -34,7 +34,7 @@ Result<void> settle_buffers(const TypedWords& typed, playback::BufferOptions& bu
   return {};
 }
 
-/// aucast://HOST/STREAM, which says what other options say too.
+/// Reads aucast://HOST/STREAM, which includes what other options say.
 Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) {
   if (!protocol::is_stream_address(playback.endpoint)) return {};
   auto address = protocol::parse_stream_address(playback.endpoint);
@@ -51,7 +51,7 @@ Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) 
   return {};
 }
 
-/// --mirror [SOURCE]: the word that names a server elsewhere names a camera.
+/// --mirror [SOURCE]: the word that names a server in other runs names a camera.
 Result<void> settle_mirror(const TypedWords& typed, PlayerOptions& options) {
   if (!options.shows_mirror) return {};
   for (const char* name : {"stream", "tls", "tls-ca", "insecure-token", "reconnect", "protocol",
@@ -66,7 +66,7 @@ Result<void> settle_mirror(const TypedWords& typed, PlayerOptions& options) {
     return usage_error(
         "--mirror shows your own camera in the window: leave out what does without one");
   }
-  // What would be shown to a server is what guests are asked for.
+  // The token and certificate files are what guests are asked for, not what is shown to a server.
   net::SecurityOptions& security = options.playback.security;
   options.mirror.token = std::exchange(security.token, {});
   options.mirror.certificate = std::exchange(security.files.certificate, {});
@@ -99,7 +99,7 @@ Result<void> settle_sound(const PlayerOptions& options) {
   return {};
 }
 
-/// What one option alone cannot tell.
+/// Checks and completes what depends on more than one option.
 Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
   if (auto settled = settle_mirror(typed, options); !settled) return settled;
   if (auto settled = settle_address(typed, options.playback); !settled) return settled;
@@ -183,7 +183,7 @@ Result<void> check_required(const PlayerOptions& options) {
   return {};
 }
 
-/// Whether the word behind an option is the option's own: as the first command that has it says.
+/// Whether an option takes the word after it, according to the first command that has the option.
 bool takes_a_word(const std::string& option) {
   for (const CommandPage& page : command_pages()) {
     for (const OptionRow& row : page.rows) {
@@ -194,7 +194,7 @@ bool takes_a_word(const std::string& option) {
 }
 
 /// Takes the word that names a command out of the arguments: the first that is neither an option
-/// nor an option's.
+/// nor the word of one.
 Command take_command(std::vector<std::string>& arguments) {
   static const std::map<std::string, Command> kCommands{{"play", Command::Play},
                                                         {"pose", Command::Pose},

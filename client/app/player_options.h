@@ -24,18 +24,18 @@
 namespace aucast::app {
 
 enum class Command : std::uint8_t {
-  Watch,    ///< [HOST[:PORT]]: the window, or --headless
+  Watch,    ///< [HOST[:PORT]]: in the window, or with --headless
   Play,     ///< play FILE
   Pose,     ///< pose [AUS]
   Rules,    ///< rules AUS
   Gallery,  ///< gallery DIR
   Export,   ///< export [STREAM] FILE.glb
-  Help,     ///< print `text` and leave
+  Help,     ///< print `text` and exit
 };
 
-/// What a face is made of and how AUs become a face: common to all commands.
+/// What a face is made of and how AUs become a face, for all commands.
 struct FaceOptions {
-  std::filesystem::path data;    ///< --data; empty: as find_data_folder()
+  std::filesystem::path data;    ///< --data; empty: find_data_folder() decides
   std::string face = "default";  ///< --face: a folder, or a name in data/faces
   std::string rules = "facs";    ///< --rules: facs, kumar2010, none or a file
   face::Mixer mixer = face::Mixer::Maximum;
@@ -44,20 +44,20 @@ struct FaceOptions {
 /// How keyframes are received and played.
 struct PlaybackOptions {
   std::string endpoint;                    ///< HOST[:PORT]; empty: none
-  std::vector<protocol::Endpoint> others;  ///< of an address with several hosts: the others
+  std::vector<protocol::Endpoint> others;  ///< the further hosts of an address with several
   std::filesystem::path file;              ///< play FILE
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed;
   playback::Interpolation interpolation = playback::Interpolation::Linear;
   bool classic = false;
   std::string stream;
-  bool voice = false;  ///< ask for the stream's: it is heard or written
+  bool voice = false;  ///< ask for the stream's voice, because it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
   Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
-  net::SecurityOptions security;  ///< which files of certificates and token
-  std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nothing: no blinking
-  std::optional<std::uint64_t> idle_seed;       ///< --idle; nothing: no saccades and no breath
+  net::SecurityOptions security;  ///< TLS, its files and the token's
+  std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking
+  std::optional<std::uint64_t> idle_seed;       ///< --idle; nullopt: no saccades and no breath
 };
 
 /// Where pictures and numbers go.
@@ -68,12 +68,12 @@ struct OutputOptions {
   std::filesystem::path stats;              ///< --stats FILE.json
   std::filesystem::path onsets;             ///< --onsets FILE.csv
   std::optional<int> fps;                   ///< 1-240
-  std::optional<std::uint32_t> background;  ///< --background RRGGBB; nothing: the usual one
+  std::optional<std::uint32_t> background;  ///< --background RRGGBB; nullopt: the default
   bool transparent = false;                 ///< --background none
   int width = 800;
   int height = 600;
   view::Layers layers;      ///< --show
-  bool size_given = false;  ///< --size was; else the window takes a size of its own
+  bool size_given = false;  ///< --size was given; if not, the window chooses its own size
   bool fast = false;
 
   [[nodiscard]] bool pictures() const {
@@ -81,7 +81,7 @@ struct OutputOptions {
   }
 };
 
-/// What is heard, and where.
+/// Options about sound.
 struct SoundOptions {
   int volume = 100;  ///< percent
   bool mute = false;
@@ -90,11 +90,11 @@ struct SoundOptions {
   std::optional<std::string> device;  ///< --sound-device; "default" is the system's
 };
 
-/// A film is made that has sound.
+/// Whether a film with sound is made.
 [[nodiscard]] bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output);
 
 struct PoseOptions {
-  std::string aus;                                     ///< pose and rules: as in a packet
+  std::string aus;  ///< for pose and rules; written as in a packet
   std::vector<std::pair<std::string, float>> muscles;  ///< --muscle NAME=VALUE, in order
   std::string expression;
   std::filesystem::path png;
@@ -111,13 +111,14 @@ struct GalleryOptions {
   std::vector<std::string> sweeps;  ///< --sweep: AUs, names of expressions, or all
 };
 
-/// What `export` writes; face, fps and what moves the face are those of the other commands.
+/// What `export` writes. Face, fps and what moves the face are in the other structs.
 struct ExportOptions {
-  std::vector<std::filesystem::path> files;  ///< the stream, unless the face alone; the GLB
+  std::vector<std::filesystem::path> files;  ///< the stream file, if there is one, then the GLB
+                                             ///< file
   glb::Basis basis = glb::Basis::Muscles;
 
   [[nodiscard]] const std::filesystem::path& glb() const { return files.back(); }
-  /// Empty: the face alone.
+  /// The stream file; empty: the face alone.
   [[nodiscard]] std::filesystem::path stream() const {
     return files.size() > 1 ? files.front() : std::filesystem::path();
   }
@@ -133,31 +134,31 @@ struct PlayerOptions {
   GalleryOptions gallery;
   ExportOptions exported;
   gui::DisplaySettings display;  ///< --language, --text-size
-  bool shows_mirror = false;     ///< --mirror: the window begins with one's own camera
-  mirror::MirrorOptions mirror;  ///< which
+  bool shows_mirror = false;     ///< --mirror: the window begins with the user's own camera
+  mirror::MirrorOptions mirror;  ///< which camera, and how others may see it
   bool headless = false;
-  /// Voice is asked for: it is heard or written.
+  /// Whether the voice is to be asked for, because it is heard or written.
   [[nodiscard]] bool wants_voice() const;
   bool list = false;  ///< --list: print the names of the server's streams
   bool exit_at_end = false;
   bool quiet = false;
   bool config = true;           ///< --no-config: the window neither reads nor writes its settings
-  std::set<std::string> given;  ///< options that stood on the command line, such as "--buffer"
+  std::set<std::string> given;  ///< the options on the command line, such as "--buffer"
   std::string log_level = "warning";
   std::string text;  ///< Help: what to print
 };
 
-/// Reads the command line (without the program's name). Usage error of one line.
+/// Reads the command line, without the program's name. Usage error of one line.
 [[nodiscard]] Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments);
 
 /// "face-player 0.1.0 ..." with protocol version and licence.
 [[nodiscard]] std::string version_text();
 
-/// face-player(1) in roff.
+/// The manual page face-player(1) in roff.
 [[nodiscard]] std::string manual_page();
 
-/// What makes a shell complete face-player's options and commands, where the arguments ask for
-/// that: --help-completion [bash|zsh|fish].
+/// The script by which a shell completes face-player's options and commands, if the arguments ask
+/// for it: --help-completion [bash|zsh|fish]; else nullopt.
 [[nodiscard]] std::optional<std::string> completion(const std::vector<std::string>& arguments);
 
 }  // namespace aucast::app

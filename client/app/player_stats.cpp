@@ -7,7 +7,7 @@
 namespace aucast::app {
 namespace {
 
-/// In ms, to the microsecond.
+/// In milliseconds, rounded to the microsecond.
 double milliseconds(Duration time) {
   return std::round(seconds(time) * 1e6) / 1000;
 }

@@ -13,36 +13,38 @@
 
 namespace aucast::app {
 
-/// What --stats writes: one JSON object, on every exit after the options were read.
+/// What --stats writes: one JSON object, on every exit once the options have been read.
 struct PlayerStats {
   std::uint64_t keyframes_received = 0;
   std::uint64_t bytes_received = 0;  ///< of the keyframes' packets
   double receive_seconds = 0;        ///< from the connection to {-2} or the end
   std::uint64_t keyframes_played = 0;
   std::uint64_t frames_drawn = 0;
-  double draw_seconds = 0;  ///< spent deforming, drawing and writing pictures
+  double draw_seconds = 0;  ///< time spent deforming, drawing and writing pictures
   std::uint64_t pauses_sent = 0;
   std::uint64_t resumes_sent = 0;
   std::uint64_t stalls = 0;
   double playback_seconds = 0;  ///< measured on the steady clock
   double media_seconds = 0;
-  double first_frame_ms = 0;  ///< from program start
+  double first_frame_ms = 0;  ///< time from the start of the program
   bool negotiated = false;    ///< level 2
   bool live = false;
-  /// Live: from the arrival of a keyframe until the face had reached it.
+  /// Live: the time from the arrival of a keyframe until the face had reached it.
   playback::DelaySummary delay_measured;
-  std::optional<Duration> delay_aimed_at;  ///< what was aimed at: the usual, or that of the end
+  std::optional<Duration> delay_aimed_at;  ///< the delay aimed at: the median, or the last one;
+                                           ///< nullopt: not live
   std::uint64_t keyframes_dropped = 0;     ///< live: to catch up
-  std::uint64_t voice_left_out = 0;        ///< packets that the source had no room for
+  std::uint64_t voice_left_out = 0;        ///< packets for which the source had no room
   std::uint64_t captions_left_out = 0;     ///< likewise
   std::uint64_t reconnects = 0;            ///< attempts after a loss
   sound::SoundCounts sound;
-  std::string end_reason = "failed";  ///< a name of EndReason, or failed for what went wrong here
+  std::string end_reason = "failed";  ///< a name of EndReason, or "failed" if the player itself
+                                      ///< failed
   std::string detail;
 
-  /// Takes over what a source counted.
+  /// Takes the counts of a source.
   void take(const playback::SourceStatus& status);
-  /// Takes over what playing came to, but not what its source counted.
+  /// Takes the counts of playing, but not those of its source.
   void take(const playback::Playback& playback);
 };
 

@@ -28,7 +28,7 @@ void ProgressLine::write(const std::string& text) {
     std::fprintf(stderr, "%s\n", text.c_str());
     return;
   }
-  // Blanks over what a longer text has left.
+  // Blanks overwrite the rest of a longer text.
   const std::string padding(length_ > text.size() ? length_ - text.size() : 0, ' ');
   std::fprintf(stderr, "\r%s%s", text.c_str(), padding.c_str());
   length_ = text.size();

@@ -6,8 +6,8 @@
 
 namespace aucast::app {
 
-/// How far a long run is, on standard error: on a terminal one line that is written over, elsewhere
-/// a plain line every few seconds, so that a log stays short.
+/// Shows on standard error how far a long run is: on a terminal as one line that is overwritten,
+/// elsewhere as a plain line every few seconds, so that a log stays short.
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted);
@@ -15,7 +15,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows `text()` when it is time for it. `last`: nothing follows, a terminal shows it now.
+  /// Shows `text()` if it is time for it. `last`: no more follow, so a terminal shows it now.
   template <typename Text>
   void show(const Text& text, bool last = false) {
     if (is_due(last)) write(text());
@@ -30,7 +30,7 @@ class ProgressLine {
 
   bool wanted_;
   bool terminal_;
-  bool shown_ = false;  ///< the terminal's cursor is behind a text
+  bool shown_ = false;  ///< the terminal's line has a text
   std::size_t length_ = 0;
   Instant last_ = steady_now();
 };

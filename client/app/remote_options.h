@@ -6,13 +6,13 @@
 
 namespace aucast::app {
 
-/// What the options ask of a connection to `endpoint`; `security`: loaded from
-/// PlaybackOptions::security, or what else protects it.
+/// The options for a connection to `endpoint`. `security`: loaded from PlaybackOptions::security,
+/// or whatever else protects the connection.
 [[nodiscard]] net::RemoteOptions remote_options(const PlaybackOptions& options,
                                                 const net::Endpoint& endpoint,
                                                 net::Security security);
 
-/// Has the buffers as the form of the window has them: how full, and how far behind.
+/// Sets the buffers to the values of the window's form: how full, and how far behind.
 void set_buffers(const gui::RemoteSettings& settings, playback::BufferOptions& buffers);
 
 }  // namespace aucast::app

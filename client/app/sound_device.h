@@ -10,15 +10,15 @@
 
 namespace aucast::app {
 
-/// The device that the options ask for; null when they ask for none, or when there is none, which
-/// is then logged. If nothing would play the voice, `options` no longer asks for it.
+/// Opens the device that the options ask for. Null if they ask for none, or if it cannot be opened,
+/// which is logged; then `options` no longer asks for the voice.
 [[nodiscard]] std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options);
 
-/// A sound file. Its failures are those of a file.
+/// Opens a sound file. Errors are those of reading it.
 [[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_file(
     const std::filesystem::path& sound_file);
 
-/// The sound file beside a stream file; null: there is none. Its failures are those of a file.
+/// Opens the sound file beside a stream file; null: there is none. Errors are those of reading it.
 [[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
     const std::filesystem::path& stream_file);
 

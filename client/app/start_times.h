@@ -6,12 +6,12 @@
 
 namespace aucast::app {
 
-/// How the time from the start of the program to its first picture was spent.
+/// Measures how the time from the start of the program to its first picture was spent.
 class StartTimes {
  public:
-  /// Begins with the time up to this call, of which only the length is known.
+  /// Begins with the time from the program's start up to this call.
   StartTimes();
-  /// `stage` is over.
+  /// Call it when `stage` has ended, which took the time since the previous call.
   void passed(const char* stage);
   /// "first picture after 612 ms: files 45, window 220, ..."
   [[nodiscard]] std::string text() const;

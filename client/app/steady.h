@@ -4,7 +4,7 @@
 
 namespace aucast::app {
 
-// The player's only clock. Everything below app/ is given the time.
+// The player's only clock. Code in other folders is given the time.
 
 [[nodiscard]] inline Instant steady_now() {
   return std::chrono::steady_clock::now();

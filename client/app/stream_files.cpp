@@ -20,7 +20,7 @@ std::vector<playback::Keyframe> keyframes_of(const protocol::StreamFile& stream)
   return keyframes;
 }
 
-/// As the file dialog has them (file.fps and file.quiet of the table of texts).
+/// The names of the settings in the file dialog (file.fps and file.quiet in the table of texts).
 constexpr sources::SettingNames kNames{"Pictures/s", "'Quiet, s'"};
 
 sources::ReadOptions read_options(const gui::TableSettings& settings) {

@@ -10,19 +10,20 @@
 
 namespace aucast::app {
 
-/// The keyframes of a stream file. Unreadable, or BadData with a line for each error.
+/// Reads the keyframes of a stream file. Unreadable, or BadData with a line for each error.
 [[nodiscard]] Result<std::vector<playback::Keyframe>> read_stream(
     const std::filesystem::path& file);
 
-/// What was opened to be played.
+/// The result of open_stream().
 struct OpenedStream {
   std::vector<playback::Keyframe> keyframes;  ///< at least one
   std::string found;  ///< a sentence about a recogniser's table; empty for a stream file
-  std::vector<std::string> warnings;  ///< what the reader finds odd in it, a sentence each
+  std::vector<std::string> warnings;  ///< what the reader finds odd in the file, a sentence each
 };
 
-/// Reads a stream file or the table of a recogniser, told apart by their content; `settings` are
-/// for tables. Unreadable, BadData with a line for each error, Usage when a table needs a setting.
+/// Reads a stream file or the table of a recogniser, which are told apart by their content.
+/// `settings`: for tables. Unreadable; BadData with a line for each error; Usage if a table needs a
+/// setting.
 [[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
                                                const gui::TableSettings& settings);
 

@@ -8,8 +8,8 @@
 
 namespace aucast::face {
 
-/// A set of blocks, a bit for each: which ones move, or which ones something reaches. Sets that are
-/// put together have the same size.
+/// A set of blocks of vertices, one bit each. Sets that are combined or compared must have been
+/// made for the same number of blocks.
 class BlockSet {
  public:
   static constexpr std::size_t kWordBits = 64;
@@ -23,7 +23,7 @@ class BlockSet {
   explicit BlockSet(std::size_t block_count) : words_((block_count + kWordBits - 1) / kWordBits) {}
 
   void insert(std::size_t block) { words_[block / kWordBits] |= bit(block); }
-  /// The blocks of a word, number kWordBits * word and those after it.
+  /// Inserts several blocks of one word: bit i stands for block kWordBits * word + i.
   void insert(std::size_t word, std::uint64_t bits) { words_[word] |= bits; }
   void clear() { std::fill(words_.begin(), words_.end(), std::uint64_t{0}); }
 
@@ -34,12 +34,12 @@ class BlockSet {
     return *this;
   }
 
-  /// Keeps what is in both.
+  /// Keeps the blocks that are in both.
   BlockSet& operator&=(const BlockSet& other) {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
     return *this;
   }
-  /// Takes away what is in the other.
+  /// Removes the blocks that are in `other`.
   BlockSet& operator-=(const BlockSet& other) {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~other.words_[i];
     return *this;

@@ -29,7 +29,7 @@ constexpr glm::vec4 kSkinColour{0.74F, 0.505F, 0.385F, 1.0F};
 
 using Row = std::vector<std::uint32_t>;
 
-/// Half a face as the files hold it, and where each point's mirror is.
+/// The half of the face that the files hold, and the number of each point's mirror.
 struct HalfFace {
   std::vector<glm::vec3> points;
   std::vector<std::uint32_t> mirror_of;
@@ -236,7 +236,8 @@ Result<void> read_classic_aus(const std::filesystem::path& path, Face& face) {
   TableReader reader(*document, problems);
   static_cast<void>(reader.integer("format", 1, 1));
   const auto aliases = read_aliases(reader, problems);
-  // What other faces have and no classic folder can: its AUs are remarked, not refused.
+  // Channels that only faces of our own format have: an AU that drives nothing else is mentioned in
+  // the remarks and is no error.
   std::vector<std::string> names = {"jaw", "lid_close", "lid_raise"};
   for (const OpposedNames& pair : kOpposedNames) {
     for (const std::string_view name : {pair.plus, pair.minus}) names.emplace_back(name);

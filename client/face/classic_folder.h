@@ -14,8 +14,9 @@ namespace aucast::face {
 /// - muscle.dat: a count, then for each muscle its name, its insertion, its attachment, and a line
 ///   of fall-off start, fall-off finish, zone in degrees and a clamp that Waters' program reads but
 ///   does not use. The names are taken as they are; sides go by the sign of x.
-/// - jaw.dat, if there: a count, then rows of a point and its weight from 0 to 1 (the mirror gets
+/// - jaw.dat, optional: a count, then rows of a point and its weight from 0 to 1 (the mirror gets
 ///   the same); the jaw turns by one degree per unit about the origin (thesis eq. 3.20).
+///
 /// Vertices are the points in order and then the mirrors of those with x != 0 in order. Muscles
 /// follow Waters' released formula without a cap. `data_folder` holds faces/classic_aus.toml.
 /// BadData with file:line:column, Unreadable when a file is missing.

@@ -8,22 +8,24 @@
 
 namespace aucast::face {
 
-/// Reads the words and numbers of Waters' text files one after the other, over blanks and line
-/// ends. What is wrong goes to the problems with its place, and 0 comes back.
-/// The text and the problems must outlive it.
+/// Reads the words and numbers of Waters' text files one after the other; blanks and line ends
+/// separate them. Errors are added to the problems with their position, and 0 or an empty word is
+/// returned. The text and the problems must outlive it.
 class ClassicScanner {
  public:
   ClassicScanner(std::string_view text, Problems& problems) : text_(text), problems_(problems) {}
 
-  /// A whole number from `low` to `high`; `what` names it in messages, "the number of points".
+  /// Reads a whole number from `low` to `high`; `what` names it in messages, such as "the number of
+  /// points".
   std::size_t count(std::string_view what, std::size_t low, std::size_t high);
   float number(std::string_view what, const Bounds& bounds = {});
-  /// A name of at most 64 printable characters.
+  /// Reads a name of at most 64 printable characters.
   std::string word(std::string_view what);
-  /// Nothing but blanks may be left.
+  /// Adds a problem unless only blanks are left.
   void end();
 
-  [[nodiscard]] LinePosition place() const { return token_place_; }  ///< of what was read last
+  /// The position of the last word or number that was read.
+  [[nodiscard]] LinePosition place() const { return token_place_; }
   void wrong(const std::string& text) { problems_.add(token_place_, text); }
 
  private:

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 9> kKindNames = {
     "opposition", "alternative",        "exclusion", "cap",      "substitution",
     "dominance",  "multiple_dominance", "additive",  "different"};
 
-/// FACS names every AU of a rule, or the rule says nothing about a face.
+/// Checks that FACS names every AU of a rule.
 void check_named(TableReader& reader, std::string_view key, const std::vector<int>& numbers) {
   std::set<int> seen;
   for (const int number : numbers) {
@@ -43,7 +43,7 @@ void check_count(TableReader& reader, std::string_view key, const std::vector<in
   reader.wrong(key, "must name " + std::string(count));
 }
 
-/// Kinds among equals name their AUs in one list, the others who acts on whom.
+/// Kinds whose AUs are equals have one list of AUs, all others sources and targets.
 void read_lists(TableReader& reader, Rule& rule) {
   switch (rule.kind) {
     case RuleKind::Opposition:

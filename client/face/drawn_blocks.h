@@ -16,21 +16,21 @@ namespace aucast::face {
 /// The blocks with a vertex that belongs to no crease.
 [[nodiscard]] BlockSet always_drawn(const FaceMesh& mesh);
 
-/// Which blocks of vertices belong to something that is drawn: everything but the creases of depth
-/// 0, of which an expression leaves most. What is not drawn need not move.
+/// Which blocks of vertices are drawn: all but those that have only creases of depth 0, as most
+/// creases of an expression are. Blocks that are not drawn need not move.
 class DrawnBlocks {
  public:
-  /// With no crease drawn.
+  /// Begins with no crease drawn.
   explicit DrawnBlocks(const Face& face);
 
-  /// One activation per channel.
+  /// Updates which creases are drawn. `activations`: one per channel.
   void take(std::span<const float> activations);
 
-  /// Of the blocks to move leaves those that are drawn, and adds those that were not until now:
-  /// whatever else changes, they have to come from their rest places.
+  /// Removes from `moved` the blocks that are not drawn, and adds those that have been drawn only
+  /// since the last take(): they were not moved before.
   void narrow(BlockSet& moved) const;
 
-  /// Not drawn any more.
+  /// The blocks that the last take() stopped drawing.
   [[nodiscard]] const BlockSet& vanished() const { return vanished_; }
 
   /// Depth in [0,1] of every crease, in the order of the mesh's parts.
@@ -46,7 +46,7 @@ class DrawnBlocks {
   std::vector<float> depths_;  ///< one per crease
   BlockSet always_;
   BlockSet drawn_;
-  BlockSet appeared_;  ///< drawn, and not before
+  BlockSet appeared_;  ///< drawn since the last take()
   BlockSet vanished_;
 };
 

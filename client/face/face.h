@@ -18,36 +18,38 @@
 
 namespace aucast::face {
 
-/// The side on which something at `x` sits: Both within 0.05 units of the middle.
+/// The side of something at `x` (mesh units): Both within 0.05 of the middle.
 [[nodiscard]] Side side_at(float x);
 
-/// One thing that can be driven: a muscle, the jaw, a lid, an eye, the head, a crease. Its value is
-/// >= 0; an opposite movement is a channel of its own. Its side comes from its place (side_at()),
-/// never from its name.
+/// One thing that can be driven: a muscle, the jaw, a lid, an eye, the head, a crease. Its
+/// activation is >= 0; the opposite movement is another channel. Its side follows from its place
+/// (side_at()), never from its name.
 struct Channel {
   std::string name;
   Side side = Side::Both;
   float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, all others 1
-  /// For closing a lid: takes the largest demand, whatever the mixer; otherwise a blink during a
-  /// smile would leave the eyes half closed.
+  /// True for closing a lid: the largest demand counts, whatever the mixer. Otherwise a blink
+  /// during a smile would leave the eyes half closed.
   bool takes_largest = false;
 };
 
-/// The jaw turns about the x axis through `hinge` by degrees_per_unit x activation x map "jaw".
+/// The jaw turns about the x axis through `hinge`: a vertex by degrees_per_unit x activation x its
+/// weight in the map "jaw".
 struct Jaw {
   glm::vec3 hinge{0};
   float degrees_per_unit = 1;
-  float forward_per_rad = 0;  ///< the condyle slides forward as the jaw opens
+  float forward_per_rad = 0;  ///< mesh units; the condyle slides forward as the jaw opens
 };
 
-/// Upper and lower lid turn about the x axis through the eye's centre by map "lid_angle" (radians
-/// at full closure, signed) x closure. Raising turns them the other way, by up to raise_max of that
-/// angle.
+/// Both lids turn about the x axis through the eye's centre, a vertex by its weight in the map
+/// "lid_angle" (radians at full closure, signed) x closure. Raising turns them the other way, by up
+/// to raise_max of that angle.
 struct Lids {
   float raise_max = 0.2F;
 
-  /// The share of the closing angle that lid_raise lifts the lid by. It rises steeply at first, or
-  /// a 5B, as in surprise, does not show: a tenth of a millimetre of lid changes a look.
+  /// The share of the closing angle by which an activation of lid_raise lifts the lid. It rises
+  /// steeply at first so that even AU 5B, as in surprise, shows: a tenth of a millimetre of lid
+  /// changes a look.
   [[nodiscard]] float raised(float activation) const {
     return raise_max * activation * (1.8F - 0.8F * activation);
   }
@@ -60,13 +62,14 @@ struct Eye {
   float pitch_deg = 22;  ///< gaze up or down at 100 %
 };
 
-/// The head turns about `pivot` by map "head".
+/// The head turns about `pivot`, a vertex by its weight in the map "head". The angles are those at
+/// 100 %.
 struct HeadPose {
   glm::vec3 pivot{0};
   float turn_deg = 35;
   float pitch_deg = 22;
   float tilt_deg = 22;
-  float shift = 1;  ///< 57/58: mesh units at 100 %
+  float shift = 1;  ///< AU 57 and 58: mesh units at 100 %
 };
 
 /// What one AU does at full intensity on both sides. A channel of one side takes that side's
@@ -79,12 +82,12 @@ struct AuRecording {
 
 using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
 
-/// A face as it was loaded, never copied. No part of it is changed: code that edits recordings
-/// keeps a copy of them. Only a window replaces its whole face (app/window/face_session). Channel
-/// order: muscles as in the file, then jaw, left_lid_close, right_lid_close, left_lid_raise,
+/// A face as it was loaded. It is never copied and never changed: code that edits recordings keeps
+/// a copy of them. Only the window replaces it, as a whole (app/window/making/face_session). Order
+/// of channels: muscles as in the file, then jaw, left_lid_close, right_lid_close, left_lid_raise,
 /// right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left, head_turn_right,
-/// head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back, then the creases
-/// (parts of that material, by their names); those that the face has no geometry for are left out.
+/// head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back, then the creases,
+/// each named after its part. Channels for which the face has no geometry are left out.
 struct Face {
   std::string name;
   FaceMesh mesh;
@@ -95,7 +98,7 @@ struct Face {
   std::vector<Eye> eyes;  ///< left one first
   std::optional<HeadPose> head;
   AuRecordings recordings;
-  /// Messages for the user, to be shown once: about duplicates that were dropped and AUs that this
+  /// Messages to be shown to the user once: about duplicates that were dropped and AUs that this
   /// face cannot show.
   std::vector<std::string> remarks;
   bool classic = false;  ///< from a folder in Waters' format

@@ -29,8 +29,8 @@ struct Rotation {
   bool operator==(const Rotation&) const = default;
 };
 
-/// A part that turns about a point by the share that each vertex has in it: a lid, the jaw, an eye.
-/// glTF calls it a joint.
+/// Something that turns about a point, each vertex by its share: a lid, the jaw, an eye. A joint in
+/// the sense of glTF.
 struct Mover {
   WeightedBlocks part;
   glm::vec3 hinge{0};
@@ -276,7 +276,8 @@ void FaceDeformer::State::move(std::span<const float> given) {
   normals.update(shown, result.normals);
 }
 
-/// Where a crease stays that is not drawn must not tell what was shown before.
+/// Puts creases that are no longer drawn back to their rest places, so that the result does not
+/// depend on what was shown before.
 void FaceDeformer::State::rest_vanished() {
   drawn.vanished().for_each([this](std::size_t block) {
     write_points(points_of(muscles.rest()[block]), block_of(result.positions, block));

@@ -57,7 +57,7 @@ void need_map(const FaceMesh& mesh, std::string_view map, LinePosition place, Pr
   problems.add(place, "this needs the map '" + std::string(map) + "', which the mesh lacks");
 }
 
-/// Everything of face.toml but the other files.
+/// Everything in face.toml itself, without the files that it names.
 void read_movers(TableReader& reader, Face& face, Problems& problems) {
   for (const TomlValue* table : reader.tables("eye")) {
     const Eye eye = read_eye(*table, problems);
@@ -184,7 +184,8 @@ Result<void> check_channel_names(const Face& face, const std::filesystem::path& 
   return {};
 }
 
-/// A face may use a file of another one: who has copied it alone is told what is missing.
+/// Adds to the error about a missing file that it belongs to another face, for users who copied
+/// only this one.
 Error with_owner(Error error, const std::filesystem::path& file) {
   const std::filesystem::path plain = file.lexically_normal();
   if (error.kind != ErrorKind::Unreadable || plain.empty() || *plain.begin() != "..") return error;

@@ -9,7 +9,7 @@
 
 namespace aucast::face {
 
-/// What makes a folder a face of our own format.
+/// A folder that has this file is a face of our own format.
 inline constexpr const char* kFaceFile = "face.toml";
 
 /// Reads a folder of our own format (face.toml inside; data/faces/FORMAT.md).

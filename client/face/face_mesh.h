@@ -13,8 +13,8 @@
 
 namespace aucast::face {
 
-/// What a part of the face is made of. A crease is a line that an expression draws on the skin:
-/// invisible but for its channel.
+/// What a part of the face is made of. A crease is a line on the skin that is invisible until its
+/// channel is active.
 enum class Material : std::uint8_t {
   Skin,
   Eye,
@@ -27,11 +27,11 @@ enum class Material : std::uint8_t {
   Lash,
   Crease,
 };
-/// In the order of Material, as mesh files have them.
+/// The names in mesh files, in the order of Material.
 inline constexpr std::array<std::string_view, 10> kMaterialNames = {
     "skin", "eye", "teeth", "mouth", "hair", "grey_hair", "cloth", "brow", "lash", "crease"};
 
-/// As files have it.
+/// The name in mesh files.
 [[nodiscard]] inline std::string_view name(Material material) {
   return kMaterialNames[static_cast<std::size_t>(material)];
 }
@@ -46,7 +46,7 @@ struct MeshPart {
   std::uint32_t triangle_count = 0;
 };
 
-/// The one rule for lines that only some expressions draw: FaceDeformer moves them only then.
+/// Whether the part is drawn, and moved by FaceDeformer, only while its channel is active.
 [[nodiscard]] inline bool is_crease(const MeshPart& part) {
   return part.material == Material::Crease;
 }
@@ -59,21 +59,21 @@ struct FaceMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
   std::vector<MeshPart> parts;
   std::vector<glm::vec4> colours;  ///< linear RGB and alpha in [0,1], one per vertex
-  std::vector<float> occlusion;    ///< ambient light that gets there, [0,1]; 1 = all
-  std::vector<float> gloss;        ///< factor on the material's highlight; 1 = as it is
-  /// Named weights per vertex, all of size positions.size(): jaw, head, lid_angle, muscle, ... and
-  /// the masks that muscles name.
+  std::vector<float> occlusion;    ///< share of the ambient light that gets there, [0,1]
+  std::vector<float> gloss;        ///< factor for the material's highlight
+  /// Weights by name, one per vertex: jaw, head, lid_angle, muscle and others, and the masks that
+  /// muscles name.
   std::map<std::string, std::vector<float>> maps;
 };
 
-/// The weights of that name; nothing when the mesh has none.
+/// The weights of that name; null if the mesh has none.
 [[nodiscard]] inline const std::vector<float>* find_map(const FaceMesh& mesh,
                                                         const std::string& name) {
   const auto found = mesh.maps.find(name);
   return found == mesh.maps.end() ? nullptr : &found->second;
 }
 
-/// The vertex's weight in what find_map() found, `missing` where that is nothing.
+/// The vertex's weight in the map that find_map() returned; `missing` if that was null.
 [[nodiscard]] inline float map_at(const std::vector<float>* map, std::size_t vertex,
                                   float missing) {
   return map == nullptr ? missing : (*map)[vertex];

@@ -11,11 +11,11 @@
 
 namespace aucast::face {
 
-/// Turns vertices with the head: tilt, nod about the axis through its own ears, turn, shift.
-/// Thread: one per thread.
+/// Moves vertices with the head: tilt, then nod about the axis through its ears, turn and shift.
+/// Thread: one object per thread.
 class HeadMover {
  public:
-  /// Turns as shares of the face's full ones, in [-1, 1].
+  /// Shares of the face's full turns and shift, in [-1, 1].
   struct Pose {
     float turn = 0;   ///< to the subject's left
     float pitch = 0;  ///< up
@@ -26,17 +26,17 @@ class HeadMover {
 
   explicit HeadMover(const Face& face);
 
-  /// The pose that counts from here on. When it is another one than before, adds to `moved` the
-  /// blocks that go with the head.
+  /// Sets the pose. If it differs from the previous one, adds to `moved` the blocks that go with
+  /// the head.
   void take(const Pose& pose, BlockSet& moved);
 
-  /// Whether anything is elsewhere than without the head's turn.
+  /// Whether the head is turned or shifted at all.
   [[nodiscard]] bool turned() const { return pose_ != Pose{}; }
 
-  /// Where the head carries a block that is at `from` before.
+  /// Sets `to` to where the head carries the block `block`, which lies at `from` without it.
   void apply(std::size_t block, const VertexBlock& from, VertexBlock& to) const;
 
-  /// A point and a direction that take the given part in the head's turn.
+  /// Moves a point and a direction with the head, by `share` in [0,1] of its turn.
   void carry(float share, glm::vec3& point, glm::vec3& direction) const;
 
  private:
@@ -49,7 +49,7 @@ class HeadMover {
     float shift = 0;
   };
 
-  /// A turn and a shift, each number in all lanes: axes[a] is where the a-th axis goes.
+  /// A turn and a shift, each number repeated in all lanes. axes[a]: where the turn takes axis a.
   struct Motion {
     struct Point {
       Four x{};
@@ -66,10 +66,10 @@ class HeadMover {
   HeadPose head_;
   std::vector<Lanes> weights_;  ///< one per block
   std::vector<Kind> kinds_;
-  BlockSet carried_;  ///< not of kind Not
+  BlockSet carried_;  ///< all blocks but those of Kind::Not
   Pose pose_;
   Angles angles_;
-  Motion motion_;  ///< of what turns wholly
+  Motion motion_;  ///< for blocks of Kind::Wholly
 };
 
 }  // namespace aucast::face

@@ -10,7 +10,7 @@
 
 namespace aucast::face {
 
-/// Files say degrees.
+/// Files give angles in degrees.
 inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
@@ -44,7 +44,7 @@ struct MouthSphincter {
   float protrusion = 10;      ///< Z of eq. 3.9, a divisor: larger means less forward
 };
 
-/// Brings the lids' surroundings to the axis of the eye: y' = y (1 - (a/2) share f) and
+/// Draws the skin round the lids towards the eye's horizontal axis: y' = y (1 - (a/2) share f) and
 /// z' = z + a f (1 - |y|/ly) / bulge where f > 0, with x, y and f as for the mouth and share =
 /// upper_share above the axis, lower_share below (thesis eq. 3.10-3.13, clean form).
 struct EyeSphincter {
@@ -52,13 +52,13 @@ struct EyeSphincter {
   glm::vec2 semi_axes{2, 1};
   float depth = 3;           ///< as for the mouth
   float bulge = 30;          ///< Z of the thesis, a divisor: larger means less forward
-  float upper_share = 0.3F;  ///< of the motion towards the axis, from above it
-  float lower_share = 0.7F;  ///< and from below: AU6 and 7 lift the lower lid more
+  float upper_share = 0.3F;  ///< how strongly skin above the axis moves towards it
+  float lower_share = 0.7F;  ///< the same below it: AU 6 and 7 lift the lower lid more
 };
 
 /// A broad parallel muscle such as the frontalis (thesis eq. 3.14-3.19, clean form): the strip of
-/// width `width` from the attachment line to the insertion line moves towards the attachment, most
-/// at `peak` of the way, fading to both sides. The strip lies across the viewer's direction.
+/// width `width` from the attachment line to the insertion line moves towards the attachment. The
+/// shift is largest at `peak` of the way and fades to both sides. The strip faces the viewer.
 struct SheetMuscle {
   glm::vec3 attachment{0};  ///< Ac, middle of the line on bone
   glm::vec3 insertion{0};   ///< Ic, middle of the line in the skin
@@ -67,10 +67,10 @@ struct SheetMuscle {
   float depth = 3;    ///< distance from the sheet's plane that still moves; fades likewise
 };
 
-/// A pull without published geometry, for what FACS needs and the thesis lacks (mentalis, depressor
-/// labii, ...): `direction` is the displacement at the centre for activation 1, falling off as a
-/// Gaussian of the given radii and ending at three of them. Folds nothing up to activation 2 while
-/// |direction / radii| < 0.58.
+/// A pull for muscles that FACS needs and whose geometry the thesis does not give (mentalis,
+/// depressor labii, ...): `direction` is the displacement at the centre for activation 1, falling
+/// off as a Gaussian of the given radii and ending at three times the radii. Folds nothing up to
+/// activation 2 while |direction / radii| < 0.58.
 struct LocalPull {
   glm::vec3 centre{0};
   glm::vec3 direction{0};
@@ -80,12 +80,13 @@ struct LocalPull {
 using MuscleShape =
     std::variant<LinearMuscle, MouthSphincter, EyeSphincter, SheetMuscle, LocalPull>;
 
-/// A muscle with its name, such as left_zygomaticus_major.
+/// A muscle of a face, such as left_zygomaticus_major.
 struct Muscle {
   std::string name;
   MuscleShape shape;
-  std::string mask;         ///< a map of the mesh that multiplies the displacement; empty: none
-  bool mask_alone = false;  ///< `mask` replaces the map "muscle", so that tongue and teeth can move
+  std::string mask;  ///< name of the map of the mesh that multiplies the displacement; empty: none
+  bool mask_alone = false;  ///< `mask` is used in place of the map "muscle", not beside it, so that
+                            ///< tongue and teeth can move
   /// Its activation is multiplied by 1 - lid_close^2 of its side: a lower lid that stayed raised
   /// would run into the closing upper lid.
   bool yields_to_lids = false;
@@ -95,8 +96,8 @@ struct Muscle {
 [[nodiscard]] glm::vec3 displacement(const MuscleShape& shape, const glm::vec3& point,
                                      float activation);
 
-/// Displacement per unit of activation while the muscle is linear in it, and the activation from
-/// which the displacement stays the same (infinite without a cap).
+/// The displacement per unit of activation, and the activation from which the displacement stays
+/// the same (infinite without a cap).
 struct LinearInfluence {
   glm::vec3 per_unit{0};
   float activation_cap = 0;

@@ -9,11 +9,11 @@
 namespace aucast::face {
 
 /// Reads the [[muscle]] tables of a muscles.toml (data/faces/FORMAT.md); mirrored ones become two,
-/// left before right. Masks must be maps of `mesh`. What is wrong goes to the problems.
+/// left before right. Masks must be maps of `mesh`. Errors are added to `problems`.
 [[nodiscard]] std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh,
                                                Problems& problems);
 
-/// The x that tells a muscle's side: of the insertion, or of the centre.
+/// The x of the insertion or of the centre, which decides a muscle's side.
 [[nodiscard]] float x_of(const MuscleShape& shape);
 
 /// The same muscle on the other side of the face.

@@ -7,7 +7,7 @@
 namespace aucast::face {
 namespace {
 
-/// What the channel's side gets of an AU.
+/// The intensity of an AU for a channel of that side.
 float intensity_for(const AuFrame& frame, std::size_t number, Side side) {
   switch (side) {
     case Side::Left:

@@ -9,8 +9,8 @@
 namespace aucast::face {
 namespace {
 
-/// How far beside its muscle's way a pull may lie that counts as going along it, as a share of the
-/// pull: some last digits.
+/// How far a pull may be off its muscle's way and still count as along it, as a share of the pull:
+/// rounding errors only.
 constexpr double kAsideMax = 1e-6;
 
 /// How much of `way` the pull is.

@@ -13,21 +13,22 @@ namespace aucast::face {
 
 /// The rest face plus the displacements of all muscles. Displacements per unit of activation are
 /// computed once and stored by block, so that a block is summed in one pass. Most muscles pull all
-/// their vertices in one direction, only some further than others: those store one number per
-/// vertex instead of three.
+/// their vertices in one direction (their "way") and differ only in how far: those store one number
+/// per vertex instead of three.
 class MuscleSums {
  public:
   explicit MuscleSums(const Face& face);
   class Making;
 
-  /// One activation per muscle, finite. Adds to `moved` the blocks of the muscles whose activation
-  /// has changed.
+  /// Sets the activations, one per muscle, finite. Adds to `moved` the blocks of the muscles whose
+  /// activation has changed.
   void take(std::span<const float> activations, BlockSet& moved);
 
-  /// The blocks that at() will be called for until the next take().
+  /// Prepares at() for these blocks, until the next take().
   void list(const BlockSet& blocks);
 
-  /// A listed block with all muscles' displacements, always summed in the same order.
+  /// Sets `place` to a listed block with all muscles' displacements. The order of the sum is always
+  /// the same.
   void at(std::size_t block, VertexBlock& place) const;
 
   [[nodiscard]] const std::vector<VertexBlock>& rest() const { return rest_; }
@@ -38,7 +39,8 @@ class MuscleSums {
   struct Reach {
     float activation_cap = 0;
     BlockSet blocks;
-    glm::vec3 way{1};  ///< the pull on the vertex that goes furthest; ones if they go many ways
+    glm::vec3 way{1};  ///< the longest pull per unit of activation; 1, 1, 1 if the pulls differ in
+                       ///< direction
   };
 
   /// A muscle's way times its activation, in all four lanes.
@@ -51,19 +53,19 @@ class MuscleSums {
   std::vector<VertexBlock> rest_;
   std::vector<Reach> reaches_;       ///< one per muscle
   std::vector<float> activations_;   ///< capped, one per muscle
-  std::vector<std::uint32_t> acts_;  ///< 1 for a muscle that is active
-  bool others_act_ = false;          ///< than when the blocks were listed
-  BlockSet listed_;                  ///< at least the blocks that at() is asked for
+  std::vector<std::uint32_t> acts_;  ///< 1 for a muscle that is active, else 0
+  bool others_act_ = false;          ///< other muscles are active than when blocks were last listed
+  BlockSet listed_;                  ///< the blocks for which at() may be called
   std::vector<Factors> factors_;     ///< one per muscle
-  PullTable<Lanes> along_;           ///< of muscles with a way, as shares of it
-  PullTable<VertexBlock> free_;      ///< of the others, per unit of activation
+  PullTable<Lanes> along_;           ///< the pulls of muscles with a way, as shares of it
+  PullTable<VertexBlock> free_;      ///< those of all others, per unit of activation
 };
 
 /// MuscleSums in portions of about a millisecond. The face must outlive it.
 class MuscleSums::Making {
  public:
   explicit Making(const Face& face);
-  /// Adds the next muscle. True when all have been added: then finish().
+  /// Adds the next muscle. Returns true when all have been added; then call finish().
   [[nodiscard]] bool step();
   [[nodiscard]] MuscleSums finish();
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kHalf = kLanes / 2;
 
-/// Blocks whose areas are added up before the first of them is made a normal: the square roots
-/// then wait for nothing.
+/// How many blocks have their areas added up before any of them is made a normal, so that the
+/// square roots need not wait.
 constexpr std::size_t kBlocksAtOnce = 16;
 
 /// Triangles or vertices of one portion.
@@ -27,10 +27,11 @@ std::vector<std::array<std::uint32_t, 3>> lit_triangles(const FaceMesh& mesh) {
   return triangles;
 }
 
-/// Round one vertex: from a corner of a triangle to the next one, for each triangle.
+/// The edges round one vertex: each triangle's edge opposite the vertex, from corner to corner.
 using Ring = std::multimap<std::uint32_t, std::uint32_t>;
 
-/// Takes the edges that follow each other from `start` on, until none does or they are round.
+/// Takes the edges that follow each other from `start` on, until none follows or the path is
+/// closed.
 std::vector<std::uint32_t> take_path(Ring& ring, std::uint32_t start) {
   std::vector<std::uint32_t> path{start};
   do {

@@ -14,15 +14,14 @@
 
 namespace aucast::face {
 
-/// Vertex normals, weighted by the triangles' areas; creases take no light and have none. Only what
-/// has a moved vertex near is computed again. The triangles round a vertex make up a polygon whose
-/// area, as a vector along its normal, does not depend on how it is cut: instead of into those
-/// triangles it is cut into quadrangles, each of them one cross product, and the triangles
-/// themselves are never needed.
+/// Vertex normals, weighted by the triangles' areas; creases take no light and have none. Only
+/// normals near moved vertices are computed again. The triangles round a vertex make up a polygon,
+/// whose area vector (along its normal) does not depend on how the polygon is cut up. It is cut
+/// into quadrangles rather than triangles: each takes one cross product.
 /// Thread: one field per thread.
 class NormalField {
  public:
-  /// With the vertices at their rest places.
+  /// Begins with the vertices at their rest places.
   explicit NormalField(const FaceMesh& mesh);
   class Making;
 
@@ -32,39 +31,40 @@ class NormalField {
     for (std::size_t i = 0; i < kLanes; ++i) points[i] = at[i];
   }
 
-  /// `moved`: the blocks whose vertices are elsewhere since the last update. Writes those `normals`
-  /// that this may change and leaves the others alone; unit length, and +z for a vertex without a
-  /// triangle that has an area. What belongs to creases is left alone or +z.
+  /// Writes the `normals` that may have changed and leaves all others alone. `moved`: the blocks
+  /// that were placed anew since the last update. Normals have unit length; a vertex none of whose
+  /// triangles has an area gets +z. Normals of creases are left alone or set to +z.
   void update(const BlockSet& moved, std::span<glm::vec3> normals);
 
  private:
   NormalField() = default;
 
-  /// Blocks with neighbouring numbers.
+  /// Blocks whose bits lie in one word of a BlockSet.
   struct Neighbours {
     std::size_t word = 0;
     std::uint64_t bits = 0;
   };
 
-  /// Finds what to compute when these have moved.
+  /// Sets touched_ to the blocks whose normals change when these have moved.
   void touch(const BlockSet& moved);
   void update_some(std::span<const std::size_t> blocks, std::span<glm::vec3> normals) const;
   void add_areas(std::size_t half, Four* sums) const;
 
   std::vector<Four> points_;
-  /// Corners for half block h: corners_begin_[h] to corners_begin_[h + 1]. Two of each of its
-  /// vertices, two more of each, and so on, as often as the vertex with the most of them needs, the
-  /// others repeating themselves. The first is where all is seen from, the second one begins, and
-  /// two more make a quadrangle with the first and the last one before. As distances in bytes from
-  /// the first point, which saves a shift for each of them.
+  /// The corners of the polygons round the four vertices of half block h are corners_begin_[h] to
+  /// corners_begin_[h + 1]. They come in pairs: the first pair of each vertex, then the second pair
+  /// of each, and so on for as many as the vertex with the most pairs has; the others are filled up
+  /// with pairs that add no area. Each pair after the first makes a quadrangle with its vertex's
+  /// first corner and the corner before the pair. Corners are distances in bytes from the first
+  /// point, which saves a shift each.
   std::vector<std::uint32_t> corners_;
   std::vector<std::uint32_t> corners_begin_{0};
-  /// Likewise, of each block those that share a triangle with it, and itself; none if it is all
-  /// crease.
+  /// Likewise by block: the blocks that share a triangle with it, and itself; none if it has only
+  /// creases.
   std::vector<Neighbours> neighbours_;
   std::vector<std::uint32_t> neighbours_begin_{0};
-  BlockSet moved_;    ///< the last time
-  BlockSet touched_;  ///< whose normals may change when those have moved
+  BlockSet moved_;    ///< by the last touch()
+  BlockSet touched_;  ///< the blocks whose normals may change when moved_ have moved
 };
 
 /// NormalField in portions of about a millisecond. The mesh must outlive it.
@@ -75,7 +75,7 @@ class NormalField::Making {
   Making(const Making&) = delete;
   Making& operator=(const Making&) = delete;
 
-  /// Does the next portion. True when all are done: then finish().
+  /// Does the next portion. Returns true when all are done; then call finish().
   [[nodiscard]] bool step();
   [[nodiscard]] NormalField finish();
 

@@ -20,20 +20,19 @@ inline constexpr OpposedNames kHeadTurn{"head_turn_left", "head_turn_right"};
 inline constexpr OpposedNames kHeadPitch{"head_up", "head_down"};
 inline constexpr OpposedNames kHeadTilt{"head_tilt_left", "head_tilt_right"};
 inline constexpr OpposedNames kHeadShift{"head_forward", "head_back"};
-/// Of an eye: the names of its side come before.
+/// For each eye; "left_" or "right_" goes in front.
 inline constexpr OpposedNames kGazeYaw{"gaze_left", "gaze_right"};
 inline constexpr OpposedNames kGazePitch{"gaze_up", "gaze_down"};
 
-/// All of them, in the order in which a face without recordings remarks them.
 inline constexpr std::array kOpposedNames{kGazeYaw,   kGazePitch, kHeadTurn,
                                           kHeadPitch, kHeadTilt,  kHeadShift};
 
-/// Two channels of a face that pull opposite ways; a missing one is nothing.
+/// Two channels of a face that pull opposite ways; nullopt if the face does not have it.
 struct OpposedChannels {
   std::optional<std::size_t> plus;
   std::optional<std::size_t> minus;
 
-  /// How far the plus is ahead of the minus.
+  /// The activation of `plus` minus that of `minus`; a missing channel counts as 0.
   [[nodiscard]] float of(std::span<const float> activations) const {
     return (plus ? activations[*plus] : 0.0F) - (minus ? activations[*minus] : 0.0F);
   }

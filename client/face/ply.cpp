@@ -57,7 +57,7 @@ struct Property {
   std::size_t position = 0;  ///< in the vertex' record
 };
 
-/// What stands before `end_header`.
+/// The header, up to `end_header`.
 struct Header {
   std::vector<std::pair<std::string, Material>> parts;
   std::vector<Property> properties;

@@ -11,29 +11,30 @@
 
 namespace aucast::face {
 
-/// A face of a mesh file: three or four vertices, counter-clockwise from outside.
+/// One face of the mesh (in the sense of PLY): three or four vertices, counter-clockwise from
+/// outside.
 struct Polygon {
   std::array<std::uint32_t, 4> corners{};
-  std::uint8_t corner_count = 4;  ///< 3 or 4; with 3 the last corner means nothing
+  std::uint8_t corner_count = 4;  ///< 3 or 4; with 3 the last corner is unused
 };
 
-/// The limits of a mesh file. They are far above any face and keep a broken file from filling the
-/// memory.
+/// The limits of a mesh file. They are far above what any face needs and keep a broken file from
+/// filling the memory.
 inline constexpr std::size_t kPlyVerticesMax = 1'000'000;
 inline constexpr std::size_t kPlyPolygonsMax = 2'000'000;
-inline constexpr std::size_t kPlyPropertiesMax = 100;  ///< of a vertex
+inline constexpr std::size_t kPlyPropertiesMax = 100;  ///< per vertex
 inline constexpr std::size_t kPlyPartsMax = 64;
 
 /// Reads the bytes of a mesh.ply (data/faces/FORMAT.md). Quads become two triangles along the
-/// diagonal from their first corner; triangles are sorted by part, else in the file's order.
-/// `maps` holds what the file holds; `occlusion` and `gloss` are filled with 1 when it has none.
-/// BadData naming `file` and the header's line, or the vertex or polygon (both count from 0).
+/// diagonal from their first corner; triangles are sorted by part and otherwise keep the file's
+/// order. `maps` gets the file's maps; `occlusion` and `gloss` are filled with 1 if the file has
+/// none. BadData naming `file` and the header's line, or the vertex or polygon (both count from 0).
 [[nodiscard]] Result<FaceMesh> parse_ply(std::string_view bytes, std::string_view file);
 
 /// The bytes of a mesh.ply that parse_ply() reads back: colours to the nearest of 256 sRGB steps,
-/// all else bit for bit. `polygons` stand for mesh.triangles, which are not looked at. The mesh
-/// must be sound: every array of one entry per vertex (occlusion and gloss may be empty), parts
-/// covering the vertices in order.
+/// all else bit for bit. `polygons` are written in place of mesh.triangles, which are ignored. The
+/// mesh must be sound: every array of one entry per vertex (occlusion and gloss may be empty),
+/// parts covering the vertices in order.
 [[nodiscard]] std::string format_ply(const FaceMesh& mesh, std::span<const Polygon> polygons);
 
 }  // namespace aucast::face

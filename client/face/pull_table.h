@@ -11,8 +11,8 @@
 namespace aucast::face {
 
 /// The pulls of muscles on blocks of vertices, sorted by block and then by muscle, and a list of
-/// those whose muscle is active: most expressions need few, and testing all the others would take
-/// longer than the sums.
+/// those whose muscle is active. Most expressions use few muscles, and testing all others for each
+/// block would take longer than the sums.
 template <typename Pull>
 class PullTable {
  public:
@@ -22,17 +22,17 @@ class PullTable {
     Pull pull{};
   };
 
-  /// A pull of an active muscle: its place and its muscle's in their tables, as byte positions,
-  /// which saves multiplications.
+  /// A pull of an active muscle: its byte position in the table of pulls, and its muscle's in the
+  /// caller's table of muscles. Bytes rather than indices save multiplications.
   struct Acting {
     std::uint32_t pull = 0;
     std::uint32_t muscle = 0;
   };
 
-  /// Without a pull and without blocks.
+  /// An empty table without blocks.
   PullTable() = default;
 
-  /// `entries`: in the muscles' order. None of the muscles acts.
+  /// `entries`: in the muscles' order. No muscle is active at first.
   PullTable(std::size_t block_count, std::vector<Entry> entries)
       : acting_(entries.size() + kAhead), acting_in_(block_count) {
     std::stable_sort(entries.begin(), entries.end(),
@@ -45,9 +45,9 @@ class PullTable {
     begin_.resize(block_count + 1, static_cast<std::uint32_t>(pulls_.size()));
   }
 
-  /// Lists the pulls of the muscles for which `acts` is 1; it is 0 for all others. `muscle_bytes`:
-  /// the size of an element of the caller's table of muscles. `blocks`: those that acting() will be
-  /// called for, in this order. Free of branches that no processor could predict.
+  /// Lists the pulls of active muscles on `blocks`, in this order, for acting(). `acts`: 1 for each
+  /// active muscle, else 0. `muscle_bytes`: the size of an element of the caller's table of
+  /// muscles. Without branches, which no processor could predict here.
   void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes,
                    const BlockSet& blocks) {
     std::uint32_t count = 0;
@@ -68,8 +68,8 @@ class PullTable {
     return {acting_.data() + acting_in_[block].begin, acting_.data() + acting_in_[block].end};
   }
 
-  /// The displacement per unit of activation. Prefetches a later one: they lie too far apart for a
-  /// processor to guess.
+  /// The pull that `acting` refers to. Prefetches a later one: they lie too far apart for the
+  /// processor to do so on its own.
   [[nodiscard]] const Pull& fetch(const Acting& acting) const {
     const Pull& later = at_distance(pulls_.data(), (&acting)[kAhead].pull);
     __builtin_prefetch(&later);
@@ -89,9 +89,9 @@ class PullTable {
 
   std::vector<std::uint32_t> begin_;  ///< pulls on block b: begin_[b] to begin_[b + 1]
   std::vector<Pull> pulls_;
-  std::vector<std::uint32_t> muscles_;  ///< whose pull it is
-  std::vector<Acting> acting_;          ///< and kAhead more, of any pull
-  std::vector<Run> acting_in_;          ///< one per block
+  std::vector<std::uint32_t> muscles_;  ///< for each pull, its muscle
+  std::vector<Acting> acting_;  ///< followed by kAhead unused ones, which fetch() may look at
+  std::vector<Run> acting_in_;  ///< one per block
 };
 
 }  // namespace aucast::face

@@ -4,7 +4,7 @@
 
 namespace aucast::face {
 
-/// "left", "right" or "both", as people and files have it.
+/// "left", "right" or "both", as in messages and files.
 [[nodiscard]] constexpr const char* side_word(Side side) {
   return side == Side::Left ? "left" : side == Side::Right ? "right" : "both";
 }

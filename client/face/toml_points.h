@@ -9,14 +9,14 @@
 
 namespace aucast::face {
 
-/// A required array of three numbers.
+/// Reads a required array of three numbers.
 [[nodiscard]] inline glm::vec3 read_point(TableReader& reader, std::string_view key,
                                           const Bounds& bounds = {}) {
   const auto [x, y, z] = reader.numbers<3>(key, bounds);
   return {x, y, z};
 }
 
-/// A required array of two numbers.
+/// Reads a required array of two numbers.
 [[nodiscard]] inline glm::vec2 read_pair(TableReader& reader, std::string_view key,
                                          const Bounds& bounds = {}) {
   const auto [x, y] = reader.numbers<2>(key, bounds);

@@ -20,17 +20,18 @@ inline constexpr std::size_t kLanes = 8;
 
 using Lanes = std::array<float, kLanes>;
 
-/// x, y, z and one more: a vector register, which GCC and Clang know on every processor.
+/// Four numbers in a vector register, a type that GCC and Clang have on every processor. A point is
+/// x, y, z and one unused number.
 using Four = float __attribute__((vector_size(16)));
 
-/// Eight neighbours of the mesh's vertex array; lanes past its end are zero.
+/// Eight vertices that follow each other in the mesh; lanes past its end are zero.
 struct alignas(32) VertexBlock {
   Lanes x{};
   Lanes y{};
   Lanes z{};
 };
 
-/// The element that lies `bytes` behind the first.
+/// The element that lies `bytes` after the first.
 template <typename Element>
 [[nodiscard]] const Element& at_distance(const Element* first, std::uint32_t bytes) {
   return *reinterpret_cast<const Element*>(reinterpret_cast<const std::byte*>(first) + bytes);
@@ -40,7 +41,7 @@ template <typename Element>
   return Four{value, value, value, value};
 }
 
-/// Half of the lanes, from number 0 or 4 on.
+/// Four lanes, from lane `begin` on: 0 or 4.
 [[nodiscard]] inline Four four_at(const Lanes& lanes, std::size_t begin) {
   Four four;
   std::memcpy(&four, &lanes[begin], sizeof four);
@@ -51,7 +52,8 @@ inline void set_four(Lanes& lanes, std::size_t begin, const Four& four) {
   std::memcpy(&lanes[begin], &four, sizeof four);
 }
 
-/// Block number `block` of what has one element per vertex; the last one may be shorter.
+/// The elements of block number `block`, where `points` has one element per vertex. The last block
+/// may be shorter.
 template <typename Points>
 [[nodiscard]] auto block_of(Points& points, std::size_t block) {
   const std::size_t begin = block * kLanes;
@@ -62,7 +64,7 @@ template <typename Points>
   return (vertex_count + kLanes - 1) / kLanes;
 }
 
-/// The block's vertices, the fourth of each zero.
+/// The block's vertices as points; the fourth number of each is zero.
 [[nodiscard]] inline std::array<Four, kLanes> points_of(const VertexBlock& block) {
   std::array<Four, kLanes> points;
   for (std::size_t i = 0; i < kLanes; i += 4) {
@@ -81,7 +83,8 @@ template <typename Points>
   return points;
 }
 
-/// Calls `write` with room for all points of a block; those beyond the end of a mesh go nowhere.
+/// Calls `write` with room for the points of a whole block. Those beyond the end of `out` are
+/// dropped.
 template <typename Write>
 void write_block(std::span<glm::vec3> out, Write write) {
   std::array<glm::vec3, kLanes> last;
@@ -89,10 +92,11 @@ void write_block(std::span<glm::vec3> out, Write write) {
   if (out.size() < kLanes) std::copy_n(last.begin(), out.size(), out.begin());
 }
 
-/// Writes points one after the other without their fourth: of a block, or of less at the end.
+/// Writes the x, y and z of a block's points to `out`, which is shorter for the last block of a
+/// mesh.
 inline void write_points(const std::array<Four, kLanes>& points, std::span<glm::vec3> out) {
   write_block(out, [&points](glm::vec3* block) {
-    // Whole registers: the next point overwrites what is too much.
+    // Whole registers: the next point overwrites the unused fourth number.
     float* to = &block->x;
     for (std::size_t i = 0; i + 1 < kLanes; ++i, to += 3) std::memcpy(to, &points[i], sizeof(Four));
     std::memcpy(to, &points[kLanes - 1], sizeof(glm::vec3));
@@ -130,7 +134,7 @@ inline void set_lane(VertexBlock& block, std::size_t lane, const glm::vec3& poin
   return blocks;
 }
 
-/// Weights that are not zero somewhere in their block.
+/// A map's weights, for the blocks in which any of them is not zero.
 struct WeightedBlocks {
   std::vector<std::uint32_t> blocks;
   BlockSet all;  ///< the same blocks

@@ -40,7 +40,7 @@ std::string strength_text(int time_ms) {
   return text.data();
 }
 
-/// The fields from aus to rules; a face that is muscles alone went through no rules and no mixer.
+/// The fields from aus to rules. A face made of muscles alone has neither rules nor mixer.
 std::vector<std::string> what_is_shown(const GalleryPicture& picture, const std::string& face) {
   const bool only_muscles = !picture.muscles.empty() && picture.aus == AuFrame{};
   std::vector<std::string> numbers;

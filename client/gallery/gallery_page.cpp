@@ -57,7 +57,7 @@ footer { max-width: 1120px; margin: 4rem auto 2rem; padding: 0 1.5rem; color: va
 @media print { nav { position: static; } figure, tr { break-inside: avoid; } }
 )";
 
-/// Channels by name; what both sides have is named once, without its side.
+/// The names of channels. A channel that both sides have is named once, without its side.
 std::string in_pairs(const std::vector<std::string>& channels) {
   const auto has = [&](const std::string& name) {
     return std::find(channels.begin(), channels.end(), name) != channels.end();

@@ -9,11 +9,11 @@
 
 namespace aucast::gallery {
 
-/// Text made safe inside HTML, also between quotes.
+/// The text escaped for HTML, also for attributes in quotes.
 [[nodiscard]] std::string html_escaped(std::string_view text);
 
-/// index.html: one page with its style inside, pictures by relative links. `videos` as in
-/// format_manifest.
+/// The text of index.html: one page that contains its style and has relative links to the pictures.
+/// `videos` as in format_manifest().
 [[nodiscard]] std::string format_page(const GalleryPlan& plan, const GallerySetting& setting,
                                       const std::vector<std::size_t>& videos);
 

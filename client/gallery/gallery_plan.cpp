@@ -21,7 +21,7 @@ constexpr std::array kNamed{1,  2,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 
                             21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38,
                             39, 43, 45, 46, 51, 52, 53, 54, 55, 56, 57, 58, 61, 62, 63, 64, 65, 66};
 
-/// Words of a recording's note that say so.
+/// Words in a recording's note which say that the mesh cannot show the AU well.
 constexpr std::string_view kLimited = "best form";
 
 }  // namespace

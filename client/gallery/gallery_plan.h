@@ -17,29 +17,30 @@
 
 namespace aucast::gallery {
 
-/// How a sweep goes from the neutral face to the apex and back. A phase begins at its time and ends
-/// where the next one begins.
+/// A sweep goes from the neutral face to the apex and back. These are the times at which its phases
+/// begin; each ends when the next one begins.
 inline constexpr int kSweepFps = 25;
 inline constexpr int kOnsetMs = 0;
 inline constexpr int kApexMs = 600;
 inline constexpr int kOffsetMs = 1000;
 inline constexpr int kSweepEndMs = 1600;
 
-/// The share of the apex's activations at a time of a sweep: a cosine up, a hold, a cosine down.
+/// The share of the apex's activations at a time of a sweep, in [0,1]: it rises along a cosine,
+/// holds, and falls along a cosine.
 [[nodiscard]] float sweep_strength(int time_ms);
 
-/// Where a picture stands in a sweep.
+/// Which frame of a sweep a picture is.
 struct SweepFrame {
   int number = 1;
   int time_ms = 0;
 };
 
-/// One PNG of the gallery: what it shows and how that came about.
+/// One PNG of the gallery: what it shows and how it was made.
 struct GalleryPicture {
-  std::string file;                  ///< below DIR, with '/'
-  std::vector<std::string> sources;  ///< names of the expressions in it; empty: single AUs
-  AuFrame aus;                       ///< asked for
-  AuFrame shown;                     ///< what the rules made of it
+  std::string file;                  ///< path below DIR, with '/'
+  std::vector<std::string> sources;  ///< names of the expressions in it; empty: it shows AUs only
+  AuFrame aus;                       ///< the AUs asked for
+  AuFrame shown;                     ///< the AUs after the rules
   std::vector<ExpressionMuscle> muscles;
   face::Mixer mixer = face::Mixer::Maximum;
   std::string rules;
@@ -48,7 +49,7 @@ struct GalleryPicture {
 
 /// A place for a picture on the page.
 struct GalleryFigure {
-  std::optional<std::size_t> picture;  ///< index into GalleryPlan::pictures; nothing: an empty cell
+  std::optional<std::size_t> picture;  ///< index into GalleryPlan::pictures; nullopt: an empty cell
   std::string title;
   std::string text;
   std::size_t video = 0;  ///< 1 + index into GalleryPlan::sweeps; 0: none
@@ -59,7 +60,7 @@ struct GalleryRow {
   std::vector<GalleryFigure> figures;
 };
 
-/// Pictures that belong together: a table where there are columns, else figures one after another.
+/// Pictures that belong together: a table if there are columns, else figures one after another.
 struct GalleryBlock {
   std::string heading;
   std::vector<std::string> columns;
@@ -67,15 +68,15 @@ struct GalleryBlock {
 };
 
 struct GallerySection {
-  std::string name;  ///< as --only takes it
+  std::string name;  ///< as in --only
   std::string title;
   std::string text;
   std::vector<GalleryBlock> blocks;
 };
 
-/// The frames of one sweep stand together.
+/// The frames of one sweep: `count` pictures from GalleryPlan::pictures[begin] on.
 struct GallerySweep {
-  std::string name;  ///< of its folder and its video below sweeps/
+  std::string name;  ///< name of its folder and its video below sweeps/
   std::size_t begin = 0;
   std::size_t count = 0;
 };
@@ -90,12 +91,12 @@ struct Coverage {
   std::string note;
 };
 
-/// True when the recording's author says that the mesh cannot show this AU well.
+/// Whether the recording's note says that the mesh cannot show this AU well.
 [[nodiscard]] bool is_limited(const Coverage& row);
 
-/// Everything that `gallery` makes, before a single picture is drawn.
+/// Everything that `gallery` will make.
 struct GalleryPlan {
-  std::vector<GalleryPicture> pictures;  ///< every file once, in the order of drawing
+  std::vector<GalleryPicture> pictures;  ///< each file once, in the order of drawing
   std::vector<GallerySection> sections;
   std::vector<GallerySweep> sweeps;
   std::vector<Coverage> coverage;
@@ -109,26 +110,26 @@ struct GalleryRules {
   face::RuleSet none;
 };
 
-/// What a plan is made from. Borrows.
+/// What a plan is made from. References and spans must outlive it.
 struct GalleryInput {
   const face::Face& face;
   std::span<const Expression> expressions;
   const GalleryRules& rules;
   face::Mixer mixer = face::Mixer::Maximum;
   std::set<std::string> only;       ///< sections; empty: all
-  std::vector<std::string> sweeps;  ///< AUs, names of expressions, or all
+  std::vector<std::string> sweeps;  ///< each a set of AUs, the name of an expression, or "all"
 };
 
 /// Lists the pictures. Usage error for a sweep that is neither a set of AUs nor an expression.
 [[nodiscard]] Result<GalleryPlan> plan_gallery(const GalleryInput& input);
 
-/// True when FACS scores this AU on each side by itself and the face can show that.
+/// Whether FACS scores this AU on each side separately and the face can show that.
 [[nodiscard]] bool is_sided(const face::Face& face, int number);
 
-/// The AUs of the thesis' appendix C (tables 1 and 2) and those that the face has beside them.
+/// The AUs of the thesis' appendix C (tables 1 and 2), and any others that the face has.
 [[nodiscard]] std::vector<Coverage> coverage_of(const face::Face& face);
 
-/// Letters, digits, '.', '-' and '_' of an AU set as part of a file's name: au06_au12-80_auR14.
+/// A set as part of a file's name, made of letters, digits, '.', '-' and '_': au06_au12-80_auR14.
 [[nodiscard]] std::string file_stem(const AuFrame& aus);
 
 }  // namespace aucast::gallery

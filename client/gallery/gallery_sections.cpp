@@ -42,7 +42,8 @@ std::string au_stem(int number) {
   return text.data();
 }
 
-/// The sides on which an AU is shown. A wink is on one side or it is none, a jaw goes to one.
+/// The sides on which an AU is shown. AUs such as a wink or a jaw that goes sideways are never on
+/// both.
 std::vector<Side> sides_of(const face::Face& face, int number) {
   if (!is_sided(face, number)) return {Side::Both};
   if (shows_on_one_side(number)) return {Side::Left, Side::Right};

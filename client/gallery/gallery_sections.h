@@ -9,19 +9,19 @@
 
 namespace aucast::gallery {
 
-/// Builds a plan section by section; a picture that two sections show is planned once.
+/// Builds a plan section by section. A picture that two sections show is planned once.
 class GalleryPlanner {
  public:
   explicit GalleryPlanner(const GalleryInput& input) : input_(input) {}
 
-  /// The sections that were asked for, in the order of the page.
+  /// Adds the sections that were asked for, in the order of the page.
   void add_sections();
-  /// Frames and figure of each sweep that was asked for.
+  /// Adds the frames and the figure of each sweep that was asked for.
   [[nodiscard]] Result<void> add_sweeps();
   [[nodiscard]] GalleryPlan take();
 
  private:
-  /// Something that is drawn, before it has a file.
+  /// What a picture shows, without its file.
   struct Subject {
     std::vector<std::string> sources;
     AuFrame aus;
@@ -32,7 +32,7 @@ class GalleryPlanner {
   [[nodiscard]] const Expression* expression(const std::string& name) const;
   [[nodiscard]] bool can_show(const Expression& expression) const;
   [[nodiscard]] static Subject subject(const Expression& expression);
-  /// The picture of that file; planned now if it was not yet.
+  /// Returns the index of the picture with that file. Adds it if it is not in the plan yet.
   std::size_t picture(const std::string& file, const Subject& subject, face::Mixer mixer,
                       const face::RuleSet& rules);
   std::size_t picture(const std::string& file, const Subject& subject);

@@ -4,10 +4,10 @@
 
 namespace aucast::glb {
 
-/// What there is a morph target for.
+/// What each morph target of a file stands for.
 enum class Basis : std::uint8_t {
-  Muscles,  ///< each muscle and lid: close to the face that is played
-  Aus,      ///< each Action Unit and side: for driving by hand
+  Muscles,  ///< a muscle or a lid: closest to the face that the player shows
+  Aus,      ///< an Action Unit on one side: easy to drive by hand
 };
 
 }  // namespace aucast::glb

@@ -11,26 +11,26 @@
 
 namespace aucast::glb {
 
-/// How far targets and joints are from the face itself: for each face that is added, the distance
-/// of the drawn vertex that is farthest from where the deformer has it.
+/// Measures how far the exported face, which moves by targets and joints, is from our own: for each
+/// pose that is added, the largest distance between a drawn vertex and where the deformer puts it.
 class Drift {
  public:
-  /// All of them must outlive it.
+  /// The arguments must outlive it.
   Drift(const face::Face& face, const MorphTargets& targets, const FaceRig& rig);
 
-  /// With the weights as the file has them, of 8 bits.
+  /// Measures one pose, with weights of 8 bits as in the file.
   void add(const pipeline::FaceState& state);
 
   struct Summary {
     std::size_t faces = 0;
     double median_mm = 0;
-    double most_mm = 0;  ///< for nine of ten faces it is less
+    double most_mm = 0;  ///< nine out of ten poses are below it
     double worst_mm = 0;
   };
   [[nodiscard]] Summary summary() const;
 
  private:
-  /// Where file and player would have every vertex.
+  /// Where targets and joints put each vertex, mesh units.
   [[nodiscard]] std::vector<glm::vec3> placed(const pipeline::FaceState& state) const;
 
   const face::Face& face_;
@@ -38,10 +38,11 @@ class Drift {
   const FaceRig& rig_;
   face::FaceDeformer deformer_;
   std::vector<Carried> carried_;  ///< one per vertex
-  std::vector<float> worst_;      ///< mesh units, one per face
+  std::vector<float> worst_;      ///< mesh units, one per pose
 };
 
-/// Adds `count` faces of two to six random AUs of 20 to 100 %, the same on every run.
+/// Adds `count` poses of two to six random AUs, each at 20 to 100 %. The same `seed` gives the same
+/// poses.
 void add_random_faces(const pipeline::AuMapping& mapping, std::size_t count, std::uint64_t seed,
                       Drift& drift);
 

@@ -11,10 +11,9 @@
 
 namespace aucast::glb {
 
-/// The face as a binary glTF 2.0 file: joints as nodes, surfaces with morph targets, and an
-/// animation if there is one (null: the face alone). The same arguments give the same bytes. Failed
-/// when there is no memory for a picture, or the file would exceed 4 GB, the most that the format
-/// allows.
+/// The face as a binary glTF 2.0 file: joints as nodes, surfaces with morph targets, and the
+/// animation `motion` (null: none). The same arguments give the same bytes. Fails if there is no
+/// memory for a picture or the file would exceed 4 GB, the limit of the format.
 [[nodiscard]] Result<std::string> face_glb(const face::Face& face, const MorphTargets& targets,
                                            const FaceRig& rig, const Motion* motion,
                                            const About& about);

@@ -12,13 +12,13 @@ namespace aucast::glb {
 
 /// What a file says about itself beyond the numbers.
 struct About {
-  std::string licence;         ///< of the face; empty: not known
+  std::string licence;         ///< of the face; empty: unknown
   std::string sound;           ///< name of the sound file that goes with the animation; empty: none
   sources::ArkitTable curves;  ///< ARKit's names, as far as they fit
 };
 
-/// For `extras`, which viewers show to people and programs may read: units, what weights mean, and
-/// for each Action Unit and each curve of ARKit which targets and joints make it.
+/// The contents of the file's `extras`, which viewers show and programs may read: units, what
+/// weights mean, and which targets and joints make each Action Unit and each curve of ARKit.
 [[nodiscard]] Json face_notes(const face::Face& face, const MorphTargets& targets,
                               const FaceRig& rig, const About& about);
 

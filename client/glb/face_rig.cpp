@@ -16,7 +16,7 @@ const glm::vec3 kZ(0, 0, 1);
 /// shoulders, which hardly turn, and the neck are both close to where they really go.
 constexpr float kNeckShare = 0.35F;
 
-/// Less would be nothing in 16 bits.
+/// A smaller share would be 0 in 16 bits.
 constexpr float kLeastShare = 1e-4F;
 
 /// First tilted to the left, then what is in front goes up, then to the left (face/block_turns.h).

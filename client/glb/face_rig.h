@@ -17,25 +17,25 @@
 
 namespace aucast::glb {
 
-/// A joint, as glTF calls it: something that turns as a whole. At rest none is turned.
+/// A joint in the sense of glTF: something that turns as a whole. At rest no joint is turned.
 struct Joint {
   std::string name;
-  std::size_t parent = 0;  ///< of the first, itself
-  glm::vec3 place{0};      ///< of the face at rest, mesh units
+  std::size_t parent = 0;  ///< index into joints(); the first joint is its own parent
+  glm::vec3 place{0};      ///< in the face at rest, mesh units
 };
 
-/// A joint's turn and shift against its parent, relative to rest.
+/// A joint's turn and shift relative to its parent, counted from rest.
 struct JointPose {
   glm::quat turn = glm::identity<glm::quat>();
   glm::vec3 shift{0};  ///< mesh units
 };
 
-/// Which joints carry a vertex, and how much of it each.
+/// Which joints carry a vertex, and the share of each. Shares sum to 1.
 struct Carried {
   std::array<std::uint8_t, 4> joints{};
   std::array<float, 4> shares{1, 0, 0, 0};
 
-  /// The one joint that carries all of it; nothing when there are several.
+  /// The one joint that carries all of it; nullopt if several do.
   [[nodiscard]] std::optional<std::size_t> wholly() const;
 };
 
@@ -44,22 +44,23 @@ struct Carried {
 /// its girth. The face must outlive it.
 class FaceRig {
  public:
-  /// Without `with_jaw` the jaw is no joint: something else opens the mouth.
+  /// Without `with_jaw` the jaw is no joint: a morph target opens the mouth.
   FaceRig(const face::Face& face, bool with_jaw);
 
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
-  /// Where a joint is at rest, seen from its parent, mesh units.
+  /// A joint's place at rest minus its parent's, mesh units.
   [[nodiscard]] glm::vec3 from_parent(std::size_t joint) const;
   /// Whether a joint follows this channel.
   [[nodiscard]] bool takes(std::size_t channel) const;
-  /// The one that the jaw follows, if it is a joint. What skin between jaw and head does beyond the
-  /// mean of both is left to a morph target.
+  /// The channel that the jaw follows; nullopt if the jaw is no joint. The joint moves skin between
+  /// jaw and head by a mean of both; a morph target adds the rest.
   [[nodiscard]] std::optional<std::size_t> jaw_channel() const { return jaw_channel_; }
   [[nodiscard]] Carried carried(std::size_t vertex) const;
 
-  /// Where the joints stand for these activations, one per channel.
+  /// The pose of each joint. `activations`: one per channel.
   [[nodiscard]] std::vector<JointPose> pose(std::span<const float> activations) const;
-  /// The matrices that move a place of the face at rest along, one per joint.
+  /// For each joint, the matrix that takes a point of the face at rest to where the joint carries
+  /// it.
   [[nodiscard]] std::vector<glm::mat4> carriers(std::span<const JointPose> poses) const;
 
  private:

@@ -15,7 +15,7 @@
 
 namespace aucast::glb {
 
-/// Objects keep the order in which they were filled: the same face, the same bytes.
+/// Objects keep the order in which they were filled, so the same face gives the same bytes.
 using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json vector_of(const glm::vec3& v);
@@ -26,42 +26,44 @@ struct Change {
   glm::vec4 by{0};  ///< xyz of a place or a normal; rgba of a colour
 };
 
-/// A binary glTF 2.0 file that is being made: the document, and the numbers that it points to.
-/// Each function that stores numbers gives the index of their accessor.
+/// A binary glTF 2.0 file that is being made: the JSON document, and the numbers that it refers to.
+/// Each function that stores numbers returns the index of their accessor.
 class GlbFile {
  public:
   GlbFile();
 
-  /// The document, except what the functions below keep: accessors, bufferViews, buffers, images.
+  /// The document, to be filled by the caller, except for accessors, bufferViews, buffers and
+  /// images, which the functions below make.
   Json& document() { return document_; }
 
   [[nodiscard]] int places(std::span<const glm::vec3> places);
   [[nodiscard]] int normals(std::span<const glm::vec3> normals);
-  [[nodiscard]] int colours(std::span<const glm::vec4> colours);  ///< cut to [0,1], as 16 bits
+  /// Colours are clamped to [0,1] and stored as 16 bits.
+  [[nodiscard]] int colours(std::span<const glm::vec4> colours);
   [[nodiscard]] int texture_places(std::span<const glm::vec2> places);
   [[nodiscard]] int joints(std::span<const std::array<std::uint8_t, 4>> joints);
-  /// Shares that sum to 1 for each vertex; as 16 bits they still do.
+  /// Shares that sum to 1 for each vertex, also after rounding to 16 bits.
   [[nodiscard]] int shares(std::span<const std::array<float, 4>> shares);
   [[nodiscard]] int triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
                               std::size_t vertex_count);
   [[nodiscard]] int matrices(std::span<const std::array<float, 16>> matrices);
 
-  /// What a morph target changes: of `vertex_count` vertices those in `changes` (ascending), and no
-  /// others.
+  /// What a morph target changes: the vertices in `changes` (ascending) out of `vertex_count`; all
+  /// others stay.
   [[nodiscard]] int place_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int normal_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int colour_changes(std::span<const Change> changes, std::size_t vertex_count);
 
-  // Of animations.
+  // For animations.
   [[nodiscard]] int samples(std::span<const float> seconds);         ///< ascending
   [[nodiscard]] int weights(std::span<const std::uint8_t> weights);  ///< 255 is 1
   [[nodiscard]] int turns(std::span<const glm::quat> turns);
   [[nodiscard]] int shifts(std::span<const glm::vec3> shifts);
 
-  /// Gives the index of the image.
+  /// Returns the index of the image.
   [[nodiscard]] int png(std::string_view bytes);
 
-  /// The whole file. To be called once, at the end.
+  /// The whole file. Call it once, at the end.
   [[nodiscard]] std::string bytes();
 
  private:
@@ -77,7 +79,7 @@ class GlbFile {
   Json views_ = Json::array();
   Json images_ = Json::array();
   std::string binary_;
-  // Of all morph targets, in two views of their own.
+  // The changes of all morph targets, which get two views of their own.
   std::string change_vertices_;
   std::string change_values_;
 };

@@ -73,7 +73,7 @@ std::vector<Change> differences(const std::vector<glm::vec3>& now,
   return changes;
 }
 
-/// Makes targets of poses.
+/// Turns poses into targets.
 class Sculptor {
  public:
   Sculptor(const face::Face& face, const FaceRig& rig)
@@ -87,7 +87,7 @@ class Sculptor {
     which_ = changeable(face.mesh);
   }
 
-  /// Fills in what the pose changes; false when that is nothing.
+  /// Fills in what the target's pose changes. Returns false if that is nothing.
   bool sculpt(Target& target) {
     target.creases = deformer_.deform(target.pose).creases;
     target.places = differences(places(target.pose), rest_.positions, which_, kLeastWay);
@@ -96,7 +96,7 @@ class Sculptor {
                                                  [](float depth) { return depth > 0; });
   }
 
-  /// What half the pose is beyond half of the target; nothing when that is little.
+  /// The target for what half the pose does beyond half of the target; nullopt if that is little.
   std::optional<Target> arc_of(const Target& target) {
     Target arc = target;
     arc.name += "_arc";
@@ -114,7 +114,7 @@ class Sculptor {
   }
 
  private:
-  /// Where the pose has the vertices, without what joints carry; keeps its normals.
+  /// Where the pose puts the vertices, without what joints do. Keeps the normals of the pose.
   std::vector<glm::vec3> places(std::vector<float> pose) {
     const std::vector<glm::mat4> carriers = rig_.carriers(rig_.pose(pose));
     const bool carried = std::any_of(carriers.begin(), carriers.end(),

@@ -14,29 +14,31 @@
 
 namespace aucast::glb {
 
-/// What a weight adds to the mesh at rest. Vertices are those of the face's mesh, ascending.
+/// A morph target: what its weight adds to the mesh at rest. Vertices are numbered as in the face's
+/// mesh and ascend.
 struct Target {
-  std::string name;         ///< of the channel, such as jaw, or such as AU12_L
-  std::size_t channel = 0;  ///< of a muscle, a lid or the jaw
-  int au = 0;               ///< 0: it is a channel's
+  std::string name;         ///< a channel's, such as jaw, or an AU's with its side, such as AU12_L
+  std::size_t channel = 0;  ///< a muscle, a lid or the jaw; unused if `au` is not 0
+  int au = 0;               ///< 0: the target is a channel's
   Side side = Side::Both;   ///< of the AU
-  /// How a lid that turns, or a muscle that ends early, leaves a straight line. Its weight is 4 w
-  /// (1 - w), where w is the weight of the channel's own target.
+  /// True for a second target of a channel, which adds how vertices leave the straight line when a
+  /// lid turns or a muscle reaches its cap. Its weight is 4 w (1 - w), where w is that of the
+  /// channel's first target.
   bool arc = false;
   std::vector<float> pose;  ///< activations at weight 1, one per channel of the face
   std::vector<Change> places;
   std::vector<Change> normals;
-  std::vector<float> creases;  ///< how deep they are, one per part that is a crease
+  std::vector<float> creases;  ///< depths in [0,1], one per part that is a crease
 
-  /// Its weight where the channel's own target has `weight`.
+  /// This target's weight when the channel's first target has `weight`.
   [[nodiscard]] float weight(float weight) const {
     return arc ? 4 * weight * (1 - weight) : weight;
   }
 };
 
-/// A face's morph targets. What joints do is not in them (of the jaw only what they leave over),
-/// and they leave hair, clothes and eyeballs alone. A target of the middle is made for one side's
-/// half (Basis::Aus): two halves are added.
+/// A face's morph targets. They leave out what joints do (for the jaw, they add only what its joint
+/// does not do), and never move hair, clothes and eyeballs. With Basis::Aus each target of a side
+/// has half of what the AU does to channels in the middle, so that both sides add up to the whole.
 class MorphTargets {
  public:
   MorphTargets(const face::Face& face, Basis basis, const FaceRig& rig);
@@ -44,7 +46,7 @@ class MorphTargets {
   [[nodiscard]] std::span<const Target> all() const { return targets_; }
   [[nodiscard]] Basis basis() const { return basis_; }
 
-  /// The weights of a face, 255 is 1, one per target.
+  /// The weights for `state`, one per target; 255 means 1.
   [[nodiscard]] std::vector<std::uint8_t> weights(const face::Face& face,
                                                   const pipeline::FaceState& state) const;
 
@@ -53,8 +55,9 @@ class MorphTargets {
   std::vector<Target> targets_;
 };
 
-/// What one side of an AU does at full intensity, in activations: of channels of the middle half,
-/// so that both sides together do what the AU does, unless it shows on one side only.
+/// The activations that one side of an AU asks for at full intensity. Channels in the middle get
+/// half, so that both sides together do what the AU does; they get all if the AU is one that shows
+/// on one side only.
 [[nodiscard]] std::vector<float> side_of_au(const face::Face& face, int number, Side side);
 
 }  // namespace aucast::glb

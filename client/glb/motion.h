@@ -19,29 +19,30 @@ namespace aucast::glb {
 /// How a stream is sampled.
 struct Sampling {
   int fps = 30;
-  Milliseconds untimed{250};  ///< of keyframes without a time of their own
+  Milliseconds untimed{250};  ///< the time of keyframes that have none of their own
   playback::Interpolation interpolation = playback::Interpolation::Linear;
   pipeline::IdleOptions idle{};
 };
 
-/// How many samples for_each_sample() has.
+/// How many samples for_each_sample() makes.
 [[nodiscard]] std::size_t sample_count(std::span<const playback::Keyframe> keyframes,
                                        const Sampling& sampling);
 
-/// Says whether to go on.
+/// Called for each sample; returns whether to go on.
 using AtSample = std::function<bool(double seconds, const pipeline::FaceState& face)>;
 
-/// The face at n / fps seconds from the neutral face on, to the end of the last keyframe: the same
-/// faces as on the pictures of a film.
+/// Calls `at_sample` every 1 / fps seconds, from the neutral face at 0 s to the end of the last
+/// keyframe: the same faces as in a film's pictures.
 void for_each_sample(const pipeline::AuMapping& mapping,
                      std::span<const playback::Keyframe> keyframes, const Sampling& sampling,
                      const AtSample& at_sample);
 
-/// An animation: what weights and joints are at each sample.
+/// An animation: the weights and joints at each sample.
 struct Motion {
   std::string name;
   std::vector<float> seconds;
-  std::vector<std::uint8_t> weights;           ///< of all targets at the first sample, then ...
+  std::vector<std::uint8_t> weights;  ///< of all targets at the first sample, then at the second,
+                                      ///< and so on
   std::vector<std::vector<JointPose>> joints;  ///< one per sample
 };
 

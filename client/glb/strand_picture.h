@@ -10,12 +10,13 @@
 
 namespace aucast::glb {
 
-/// Strands of hair, as the renderer's shader draws them, on a picture that repeats: each column is
-/// a strand, lighter and darker in pieces along it. Alpha differs from strand to strand, so that
-/// hair that is cut at half (glTF's MASK) frays at its edge. `grey`: white hairs among dark ones.
+/// A tileable picture of strands of hair, as the renderer's shader draws them: each column is a
+/// strand with lighter and darker stretches. Alpha differs from strand to strand, so that hair
+/// whose alpha is cut at one half (glTF's MASK) frays at its edge. `grey`: white hairs among dark
+/// ones.
 [[nodiscard]] view::Image strand_picture(bool grey);
 
-/// What hair's own colours are to be multiplied by: on the picture its mean is below 1.
+/// The factor for hair's own colours that makes up for the picture, whose mean is below 1.
 [[nodiscard]] float strand_picture_gain(bool grey);
 
 /// Where the vertices of hair lie on that picture.

@@ -12,7 +12,7 @@
 
 namespace aucast::glb {
 
-/// How a surface is made up, as far as glTF goes.
+/// What a surface looks like, as far as glTF can show it.
 enum class Look : std::uint8_t { Skin, Mouth, Brows, Creases, Eye, Hair, GreyHair, Cloth };
 
 /// Parts of a face that become one mesh.
@@ -21,9 +21,9 @@ struct Surface {
   Look look = Look::Skin;
   std::vector<std::uint32_t> vertices;                  ///< of the face's mesh, ascending
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< into `vertices`
-  std::vector<std::uint32_t> creases;  ///< of each vertex of creases: which crease it is of
+  std::vector<std::uint32_t> creases;  ///< Look::Creases: for each vertex, the number of its crease
 
-  /// Muscles move it.
+  /// Whether muscles move it.
   [[nodiscard]] bool morphs() const {
     return look == Look::Skin || look == Look::Mouth || look == Look::Brows ||
            look == Look::Creases;
@@ -31,21 +31,22 @@ struct Surface {
   [[nodiscard]] bool hair() const { return look == Look::Hair || look == Look::GreyHair; }
 };
 
-/// The surfaces of a face, skin first. Each eyeball is one; others are of a kind of material.
+/// The surfaces of a face, skin first. Each eyeball is one surface; all other parts are put
+/// together by look.
 [[nodiscard]] std::vector<Surface> surfaces_of(const face::Face& face);
 
-/// What the surface takes of the light, linear RGB and alpha; less where little light arrives, as
-/// our own renderer has it. A crease is black, and clear until its target shows it.
+/// Linear RGB and alpha of each vertex, darker where little light arrives, as in our own renderer.
+/// A crease is black, and transparent until its target shows it.
 [[nodiscard]] std::vector<glm::vec4> colours_of(const face::Face& face, const Surface& surface);
 
-/// How dark a crease is at depth 1, for each of the surface's vertices.
+/// For each of the surface's vertices, how dark its crease is at depth 1.
 [[nodiscard]] std::vector<float> darkness_of(const face::Face& face, const Surface& surface);
 
-/// Where its vertices lie at rest: what is drawn on the skin lies a little above it, because the
-/// skin beneath is coarser.
+/// Where its vertices lie at rest. Brows and creases are lifted a little off the skin, whose mesh
+/// is coarser and would cover them.
 [[nodiscard]] std::vector<glm::vec3> places_of(const face::Face& face, const Surface& surface);
 
-/// Normals of the triangles, weighed by their areas, unit length.
+/// Vertex normals of unit length: the mean over the vertex's triangles, weighted by area.
 [[nodiscard]] std::vector<glm::vec3> normals_of(const face::Face& face, const Surface& surface);
 
 }  // namespace aucast::glb

@@ -10,10 +10,11 @@
 
 namespace aucast::gui {
 
-// How strong each AU is over a stream that is there whole: from keyframe to keyframe in a straight
-// line, from the neutral face on. Pure.
+// How strong each AU is over the time of a stream that is available whole. Values go in straight
+// lines from keyframe to keyframe, beginning with the neutral face. Pure.
 
-/// One AU that occurs; values in [0,1], one per keyframe, of the stronger side where they differ.
+/// The curve of one AU that occurs. `values`: in [0,1], one per keyframe; if the sides differ, the
+/// stronger one's.
 struct AuCurve {
   int number = 0;
   std::vector<float> values;
@@ -21,15 +22,16 @@ struct AuCurve {
 };
 using AuCurves = std::vector<AuCurve>;
 
-/// Those of a stream, by number.
+/// The curves of a stream, sorted by AU number.
 [[nodiscard]] AuCurves curves_of(std::span<const playback::Keyframe> keyframes);
 
-/// The value at a place of the stream; `ends`: where each keyframe is reached, ascending.
+/// The value at a place of the stream. `ends`: the place at which each keyframe is reached,
+/// ascending.
 [[nodiscard]] float value_at(const AuCurve& curve, const std::vector<Duration>& ends,
                              Duration place);
 
-/// As it is drawn in that many columns of equal width, at least 2: the largest value in each, so
-/// that no peak is lost.
+/// The curve as drawn in `columns` columns of equal width (at least 2): the largest value in each,
+/// so that no peak is lost.
 [[nodiscard]] std::vector<float> outline_of(const AuCurve& curve, const std::vector<Duration>& ends,
                                             std::size_t columns);
 

@@ -22,7 +22,7 @@ std::string drive_text(const Drive& drive) {
   return text + " }";
 }
 
-/// Columns count characters; in UTF-8 those are the bytes that continue none.
+/// Columns count characters: in UTF-8, all bytes but continuation bytes.
 std::optional<std::size_t> byte_at(std::string_view text, LinePosition place) {
   std::size_t at = 0;
   for (std::size_t line = 1; line < place.line; ++line) {
@@ -40,7 +40,7 @@ std::optional<std::size_t> byte_at(std::string_view text, LinePosition place) {
   return at;
 }
 
-/// One past the brace that closes the one at `open`, on the same line.
+/// The position after the brace that closes the one at `open`, which must be on the same line.
 std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t open) {
   if (open >= text.size() || text[open] != '{') return std::nullopt;
   char quote = 0;
@@ -82,7 +82,8 @@ std::string with_new_au(std::string_view text, int number, const Drive& drive,
   return result + aus_text(number, drive, name ? std::string(*name) : note);
 }
 
-/// One past the quote that closes the one at `open`; nothing for a text over several lines.
+/// The position after the quote that closes the one at `open`; nullopt for a text over several
+/// lines.
 std::optional<std::size_t> end_of_quotes(std::string_view text, std::size_t open) {
   const char quote = text[open];
   for (std::size_t i = open + 1; i < text.size() && text[i] != '\n'; ++i) {
@@ -95,7 +96,7 @@ std::optional<std::size_t> end_of_quotes(std::string_view text, std::size_t open
   return std::nullopt;
 }
 
-/// `text` with another note, of the AU whose drive ends at `drive_end`.
+/// `text` with the note replaced for the AU whose drive ends at `drive_end`.
 Result<std::string> with_note(std::string text, std::string_view file, const TomlValue& table,
                               std::size_t drive_end, const std::string& note) {
   const TomlValue* old = table.find("note");
@@ -115,7 +116,7 @@ Result<std::string> with_note(std::string text, std::string_view file, const Tom
   return text.replace(*begin, *end - *begin, toml_text(note));
 }
 
-/// What the table names already stays in its order; what is new follows.
+/// The drive in the order of the table; names that are new to the table come last.
 Drive in_order_of(const TomlValue& table, Drive drive) {
   const auto place = [&table](const auto& one) {
     return std::find_if(table.entries.begin(), table.entries.end(),

@@ -10,30 +10,30 @@
 
 namespace aucast::gui {
 
-// Changing one AU in the text of an aus.toml (data/faces/FORMAT.md) so that everything else, also
-// comments and order, stays byte for byte. Pure.
+// Changes one AU in the text of an aus.toml (data/faces/FORMAT.md). Everything else, also comments
+// and order, stays byte for byte. Pure.
 
-/// One `name = activation` of a drive table.
+/// The lines `name = activation` of a drive table.
 using Drive = std::vector<std::pair<std::string, float>>;
 
-/// What an aus.toml would say for these activations, one per channel: left and right alike under
-/// one name where the face has no channel of that very name, zeros left out, in the face's order.
+/// The drive table for these activations (one per channel), in the face's order, without zeros. If
+/// left_X and right_X are equal, they become one line X, unless the face has a channel named X.
 [[nodiscard]] Drive drive_of(const face::Face& face, const std::vector<float>& activations);
 
-/// "zygomaticus major 0.8, jaw 1.5", for people.
+/// The drive in words: "zygomaticus major 0.8, jaw 1.5".
 [[nodiscard]] std::string drive_in_words(const Drive& drive);
 
-/// A file of AUs with this one alone; `note` may be empty.
+/// The text of an AU file that has only this AU. `note` may be empty.
 [[nodiscard]] std::string aus_text(int number, const Drive& drive, const std::string& note);
 
-/// `text` with the drive of AU `number` replaced, or with a new [[au]] at its end when it has none.
-/// `note` becomes the AU's note; empty: it stays as it is. BadData "file:line:column: ..." when the
-/// text is no such file, or spreads that drive over several lines, which is not rewritten so that
-/// no comment is lost.
+/// `text` with the drive of AU `number` replaced, or, if it has no such AU, with a new [[au]] at
+/// its end. `note` becomes the AU's note; empty: the note stays. BadData "file:line:column: ..." if
+/// the text is not an AU file, or if it spreads that drive over several lines: those are not
+/// rewritten, lest a comment is lost.
 [[nodiscard]] Result<std::string> with_au(std::string_view text, std::string_view file, int number,
                                           const Drive& drive, const std::string& note = {});
 
-/// `text` without the [[au]] of AU `number`, if it has one. BadData when the text is no such file,
+/// `text` without the [[au]] of AU `number`, if it has one. BadData if the text is not an AU file,
 /// or writes its AUs as values of one array.
 [[nodiscard]] Result<std::string> without_au(std::string_view text, std::string_view file,
                                              int number);

@@ -7,9 +7,8 @@
 
 namespace aucast::gui {
 
-/// The channels of a face by region of the face, left and right ones on one line, in the order of
-/// the face. Regions without a channel are left out. Values are those of `activations`, one per
-/// channel.
+/// The channels of a face grouped by region, in the face's order. A left and a right channel share
+/// a row. Regions without a channel are left out. Values come from `activations`, one per channel.
 [[nodiscard]] std::vector<ChannelGroup> channel_groups(const face::Face& face,
                                                        const std::vector<float>& activations);
 

@@ -85,7 +85,7 @@ void Composer::choose(std::optional<std::size_t> keyframe) {
   if (keyframe && *keyframe >= history_.now().keyframes.size()) return;
   if (keyframe == history_.now().chosen) return;
   State next = history_.now();
-  // A new keyframe that was not added waits until somebody comes back to it.
+  // A new keyframe that was not added is kept until the user comes back to it.
   if (!keyframe && !next.fresh_touched) next.fresh = current();
   next.chosen = keyframe;
   step(std::move(next));

@@ -12,19 +12,19 @@
 
 namespace aucast::gui {
 
-/// One face of a composed stream and the time to reach it.
+/// A set of AUs and the time to reach it, as the user makes it.
 struct ComposedKeyframe {
   AuFrame aus;
-  std::optional<std::uint32_t> ms = 500;  ///< nothing: the time that the player gives
+  std::optional<std::uint32_t> ms = 500;  ///< the time to reach it; nullopt: the player's default
   friend bool operator==(const ComposedKeyframe&, const ComposedKeyframe&) = default;
 };
 
-/// A stream in the making, without its widgets: the keyframes, the one being worked on - a chosen
-/// one of them, or a new one that is not among them yet - and every step so that it can be taken
-/// back. Beginning another stream is a step like any other, so that nothing is ever lost.
+/// A stream in the making, without its widgets: the keyframes, the current one, and all steps so
+/// that they can be undone. The current keyframe is the chosen one of them, or a new one that is
+/// not among them yet. Beginning another stream is a step too, so that nothing is ever lost.
 class Composer {
  public:
-  /// Of one keyframe; the protocol's limit.
+  /// The longest time of a keyframe, as the protocol limits it.
   static constexpr std::uint32_t kMsMax = 3'600'000;
 
   using Keyframes = std::vector<std::shared_ptr<const ComposedKeyframe>>;
@@ -33,28 +33,28 @@ class Composer {
   [[nodiscard]] std::optional<std::size_t> chosen() const { return history_.now().chosen; }
   /// The chosen keyframe, else the new one.
   [[nodiscard]] const ComposedKeyframe& current() const;
-  /// Where it was loaded from or saved to; empty: nowhere yet.
+  /// The file that it was loaded from or saved to; empty: none yet.
   [[nodiscard]] const std::string& file() const { return history_.now().file; }
-  /// There is something that saving would keep: keyframes, or a new one that was not added.
+  /// Whether there are changes to be saved, or a new keyframe that was not added.
   [[nodiscard]] bool unsaved() const;
   [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
   [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
-  /// Counts up with everything that changes.
+  /// A number that grows with every change.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-  /// The intensity of an AU on both sides, in percent. `continued`: this belongs to the step
-  /// before, as the many values of one drag do.
+  /// Sets the intensity of an AU on both sides, in percent, 0 if it is absent. `continued`: the
+  /// change belongs to the previous step, like the many values of one drag.
   void set_au(int number, int left_percent, int right_percent, bool continued);
   void set_aus(const AuFrame& aus, bool continued);
-  /// Cut to what the protocol takes.
+  /// Sets the time of the current keyframe, limited to kMsMax.
   void set_time(std::optional<std::uint32_t> ms, bool continued);
-  /// Puts the new keyframe behind the last one; a chosen one is doubled behind itself, and the
-  /// double is the chosen one then.
+  /// Appends the new keyframe. If one is chosen, inserts a copy after it instead, which is then the
+  /// chosen one.
   void add();
-  /// Nothing: a new keyframe, that begins as the one worked on until now.
+  /// Chooses a keyframe; nullopt: a new one, which begins as a copy of the current one.
   void choose(std::optional<std::size_t> keyframe);
   void remove();
-  /// Moves the chosen one to the front (-1) or the back (+1) by one place.
+  /// Moves the chosen keyframe one place towards the beginning (-1) or the end (+1).
   void move(int direction);
   void load(const std::vector<ComposedKeyframe>& keyframes, std::string file);
   void begin_anew();
@@ -65,9 +65,9 @@ class Composer {
  private:
   struct State {
     Keyframes keyframes;
-    Keyframes stored;  ///< what the file has
+    Keyframes stored;  ///< the keyframes in the file
     ComposedKeyframe fresh;
-    bool fresh_touched = false;  ///< the new keyframe has something that is nowhere else
+    bool fresh_touched = false;  ///< `fresh` has AUs that were not added
     std::optional<std::size_t> chosen;
     std::string file;
   };
@@ -75,7 +75,7 @@ class Composer {
   void step(State next, bool continued = false);
   void change_current(const ComposedKeyframe& keyframe, bool continued);
 
-  /// More steps than anybody takes back.
+  /// More steps than anybody undoes.
   static constexpr std::size_t kStepsMax = 500;
 
   History<State> history_{kStepsMax};

@@ -19,7 +19,7 @@ constexpr float kTimelineHeight = 144;
 constexpr float kTimelineMargin = 6;
 constexpr float kPadHeight = 138;
 constexpr float kSnap = 5;
-/// By keys, of the way from the middle to an edge.
+/// One step by keys, as a share of the way from the middle to an edge.
 constexpr float kPadStep = 0.05F;
 constexpr int kAuColumns = 11;
 
@@ -62,12 +62,13 @@ void timeline_row(const Look& look, const ComposerView& composer, int index, Thu
   ImGui::SetCursorScreenPos(below);
 }
 
-/// From one row of the timeline to the next.
+/// The height from one row of the timeline to the next.
 float row_height(const Look& look) {
   return kKeyframeHeight * look.scale + ImGui::GetStyle().ItemSpacing.y;
 }
 
-/// What was added or chosen otherwise than by a click, as by Undo, is scrolled to.
+/// Scrolls to the chosen keyframe if it was added, or chosen in another way than by a click, such
+/// as Undo.
 void scroll_to_news(const Look& look, const ComposerView& composer, ComposerForm& form) {
   const int rows = static_cast<int>(composer.rows->size());
   const bool added = rows == std::exchange(form.rows, rows) + 1;  // and not loaded
@@ -137,7 +138,7 @@ void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommand
   ImGui::EndDisabled();
 }
 
-/// Close to a prototype, within these distances, one means it.
+/// The place, moved onto a prototype that is within these distances.
 std::array<float, 2> snapped(const ComposerView& composer, float x, float y, float near_x,
                              float near_y) {
   for (const PadPoint& point : *composer.pad) {
@@ -148,7 +149,7 @@ std::array<float, 2> snapped(const ComposerView& composer, float x, float y, flo
   return {x, y};
 }
 
-/// The arrows of the pad.
+/// Carries out the arrows of the pad.
 void step_on_pad(const ComposerView& composer, const ArrowSteps& arrows, GuiCommands& commands) {
   if (arrows.right == 0 && arrows.up == 0) return;
   const std::array<float, 2> at = composer.pad_at.value_or(std::array<float, 2>{});

@@ -30,22 +30,22 @@ struct ComposedAu {
 
 struct ComposerView {
   bool active = false;    ///< the face shows the keyframe being composed
-  bool can_take = false;  ///< the face shows AUs that are not from here
-  std::shared_ptr<const std::vector<TimelineRow>> rows;  ///< always there
+  bool can_take = false;  ///< the face shows AUs that do not come from the composer
+  std::shared_ptr<const std::vector<TimelineRow>> rows;  ///< never null
   std::string total;                                     ///< "3 keyframes, 1.5 s"
   int chosen = -1;                                       ///< -1: a new one
-  std::vector<ComposedAu> aus;                           ///< of the chosen one or the new one
+  std::vector<ComposedAu> aus;                           ///< of the keyframe being composed
   int ms = -1;                                           ///< -1: no time of its own
   std::string file;
   bool unsaved = false;
   bool can_undo = false;
   bool can_redo = false;
-  std::shared_ptr<const std::vector<PadPoint>> pad;  ///< always there
-  std::optional<std::array<float, 2>> pad_at;        ///< where the pad was touched last
+  std::shared_ptr<const std::vector<PadPoint>> pad;  ///< never null
+  std::optional<std::array<float, 2>> pad_at;  ///< where the pad was touched last; nullopt: not yet
   friend bool operator==(const ComposerView&, const ComposerView&) = default;
 };
 
-// What may be asked of it.
+// The composer's commands.
 
 struct ComposeAu {
   int number = 0;
@@ -53,14 +53,14 @@ struct ComposeAu {
   int right_percent = 0;
   bool continued = false;
 };
-/// The face of a place on the pad of emotions.
+/// Takes the face of a place on the emotion pad, pad_face().
 struct ComposeMood {
   float x = 0;
   float y = 0;
   bool continued = false;
 };
 struct ComposeNeutral {};
-/// The AUs that the face shows at this moment, from a stream or as an expression.
+/// Takes the AUs that the face shows now, from a stream or as an expression.
 struct ComposeShown {};
 struct ComposeTime {
   int ms = -1;  ///< -1: no time of its own
@@ -78,7 +78,7 @@ struct UndoComposing {};
 struct RedoComposing {};
 struct NewComposition {};
 struct PlayComposition {};
-/// Saves in the file that it came from; asks for one when there is none.
+/// Saves in the file that the stream came from; asks for one if there is none.
 struct SaveComposition {};
 
 using ComposerCommand =

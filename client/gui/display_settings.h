@@ -4,10 +4,10 @@
 
 namespace aucast::gui {
 
-/// How the panels say things.
+/// The language and the size of the panels' texts.
 struct DisplaySettings {
-  std::string language;    ///< its code, "fr"; empty: that of the locale
-  int text_percent = 100;  ///< size of letters, and of all that is made for them, 75-200
+  std::string language;    ///< a code such as "fr"; empty: the locale's language
+  int text_percent = 100;  ///< size of letters and everything around them, 75-200
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 inline constexpr int kTextPercentMin = 75;

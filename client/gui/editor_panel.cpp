@@ -16,7 +16,7 @@ namespace aucast::gui {
 namespace {
 
 constexpr float kStep = 0.05F;
-/// What most AUs need; the rest is scrolled to.
+/// Enough for most AUs; longer texts scroll.
 constexpr float kSaidLines = 6;
 
 std::string title_of(const AuEntry& entry) {
@@ -31,7 +31,7 @@ const AuEntry* entry_of(const GuiModel& model, int number) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// As it was typed, else as it is saved.
+/// The name as it was typed, else as it is saved.
 std::string name_of(const GuiModel& model, int number, bool unnamed) {
   if (!unnamed) return au_name(number);
   const auto typed = model.editor.names.find(number);
@@ -40,8 +40,8 @@ std::string name_of(const GuiModel& model, int number, bool unnamed) {
   return entry == nullptr ? "" : entry->name;
 }
 
-/// The field of a name, which is the user's for numbers that FACS gives none. True when Enter was
-/// pressed in it.
+/// The field for the name of an AU that FACS does not name. Returns whether Enter was pressed in
+/// it.
 bool name_field(const Look& look, const GuiModel& model, int number, bool unnamed, EditorForm& form,
                 GuiCommands& commands) {
   const std::string name = name_of(model, number, unnamed);
@@ -64,7 +64,7 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
   return entered;
 }
 
-/// What is known of an AU, in a place that is as high for each, so that nothing below moves.
+/// What is known about an AU, in an area of constant height, so that nothing below moves.
 void said_of_au(const AuEntry* entry) {
   const float height = kSaidLines * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("said", ImVec2(0, height), false, ImGuiWindowFlags_NavFlattened)) {
@@ -80,14 +80,14 @@ void said_of_au(const AuEntry* entry) {
   ImGui::EndChild();
 }
 
-/// What the button does, or why it cannot.
+/// The tip of the button: what it does, or why it cannot.
 const char* help_of_removing(const AuEntry* entry) {
   if (entry == nullptr) return tr("editor.not_there_tip");
   if (entry->own) return entry->shipped ? tr("editor.as_it_came_tip") : tr("editor.delete_tip");
   return entry->shipped ? tr("editor.is_as_it_came_tip") : tr("editor.not_own_tip");
 }
 
-/// What can be done with saved AUs.
+/// The buttons for saved AUs.
 void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   const AuEntry* entry = entry_of(model, model.editor.au);
   const bool known = entry != nullptr;
@@ -105,7 +105,7 @@ std::string about(const AuEntry& entry) {
   return looks + (looks.empty() || entry.muscles.empty() ? "" : "\n") + entry.muscles;
 }
 
-/// The list of all numbers; true when one was chosen.
+/// The list of all AUs; returns whether one was chosen.
 bool au_combo(const char* id, const GuiModel& model, const char* none, int& number) {
   std::string shown = none;
   for (const AuEntry& entry : *model.known_aus) {
@@ -223,7 +223,7 @@ void channel_row(const Look& look, const ChannelRow& row, GuiCommands& commands)
   ImGui::PopID();
 }
 
-/// Some of it is contracted.
+/// Whether any channel of the group is active.
 bool in_use(const ChannelGroup& group) {
   return std::any_of(group.rows.begin(), group.rows.end(), [](const ChannelRow& row) {
     return row.left_value > 0 || row.right_value > 0;

@@ -7,7 +7,7 @@
 namespace aucast::gui {
 namespace {
 
-/// The middle belongs to nobody: closer than this the direction means nothing.
+/// Closer to the middle than this, the direction means nothing and the face is neutral.
 constexpr float kMiddle = 1e-3F;
 
 struct Polar {
@@ -16,7 +16,7 @@ struct Polar {
   float radius = 0;
 };
 
-/// How far one turns from `from` to `to` counter-clockwise, in [0, 2 pi).
+/// The counter-clockwise angle from `from` to `to`, in [0, 2 pi).
 float turn(float from, float to) {
   const float whole = 2 * std::numbers::pi_v<float>;
   const float way = std::fmod(to - from, whole);
@@ -42,7 +42,7 @@ AuFrame pad_face(const std::vector<PadPoint>& points, float x, float y) {
     if (before.point == nullptr || turn(polar.angle, angle) < turn(before.angle, angle)) {
       before = polar;
     }
-    // One that stands in this very direction is before, a whole turn away as after.
+    // A point in exactly this direction is `before`; as `after` it is a whole turn away.
     const auto ahead = [&](const Polar& one) {
       const float way = turn(angle, one.angle);
       return way == 0 ? 2 * std::numbers::pi_v<float> : way;

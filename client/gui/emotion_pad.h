@@ -7,8 +7,8 @@
 
 namespace aucast::gui {
 
-/// A prototype's place on the two emotional axes of thesis figure 3.3: sad (-1) to happy (+1), calm
-/// (-1) to excited (+1).
+/// A prototype's place on the emotion pad, which has the two axes of thesis figure 3.3: x from sad
+/// (-1) to happy (+1), y from calm (-1) to excited (+1).
 struct PadPoint {
   std::string label;
   float x = 0;
@@ -17,9 +17,9 @@ struct PadPoint {
   friend bool operator==(const PadPoint&, const PadPoint&) = default;
 };
 
-/// The face of a place on the pad: neutral in the middle, a prototype at its own place, and between
-/// two of them by direction and by the distance from the middle. In whole percent, as streams have
-/// it. Without points it is the neutral face.
+/// The AUs for a place on the pad: neutral in the middle, a prototype at its own place, elsewhere a
+/// mixture of the two prototypes next in direction, scaled by the distance from the middle.
+/// Intensities are whole percent, as in streams. Without points it is the neutral face.
 [[nodiscard]] AuFrame pad_face(const std::vector<PadPoint>& points, float x, float y);
 
 }  // namespace aucast::gui

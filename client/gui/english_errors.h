@@ -67,7 +67,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
      "farthest vertex from the face itself: median {median} mm, nine of ten below {most} mm, worst "
      "{worst} mm ({count} samples)"},
     {"made.no_glb", "stopped; no GLB file was written"},
-    // Before the number of rows, which it ends like.
+    // Comes before "made.rows", which matches it too.
     {"bad.no_rows", "{place}: the recording has no rows"},
     {"made.row", "{format}: {rows} row"},
     {"made.rows", "{format}: {rows} rows"},
@@ -116,7 +116,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"bad.sweep", "the sweep '{word}' is neither a set of AUs nor an expression"},
     {"bad.sweep_like",
      "the sweep '{word}' is neither a set of AUs nor an expression; did you mean {other}?"},
-    // Last: all of the above may have a colon.
+    // Comes last, because all of the above may have a colon too.
     {"net.at", "{server}: {why}"},
 });
 

@@ -2,7 +2,7 @@
 
 namespace aucast::gui {
 
-/// A text of the window and the key by which tr() and the files of data/languages know it.
+/// A text of the window, and its key for tr() and the files of data/languages.
 struct EnglishText {
   const char* key;
   const char* text;

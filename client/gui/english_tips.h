@@ -6,7 +6,7 @@
 
 namespace aucast::gui {
 
-/// What is said of words and controls while they are pointed at.
+/// The tooltips of words and controls.
 inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.au",
      "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "

@@ -34,7 +34,7 @@ void ExpressionEditor::set(std::size_t channel, float activation, bool continued
   history_.step(std::move(next), continued);
 }
 
-/// The neutral face for an AU that has none.
+/// The recording of an AU; the neutral face if it has none.
 std::vector<float> ExpressionEditor::recording_of(int au) const {
   const auto found = recordings_.find(au);
   if (found != recordings_.end()) return found->second.activation;

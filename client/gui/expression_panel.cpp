@@ -22,7 +22,7 @@ std::string in_words(const ExpressionButton& button) {
   return aus + "\n" + button.source;
 }
 
-/// So many stand side by side, as equal columns, with room for the longest.
+/// How many fit side by side, in equal columns with room for the longest.
 int columns_of(const ExpressionsView& expressions) {
   const ImGuiStyle& style = ImGui::GetStyle();
   float longest = 0;
@@ -35,7 +35,7 @@ int columns_of(const ExpressionsView& expressions) {
   return std::clamp(static_cast<int>(width / each), 1, kColumns);
 }
 
-/// Returns how many there were.
+/// Draws the buttons of this kind and returns how many there were.
 int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
                        GuiCommands& commands) {
   int place = 0;
@@ -138,7 +138,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   if (changed) commands.push_back(ChangeTransition{settings});
 }
 
-/// Several AUs at once, as mixer and rules make a face of them.
+/// Several AUs at once, after rules and mixer.
 void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
               GuiCommands& commands) {
   heading(look, tr("expression.together"), tr("tip.au"));

@@ -27,7 +27,7 @@ const char* heading_of(FaceKind kind) {
   return "";
 }
 
-/// As much of the name as there is room for, in the middle below the picture.
+/// Writes as much of the name as fits, centred below the picture.
 void name_below(const Look& look, const std::string& name, ImVec2 at, float width) {
   const ImVec2 size = ImGui::CalcTextSize(name.c_str());
   const float left = at.x + std::max(0.0F, (width - size.x) / 2);
@@ -37,7 +37,7 @@ void name_below(const Look& look, const std::string& name, ImVec2 at, float widt
   list.PopClipRect();
 }
 
-/// A picture with its name; true when it was chosen.
+/// A picture with its name; returns whether it was chosen.
 bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
                Thumbnails& pictures) {
   const float height = width * kShape;

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether it may be what is asked for, by its ending. Tables are known by what is in them and have
-/// many names; one with another ending can still be typed.
+/// Whether a file may be what is wanted, by its ending. Tables are recognised by their content and
+/// may have any ending: those that are not offered can still be typed.
 bool may_open(Purpose purpose, const fs::path& file) {
   const std::string ending = lowered(file.extension().string());
   switch (purpose) {
@@ -34,7 +34,8 @@ bool may_open(Purpose purpose, const fs::path& file) {
   }
 }
 
-/// Folders first, then files, each by name; hidden ones are left out, and what cannot be opened.
+/// Folders first, then files, each by name. Hidden entries, and files that cannot be what is
+/// wanted, are left out.
 std::vector<FileEntry> entries_of(const fs::path& folder, Purpose purpose, std::error_code& error) {
   std::vector<FileEntry> entries;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {

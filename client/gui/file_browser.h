@@ -7,7 +7,7 @@
 
 namespace aucast::gui {
 
-/// What a file is asked for.
+/// What a file is wanted for.
 enum class Purpose : std::uint8_t {
   PlayStream,       ///< a stream file or a table to be played, or a face to be shown
   ComposeStream,    ///< a stream file to be worked on
@@ -16,12 +16,12 @@ enum class Purpose : std::uint8_t {
   ExportTable,      ///< where the AUs of what was played go
   ExportMesh,       ///< where the mesh of the face that is shown goes
   ExportGlb,        ///< where face and movement go
-  LogOnsets,        ///< where the times go at which faces are shown
+  LogOnsets,        ///< where the times at which faces are shown go
   ExportAu,         ///< where an AU goes
-  ImportAus,        ///< a file of AUs to be taken over
+  ImportAus,        ///< a file of AUs to be imported
   PictureFolder,    ///< where pictures and videos go
   GalleryFolder,    ///< where a gallery goes
-  LookForFaces,     ///< a folder with faces, or one that is a face
+  LookForFaces,     ///< a folder of faces, or the folder of one face
   CameraFilm,       ///< a film in place of a camera
 };
 
@@ -37,33 +37,34 @@ struct BrowserView {
   Purpose purpose = Purpose::PlayStream;
   std::string folder;
   std::vector<FileEntry> entries;
-  std::string name;      ///< what a new file would be called
-  std::string problem;   ///< why the folder cannot be shown, or the file not be taken
-  std::string replaces;  ///< a file that is there already: it is asked about
+  std::string name;      ///< the name for a new file
+  std::string problem;   ///< why the folder cannot be shown or the file not be used; empty: it can
+  std::string replaces;  ///< an existing file about which the user is asked; empty: none
   friend bool operator==(const BrowserView&, const BrowserView&) = default;
 };
 
-/// The file of a face, which stands for its folder.
+/// Whether this is the file by which a face is chosen; it stands for its folder.
 [[nodiscard]] bool is_face_file(const std::filesystem::path& file);
 
 [[nodiscard]] bool is_saving(Purpose purpose);
-/// It is asked for a folder.
+/// Whether a folder is wanted rather than a file.
 [[nodiscard]] bool is_folder(Purpose purpose);
 
-/// A file dialog without its widgets: walks through folders and says which file was meant.
+/// A file dialog without its widgets: goes through folders and says which file was chosen.
 class FileBrowser {
  public:
-  /// Shows `folder`, or the nearest one above it that is there.
+  /// Opens the dialog at `folder`, or at the nearest existing one above it.
   void open(Purpose purpose, const std::filesystem::path& folder, std::string name = {});
   void close() { view_ = {}; }
-  /// Goes to a folder; a relative one is meant from the one shown. Stays, and says why, when it
-  /// cannot be read.
+  /// Goes to a folder; a relative path starts at the one shown. If it cannot be read, stays and
+  /// says why.
   void enter(const std::filesystem::path& folder);
-  /// The file that is meant, when there is nothing to be asked; entering a folder is not. Who is
-  /// asked for a folder means the one shown by "." and that of a file by its name. A new
-  /// file that would replace one is asked about first: choosing it again is the answer.
+  /// Returns true and sets `chosen` if `file` is what the user wants. Returns false if it is a
+  /// folder, which is entered, or if a new file would replace an existing one: the user is asked,
+  /// and choosing it again means yes. Where a folder is wanted, "." is the one shown, and the name
+  /// of a file means its folder.
   [[nodiscard]] bool choose(const std::filesystem::path& file, std::filesystem::path& chosen);
-  /// The chosen file could not be used: the dialog stays and says so.
+  /// Call it if the chosen file could not be used: the dialog stays open and says so.
   void refuse(std::string problem);
   [[nodiscard]] const BrowserView& view() const { return view_; }
 

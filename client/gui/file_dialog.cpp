@@ -58,7 +58,7 @@ void set_text(std::array<char, N>& out, const std::string& text) {
 void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const float up = 60 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
-  // What was mistyped is corrected where it stands.
+  // Stays in the field, so that what was mistyped can be corrected.
   if (std::exchange(form.entered, false) && !view.problem.empty()) ImGui::SetKeyboardFocusHere();
   if (ImGui::InputText("##folder", form.folder.data(), form.folder.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue)) {
@@ -70,8 +70,8 @@ void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiC
   if (ImGui::Button(tr("file.up"), ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
 }
 
-/// One click chooses a file; a second one on it takes it, and so does Enter. A folder opens at the
-/// first.
+/// One click chooses a file; a second click on it, or Enter, takes it. A folder opens at the first
+/// click.
 void entry_list(const Look& look, const BrowserView& view, FileForm& form, float height,
                 GuiCommands& commands) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
@@ -105,14 +105,14 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
   ImGui::PopStyleColor();
 }
 
-/// So many lines of a text: a file can be wrong in many places, and the list is to stay in sight.
+/// The first `lines` lines of a text: a file can have many errors, and the list must stay in sight.
 std::string first_lines(const std::string& text, int lines) {
   std::size_t end = 0;
   while (lines-- > 0 && end != std::string::npos) end = text.find('\n', end + 1);
   return end == std::string::npos ? text : text.substr(0, end) + "\n...";
 }
 
-/// Why it was not done; empty: nothing is wrong.
+/// Why the file was not taken; empty: nothing is wrong.
 std::string objection(const BrowserView& view, const FileForm& form) {
   constexpr int kLinesMost = 3;
   if (!view.problem.empty()) return first_lines(view.problem, kLinesMost);
@@ -120,7 +120,7 @@ std::string objection(const BrowserView& view, const FileForm& form) {
   return view.replaces.empty() ? std::string() : tr("file.there", view.replaces);
 }
 
-/// What decide() takes: the buttons stay where they are when there is an objection.
+/// The height that decide() needs, with room for an objection, so that the buttons stay in place.
 float height_of_decision(const BrowserView& view, const FileForm& form) {
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   float height = ImGui::GetFrameHeight() + gap;
@@ -144,7 +144,7 @@ void table_line(const TableSettings& now, bool asked) {
   tip(text);
 }
 
-/// What a recogniser's table may need to be told; closed until somebody looks for it.
+/// The settings for a recogniser's table. Initially folded.
 void table_settings(const Look& look, const TablesView& tables, const std::string& file,
                     GuiCommands& commands) {
   const TableSettings now = settings_for(tables, file);

@@ -12,7 +12,7 @@
 
 namespace aucast::gui {
 
-/// A section of a gallery: as `gallery --only` has it, and in words, short and longer.
+/// A section of a gallery: its name in `gallery --only`, its text and its tip.
 struct GallerySection {
   std::string_view name;
   TextKey text;
@@ -32,8 +32,8 @@ inline constexpr std::array<GallerySection, gallery::kSectionNames.size()> kGall
 struct GallerySettings {
   std::string folder;
   std::array<bool, kGallerySections.size()> sections{true, true, false, false, false, false, false};
-  std::string sweeps = "12";  ///< AUs and names of expressions, with blanks between them
-  int width = 600;            ///< of a picture, pixels, 16-4096
+  std::string sweeps = "12";  ///< AUs and names of expressions, separated by blanks
+  int width = 600;            ///< width of a picture, pixels, 16-4096
   int height = 750;
   friend bool operator==(const GallerySettings&, const GallerySettings&) = default;
 };
@@ -41,21 +41,21 @@ struct GallerySettings {
 struct GalleryView {
   bool open = false;  ///< the dialog
   GallerySettings settings;
-  std::size_t planned = 0;  ///< how many pictures there would be
-  std::string complaint;    ///< why none can be made, a sentence; empty: they can
+  std::size_t planned = 0;  ///< how many pictures would be made
+  std::string complaint;    ///< why none can be made, as a sentence; empty: they can
   bool running = false;
-  bool ending = false;  ///< it was cancelled and is not over yet
+  bool ending = false;  ///< it was cancelled but has not ended yet
   std::size_t drawn = 0;
-  std::size_t total = 0;  ///< 0: not known yet
-  std::string outcome;    ///< what became of the last one; empty: there was none
+  std::size_t total = 0;  ///< 0: unknown so far
+  std::string outcome;    ///< how the last gallery ended, as a sentence; empty: there was none
   bool failed = false;
   friend bool operator==(const GalleryView&, const GalleryView&) = default;
 };
 
-// What may be asked of it.
+// The dialog's commands.
 
 struct OpenGallery {};
-/// The pictures go on being made.
+/// Closes the dialog. Pictures go on being made.
 struct CloseGallery {};
 struct ChangeGallery {
   GallerySettings settings;
@@ -67,9 +67,9 @@ using GalleryCommand =
 
 /// The names of the sections that are wanted.
 [[nodiscard]] std::vector<std::string> wanted_sections(const GallerySettings& settings);
-/// The sweeps that are wanted; none unless that section is.
+/// The sweeps that are wanted; empty if the section of sweeps is not.
 [[nodiscard]] std::vector<std::string> wanted_sweeps(const GallerySettings& settings);
-/// Why nothing can be made of this, a sentence; empty: it can.
+/// Why no gallery can be made with these settings, as a sentence; empty: one can.
 [[nodiscard]] std::string problem(const GallerySettings& settings);
 
 }  // namespace aucast::gui

@@ -18,7 +18,8 @@ namespace aucast::gui {
 namespace {
 
 constexpr float kPanelWidth = 380;
-/// With large letters it does not take more of the window, unless it does so with small ones.
+/// The share of the window that the panel may take with large letters, unless it takes more with
+/// small ones.
 constexpr float kPanelShareMax = 0.7F;
 constexpr float kTabPadding = 5;
 constexpr float kTabGap = 3;
@@ -38,8 +39,8 @@ Tone tone_of(const PlayingView& playing) {
   return Tone::Quiet;
 }
 
-/// The line that is always there: how playing stands. What there is to be said about it stands over
-/// the face, so that no button moves away from under the pointer.
+/// The line that is always there: the state of playing. Details are shown over the face, so that no
+/// button moves away from under the pointer.
 void state_line(const Look& look, const GuiModel& model) {
   const PlayingView& playing = model.playing;
   const float radius = 4.5F * look.scale;
@@ -51,7 +52,7 @@ void state_line(const Look& look, const GuiModel& model) {
   ImGui::PushFont(look.bold);
   ImGui::TextUnformatted(playing.state.c_str());
   ImGui::PopFont();
-  // On the same line, so that nothing below moves when a face is edited.
+  // On the same line, so that nothing below moves while a face is edited.
   const std::string beside = model.editor.active     ? tr("panel.your_expression")
                              : model.composer.active ? tr("panel.your_keyframe")
                                                      : playing.keyframe;
@@ -61,7 +62,7 @@ void state_line(const Look& look, const GuiModel& model) {
   }
 }
 
-/// A video is being recorded, whatever tab is shown.
+/// Says that a video is being recorded, whatever tab is shown.
 void recording_mark(const Look& look, const std::string& file, GuiCommands& commands) {
   const float side = ImGui::GetTextLineHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 30 * look.scale - side);
@@ -109,7 +110,7 @@ constexpr std::array<Tab, 6> kTabs = {{{"play", "tab.play"},
                                        {"view", "tab.view"},
                                        {"camera", "tab.camera"}}};
 
-/// How large the letters of the tabs may be for all names to be whole, at most 1.
+/// The scale of the tabs' letters with which all names fit, at most 1.
 float tab_letters(const Look& look) {
   float names = 0;
   for (const Tab& tab : kTabs) names += ImGui::CalcTextSize(tr(tab.name)).x;
@@ -119,7 +120,7 @@ float tab_letters(const Look& look) {
   return std::min(1.0F, (ImGui::GetContentRegionAvail().x - between) / names);
 }
 
-/// Tabs narrow enough to stand side by side, as long as it lives.
+/// While it lives, tabs are narrow enough to fit side by side.
 class TabStyle {
  public:
   explicit TabStyle(const Look& look) {
@@ -238,7 +239,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
 
 namespace {
 
-/// ImGui itself closes drop-downs by keys only when it is walked through by keys.
+/// ImGui itself closes drop-downs by Esc only while its keyboard navigation is on.
 void close_popup_by_escape() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   const int open = context.OpenPopupStack.Size;

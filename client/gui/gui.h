@@ -12,26 +12,26 @@
 namespace aucast::gui {
 
 /// The panels over the face, drawn with Dear ImGui. Owns the ImGui context, its font and its style.
-/// Platform and renderer are the caller's (ImGui's backends), so that the same panels are drawn in
-/// a window and in tests without one.
-/// Thread: the player's; one at a time.
+/// The caller has ImGui's backends for platform and renderer, so that the same panels can be drawn
+/// in a window and in tests without one.
+/// Thread: the player's. Only one may exist at a time.
 class Gui {
  public:
-  /// `scale` of the screen: 1 is 96 dots an inch. A font is looked for where Debian keeps it.
+  /// `scale` of the screen; 1: 96 dots per inch. Fonts are looked for where Debian keeps them.
   explicit Gui(float scale);
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Makes font and style for this language and size of letters, if these have changed. True: the
-  /// texture of the font must be made anew before the backends begin their frame.
+  /// Makes font and style for this language and size of letters, if these have changed. Returns
+  /// true if so: the font's texture must then be made anew before the backends begin their frame.
   [[nodiscard]] bool prepare(const DisplayView& display);
 
-  /// One frame, after the backends have begun theirs; what is to be drawn is then ImGui's draw
-  /// data. What the user asked for goes to the end of `commands`.
+  /// Makes one frame, after the backends have begun theirs; the result is ImGui's draw data. What
+  /// the user asks for is appended to `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);
 
-  /// The texture that has the picture of `mirror.seen`, as ImGui's texture ID; 0: none.
+  /// Sets the texture that has the picture of `mirror.seen`, as ImGui's texture ID; 0: none.
   void set_camera_texture(std::uintptr_t texture);
 
   /// The pictures of faces, by folder.
@@ -40,31 +40,31 @@ class Gui {
   [[nodiscard]] Thumbnails& keyframes();
 
   void toggle_panel();
-  /// Nothing but the face, or panel and bar again.
+  /// Shows only the face, or panel and bar again.
   void toggle_bare();
-  /// Shows panel and bar again; true when they were not shown.
+  /// Shows panel and bar again; returns whether they were hidden.
   bool end_bare();
-  /// Shows the panel again; true when it was not shown.
+  /// Shows the panel again; returns whether it was hidden.
   bool show_panel();
-  /// In full screen panel and bar lie over the face instead of beside it.
+  /// In full screen, panel and bar lie over the face and not beside it.
   void set_full_screen(bool full_screen);
-  /// Panel, bar and pointer are out of the way for now.
+  /// Hides panel, bar and pointer for now, or shows them again.
   void set_hidden(bool hidden);
-  /// The focus of the keyboard is shown: arrows, Space and the like are for what has it.
+  /// Whether the keyboard focus is shown: arrows, Space and the like are for the item that has it.
   [[nodiscard]] bool focus_shown() const;
-  /// False when it was not shown.
+  /// Hides it; returns whether it was shown.
   bool hide_focus();
   void toggle_keys();
-  /// Hides the list of keys; false when it was not shown.
+  /// Hides the list of keys; returns whether it was shown.
   bool close_keys();
-  /// Closes what is said about the connection; false when there was nothing.
+  /// Closes the notice about the connection; returns whether there was one.
   bool close_notice();
-  /// Width of what the panel takes of the window at its right, in its units; 0 when it is hidden or
+  /// The width that the panel takes at the window's right, in ImGui's units; 0 if it is hidden or
   /// lies over the face.
   [[nodiscard]] float covered_width() const;
-  /// A text is being typed or a question asked: keys are not for the player.
+  /// Whether a text is being typed or a question asked, so that keys are not for the player.
   [[nodiscard]] bool wants_keys() const;
-  /// The pointer is over a panel, or drags something of it.
+  /// Whether the pointer is over a panel or drags something in it.
   [[nodiscard]] bool wants_pointer() const;
 
  private:

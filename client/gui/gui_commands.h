@@ -9,12 +9,12 @@
 
 namespace aucast::gui {
 
-// What the panels ask for: plain data. Whoever owns the player carries it out.
+// What the panels ask for, as plain data. The owner of the player carries it out.
 
 struct Connect {
   RemoteSettings settings;
 };
-/// Asks the server of these settings for its streams.
+/// Asks the server in these settings for its streams.
 struct AskStreams {
   RemoteSettings settings;
 };
@@ -24,11 +24,11 @@ struct Stop {};
 struct ChangeAnimation {
   AnimationSettings settings;
 };
-/// Goes from the face as it is to expression `index` of the model.
+/// Goes from the face that is shown to expression `index` of the model.
 struct ShowExpression {
   std::size_t index = 0;
 };
-/// Of the expression that is shown, and of those to come: 0-100 % of all its intensities.
+/// The strength of the expression that is shown and of later ones: 0-100 % of its intensities.
 struct ChangeStrength {
   int percent = 100;
   bool continued = false;  ///< as in SetChannel
@@ -36,8 +36,8 @@ struct ChangeStrength {
 struct ChangeTransition {
   TransitionSettings settings;
 };
-/// Sets a channel; with `continued` it belongs to the drag that the call before began, so that both
-/// are one step for undo.
+/// Sets a channel. With `continued` the change belongs to the same drag as the previous one, so
+/// that undo takes both back as one step.
 struct SetChannel {
   int channel = 0;
   float value = 0;
@@ -49,22 +49,22 @@ struct SetLinked {
 struct LoadAu {
   int number = 0;
 };
-/// Saves the face shown as this AU; `name`, for one that FACS does not name, may be empty: as it
-/// is.
+/// Saves the face that is shown as this AU. `name`: for an AU that FACS does not name; empty: its
+/// name stays.
 struct SaveAu {
   int number = 0;
   std::string name{};
 };
-/// A name that was typed for an AU and is not saved yet.
+/// A name that was typed for an AU and has not been saved yet.
 struct NameAu {
   int number = 0;
   std::string name;
 };
-/// One's own AU goes; one that came with the player is as it came again.
+/// Removes the user's version of an AU. If the player came with the AU, that version is used again.
 struct RemoveAu {
   int number = 0;
 };
-/// A set of AUs as a packet has it, taken into the editor as mixer and rules make it.
+/// Takes a set of AUs, written as in a packet, into the editor, after rules and mixer.
 struct ShowAus {
   std::string aus;
 };
@@ -81,7 +81,7 @@ struct ChangeDisplay {
 struct LookFrom {
   Facing view = Facing::Front;
 };
-/// The user's answer when there are unsaved changes.
+/// The user's answer to the question whether to leave with unsaved changes.
 struct Leave {
   bool really = false;
 };
@@ -93,7 +93,7 @@ struct Browse {
 struct EnterFolder {
   std::string folder;
 };
-/// The file that the dialog was for.
+/// The file chosen in the dialog.
 struct ChooseFile {
   std::string file;
 };
@@ -102,23 +102,23 @@ struct CloseBrowser {};
 struct OpenStream {
   std::string file;
 };
-/// How the table is read that the open dialog is about to open.
+/// How to read the table that is about to be opened in the dialog.
 struct ChangeTable {
   TableSettings settings;
 };
-/// The face becomes the one of this folder, with which the window begins next time too.
+/// Shows the face in this folder, now and when the window is opened next time.
 struct ShowFace {
   std::string folder;
 };
 struct CloseNotice {};
-/// Where pictures and videos go from now on.
+/// Changes where pictures and videos go, and how large they are.
 struct ChangePictures {
   PictureSettings settings;
 };
 struct TakePicture {};
-/// The file that is being written in the background is not wanted any more.
+/// Cancels the file that is being written in the background.
 struct CancelExport {};
-/// The times at which faces are shown are not written any more.
+/// Ends the writing of the times at which faces are shown.
 struct EndOnsets {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
@@ -127,14 +127,14 @@ struct SetVolume {
   int percent = 100;
 };
 struct ToggleMute {};
-/// Looks which devices there are.
+/// Looks up which sound devices there are.
 struct ListDevices {};
-/// The sound goes there from now on; empty: to the usual one.
+/// Chooses the sound device; empty: the default one.
 struct ChooseDevice {
   std::string name;
 };
 struct ToggleCaptions {};
-/// About what is heard and read.
+/// About sound and captions.
 using SoundCommand = std::variant<SetVolume, ToggleMute, ListDevices, ChooseDevice, ToggleCaptions>;
 
 /// About what plays.
@@ -147,7 +147,7 @@ using EditorCommand =
 /// About the file dialog, and what is opened.
 using FileCommand =
     std::variant<Browse, EnterFolder, ChooseFile, CloseBrowser, OpenStream, ChangeTable>;
-/// About what the window keeps of how things look.
+/// About settings that the window keeps.
 using SettingsCommand =
     std::variant<ChangePictures, ChangeAnimation, ChangeRendering, ChangeDisplay>;
 
@@ -157,7 +157,7 @@ using GuiCommand =
                  ShowFace, CloseNotice, CancelExport, EndOnsets, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
-/// The command when it is a `Wanted`, in whichever group that stands; else null.
+/// The command if it is a `Wanted`, also within a group; else null.
 template <typename Wanted, typename Command>
 [[nodiscard]] const Wanted* command_if(const Command& command) {
   if constexpr (std::is_same_v<Wanted, Command>) {

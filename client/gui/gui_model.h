@@ -24,12 +24,12 @@
 
 namespace aucast::gui {
 
-// What the panels show: plain data, made anew for every frame. A panel is a function from this to
-// the commands of gui_commands.h and keeps nothing but what belongs to the widgets themselves.
+// What the panels show, as plain data that is made anew for every frame. A panel is a function from
+// this to the commands of gui_commands.h; it keeps only the state of its widgets.
 
-/// Whether something plays, and what may be asked for now.
+/// Whether something plays, which decides what the user can do now.
 enum class Activity : std::uint8_t {
-  Idle,        ///< nothing was ever opened
+  Idle,        ///< nothing has been opened yet
   Connecting,  ///< the server has not answered yet
   Playing,     ///< also buffering and stalled
   Paused,
@@ -40,43 +40,44 @@ enum class Activity : std::uint8_t {
 struct BufferBar {
   std::size_t fill = 0;
   std::size_t capacity = 1;
-  int threshold_percent = 0;  ///< where the mark stands; 0: no mark
+  int threshold_percent = 0;  ///< the position of the mark; 0: no mark
   friend bool operator==(const BufferBar&, const BufferBar&) = default;
 };
 
-/// One AU: as the keyframe under way has it, and as the face shows it at this moment.
+/// One AU, in the keyframe under way and on the face at this moment.
 struct AuRow {
   std::string label;         ///< "12", "L14"
   std::string name;          ///< FACS name; empty for a number without one
-  int received_percent = 0;  ///< 0: not received; a rule made it, or it is going away
-  int shown_percent = 0;     ///< 0: a rule took it away, or it has not begun to show
-  std::string why;           ///< the rule that changed it; empty when none did
+  int received_percent = 0;  ///< 0: not received: a rule added it, or it is fading
+  int shown_percent = 0;     ///< 0: a rule removed it, or it does not show yet
+  std::string why;           ///< the rule that changed it; empty: none did
   friend bool operator==(const AuRow&, const AuRow&) = default;
 };
 
-/// How strong one AU was over the last half minute.
+/// The intensity of one AU over the last half minute.
 struct AuTrace {
   int number = 0;
   std::vector<float> values;  ///< in [0,1], oldest first
   friend bool operator==(const AuTrace&, const AuTrace&) = default;
 };
-/// More lines than this nobody can tell apart.
+/// More lines in one plot could not be told apart.
 inline constexpr std::size_t kTracesMax = 6;
 
 /// What plays: the stream of a server, or a stream file.
 struct PlayingView {
   Activity activity = Activity::Idle;
   std::string state;         ///< in words: "buffering 42 %"
-  std::string detail;        ///< why it ended, a sentence; empty unless it went wrong
-  bool tries_again = false;  ///< the server was lost
-  int again_s = 0;           ///< seconds until then; 0: now
-  std::string stream;        ///< what a server plays, as it says; empty: nothing, or it does not
-  std::string ended_by;      ///< the server that has ended the stream: "host:port"; empty: none has
-  bool stale = false;        ///< the face shown is the last of a lost connection
-  bool eased = false;        ///< nothing came for long: the face has gone to neutral
-  bool timed = false;        ///< keyframes come with times of their own: the speed does nothing
-  bool local = false;        ///< a stream file: no buffers, no bytes
-  std::optional<bool> live{};  ///< the stream of a server, as far as it has said so
+  std::string detail;        ///< why it ended, as a sentence; empty unless something went wrong
+  bool tries_again = false;  ///< the server was lost and will be tried again
+  int again_s = 0;           ///< seconds until the next attempt; 0: now
+  std::string stream;        ///< the name of the stream, as the server says; empty: it does not, or
+                             ///< nothing plays
+  std::string ended_by;  ///< "host:port" of the server that has ended the stream; empty: none has
+  bool stale = false;    ///< the face shown is the last of a lost connection
+  bool eased = false;    ///< nothing came for a long time, and the face has gone to neutral
+  bool timed = false;    ///< keyframes have times of their own, so the speed has no effect
+  bool local = false;    ///< a stream file: no buffers, no bytes
+  std::optional<bool> live{};  ///< whether a server's stream is live; nullopt: not known yet
   BufferBar receiver;
   BufferBar playout;
   std::vector<float> receiver_history;  ///< fill in [0,1] over the last half minute, oldest first
@@ -93,16 +94,16 @@ struct PlayingView {
 /// How AUs become a face; may change while it plays.
 struct AnimationSettings {
   face::Mixer mixer = face::Mixer::Maximum;
-  std::string rules = "facs";  ///< what --rules takes
+  std::string rules = "facs";  ///< as in --rules
   playback::Interpolation interpolation = playback::Interpolation::Linear;
   friend bool operator==(const AnimationSettings&, const AnimationSettings&) = default;
 };
 
 /// A line of the expression editor: one channel, or a left and a right one under one name.
 struct ChannelRow {
-  std::string name;  ///< for people: "zygomaticus major"
+  std::string name;  ///< in words: "zygomaticus major"
   float maximum = 2;
-  int left = -1;  ///< the channel's index; a central one stands here; -1: there is none
+  int left = -1;  ///< index of the left or the central channel; -1: there is none
   int right = -1;
   float left_value = 0;
   float right_value = 0;
@@ -116,54 +117,54 @@ struct ChannelGroup {
 };
 
 struct EditorView {
-  bool active = false;  ///< the face shows what the editor says
+  bool active = false;  ///< the face shows what is edited
   std::vector<ChannelGroup> groups;
   bool linked = true;
   int au = -1;  ///< the AU being edited; -1: none
   bool unsaved = false;
-  std::map<int, std::string> names;  ///< of AUs, typed and not saved yet
+  std::map<int, std::string> names;  ///< names of AUs that were typed and have not been saved yet
   bool can_undo = false;
   bool can_redo = false;
-  std::vector<AuRow> compound;  ///< the AUs that were last put together; empty: none
+  std::vector<AuRow> compound;  ///< the AUs that were combined last; empty: none
   friend bool operator==(const EditorView&, const EditorView&) = default;
 };
 
-/// An AU as the list of the editor has it.
+/// An AU in the editor's list.
 struct AuEntry {
   int number = 0;
   std::string name;     ///< FACS name
   std::string muscles;  ///< what it drives: "zygomaticus major 0.8, lip corner 1"
-  std::string looks;    ///< what a face with it looks like; empty: nothing is known
-  bool own = false;     ///< one's own: the player came without it, or with another one
-  bool shipped = true;  ///< the player came with one
+  std::string looks;    ///< what a face with it looks like; empty: unknown
+  bool own = false;     ///< the user has made or changed it
+  bool shipped = true;  ///< the player came with it, or with another version
   friend bool operator==(const AuEntry&, const AuEntry&) = default;
 };
 
 enum class ExpressionKind : std::uint8_t {
-  Main,   ///< the first set of AUs under its label: a button
-  Macro,  ///< muscles, as Waters' program has its expressions: a button
-  Other,  ///< another set of AUs under the same label: in a list
+  Main,   ///< the first set of AUs with its label; shown as a button
+  Macro,  ///< muscles, as in the expressions of Waters' program; shown as a button
+  Other,  ///< another set of AUs with the same label; shown in a list
 };
 
-/// An expression as a button.
+/// An expression to choose.
 struct ExpressionButton {
   std::string label;
   std::string aus;  ///< as in a packet; "0" for muscles alone
   ExpressionKind kind = ExpressionKind::Main;
-  std::string source{};  ///< who describes it so, in words
+  std::string source{};  ///< who describes it in this way, in words
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
 };
 
 /// The named expressions, and the one that the face shows.
 struct ExpressionsView {
   std::vector<ExpressionButton> buttons;
-  int chosen = -1;    ///< index of the one that is shown; -1: none, or it was changed since
-  int percent = 100;  ///< 0-100: how much of an expression is shown
-  std::string aus;    ///< of the chosen one at this strength, as in a packet; empty: none
+  int chosen = -1;    ///< index of the one that is shown; -1: none is, or it has been changed since
+  int percent = 100;  ///< strength of the expression, 0-100
+  std::string aus;    ///< AUs of the chosen one at this strength, as in a packet; empty: none
   friend bool operator==(const ExpressionsView&, const ExpressionsView&) = default;
 };
 
-/// How an expression is reached from the face as it is.
+/// How the face goes from what it shows to an expression.
 struct TransitionSettings {
   static constexpr int kFramesMax = 500;
   static constexpr int kFrameMsMax = 1000;
@@ -174,7 +175,7 @@ struct TransitionSettings {
   friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
 };
 
-/// None: pictures are transparent there; the window shows a chequer.
+/// The background. None: transparent in pictures, a chequer in the window.
 enum class Ground : std::uint8_t { Studio, Black, Grey, White, None };
 enum class Facing : std::uint8_t { Front, ThreeQuarter, Profile };
 
@@ -199,7 +200,7 @@ struct RenderingSettings {
   friend bool operator==(const RenderingSettings&, const RenderingSettings&) = default;
 };
 
-/// A figure of the speed of drawing: "pictures a second", "24".
+/// A measure of how fast pictures are drawn, such as "pictures a second", "24".
 struct PaceRow {
   std::string name;
   std::string value;
@@ -208,38 +209,38 @@ struct PaceRow {
 
 struct RenderingView {
   RenderingSettings settings;
-  std::vector<PaceRow> pace;  ///< empty until something has moved
+  std::vector<PaceRow> pace;  ///< empty until something moves
   friend bool operator==(const RenderingView&, const RenderingView&) = default;
 };
 
-/// A sentence about what was just done, such as where a file went.
+/// A sentence about what was just done, such as where a file was saved.
 struct Notice {
-  std::string text;  ///< empty: there is none
+  std::string text;  ///< empty: no notice
   bool bad = false;
   friend bool operator==(const Notice&, const Notice&) = default;
 };
 
 /// What is heard, and where.
 struct SoundView {
-  bool there = false;  ///< a device plays
+  bool there = false;  ///< there is a sound device
   int volume = 100;    ///< percent
   bool muted = false;
-  int peak_percent = 0;  ///< how loud what plays is, volume and mute left out: 100 is the most
-                         ///< there can be, 0 is 48 dB below
-  std::string device;    ///< the one that was chosen; empty: the usual one
-  std::vector<std::string> devices;  ///< what there is to choose from
+  int peak_percent = 0;  ///< level of the sound before volume and mute; 100: the maximum, 0: 48 dB
+                         ///< below it
+  std::string device;    ///< the chosen one; empty: the default one
+  std::vector<std::string> devices;  ///< those to choose from
   friend bool operator==(const SoundView&, const SoundView&) = default;
 };
 
-/// What is said, in writing.
+/// Title and captions.
 struct SpokenView {
   std::string title;    ///< of the stream; empty: it has none
-  std::string caption;  ///< of this moment, UTF-8; empty: nothing is said
-  bool shown = true;    ///< over the face
+  std::string caption;  ///< to be shown now, UTF-8; empty: none
+  bool shown = true;    ///< whether captions are shown over the face
   friend bool operator==(const SpokenView&, const SpokenView&) = default;
 };
 
-/// The streams of the server whose address is in the form.
+/// The streams of the server in the form.
 struct StreamsView {
   bool asking = false;
   std::vector<protocol::ListedStream> streams;
@@ -264,7 +265,7 @@ struct FaceEntry {
 struct FacesView {
   std::shared_ptr<const std::vector<FaceEntry>> entries;  ///< by kind, then by name; null: none
   std::string shown;                                      ///< the folder of the face in the window
-  std::string elsewhere;  ///< the folder that those of that kind are in; empty: there is none
+  std::string elsewhere;  ///< the folder with the faces of FaceKind::Elsewhere; empty: none
   friend bool operator==(const FacesView&, const FacesView&) = default;
 };
 
@@ -276,29 +277,29 @@ struct LanguageEntry {
 
 struct DisplayView {
   DisplaySettings settings;
-  std::string language;  ///< the code of the one that is used
+  std::string language;  ///< the code of the language in use
   std::vector<LanguageEntry> languages;
   friend bool operator==(const DisplayView&, const DisplayView&) = default;
 };
 
 /// Names of files.
 struct VideoView {
-  std::string recording;   ///< empty: none is being recorded
-  std::string completing;  ///< what was recorded before; empty: its file is there
+  std::string recording;   ///< the one being recorded; empty: none
+  std::string completing;  ///< the one recorded before, whose file is being completed; empty: none
   friend bool operator==(const VideoView&, const VideoView&) = default;
 };
 
-/// The file for other programs that is being written in the background.
+/// A file for other programs that is being written in the background.
 struct ExportView {
   std::string file;     ///< empty: none
-  int percent = 0;      ///< of the movement in it
+  int percent = 0;      ///< how much of its movement is done
   bool ending = false;  ///< it was cancelled and is not over yet
   friend bool operator==(const ExportView&, const ExportView&) = default;
 };
 
 struct GuiModel {
-  RemoteSettings remote_settings;   ///< those in force; the form begins with them
-  std::vector<std::string> recent;  ///< addresses that answered, the last one first
+  RemoteSettings remote_settings;   ///< those in use; the form begins with them
+  std::vector<std::string> recent;  ///< addresses that answered, the newest first
   StreamsView streams;
   PlayingView playing;
   LocalView local;
@@ -306,8 +307,8 @@ struct GuiModel {
   SoundView sound;
   SpokenView spoken;
   TablesView tables;
-  std::string sample;                     ///< a stream file that shows what there is; empty: none
-  std::vector<std::string> recent_files;  ///< the last one first
+  std::string sample;                     ///< a stream file for demonstration; empty: none
+  std::vector<std::string> recent_files;  ///< the newest first
   FacesView faces;
   GalleryView gallery;
   PictureSettings pictures;
@@ -316,15 +317,15 @@ struct GuiModel {
   AnimationSettings animation;
   EditorView editor;
   ComposerView composer;
-  std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< always there
+  std::shared_ptr<const std::vector<AuEntry>> known_aus;  ///< never null
   VideoView video;
   ExportView exported;
-  std::string onsets;  ///< where the times go at which faces are shown; empty: nowhere
+  std::string onsets;  ///< the file for the times at which faces are shown; empty: none
   ExpressionsView expressions;
   TransitionSettings transition;
   RenderingView rendering;
   DisplayView display;
-  bool asks_to_leave = false;  ///< there are unsaved changes and the user wants to go
+  bool asks_to_leave = false;  ///< the user wants to leave, but there are unsaved changes
   friend bool operator==(const GuiModel&, const GuiModel&) = default;
 };
 

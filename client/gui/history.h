@@ -6,20 +6,20 @@
 
 namespace aucast::gui {
 
-/// A state and the steps that led to it, which can be taken back and done again.
+/// A state and the steps that led to it, which can be undone and redone.
 template <typename State>
 class History {
  public:
-  /// The oldest step goes when there are more than `steps_max`.
+  /// Keeps the last `steps_max` steps.
   explicit History(std::size_t steps_max) : steps_max_(steps_max) {}
 
   [[nodiscard]] const State& now() const { return now_; }
-  /// For a change that is no step.
+  /// For a change that is not a step.
   [[nodiscard]] State& now() { return now_; }
   [[nodiscard]] bool can_undo() const { return !past_.empty(); }
   [[nodiscard]] bool can_redo() const { return !future_.empty(); }
 
-  /// `continued`: this belongs to the step before, as the many values of one drag do.
+  /// `continued`: the change belongs to the previous step, like the many values of one drag.
   void step(State next, bool continued = false) {
     future_.clear();
     if (continued && !past_.empty()) {
@@ -29,12 +29,12 @@ class History {
     if (past_.size() == steps_max_) past_.erase(past_.begin());
     past_.push_back(std::exchange(now_, std::move(next)));
   }
-  /// False when there is no step to take back.
+  /// Returns false if there is no step to undo.
   bool undo() { return turn(past_, future_); }
-  /// False when there is none to do again.
+  /// Returns false if there is no step to redo.
   bool redo() { return turn(future_, past_); }
 
-  /// Calls `change` with every state but that of now.
+  /// Calls `change` with every state except the present one.
   template <typename Change>
   void change_others(const Change& change) {
     for (std::vector<State>* states : {&past_, &future_}) {

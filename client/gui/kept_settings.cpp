@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 2> kMixers = {"maximum", "average"};
 constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "cosine"};
 constexpr std::array<std::string_view, 5> kGrounds = {"studio", "black", "grey", "white", "none"};
 
-/// Fields keep their value where the file is silent.
+/// Fields that the file does not have keep their values.
 class Fields : public TableReader {
  public:
   using TableReader::TableReader;
@@ -36,7 +36,7 @@ class Fields : public TableReader {
   }
 };
 
-/// Of gui::Behind, in its order.
+/// The names of gui::Behind, in its order.
 constexpr std::array<std::string_view, 4> kBehind{"sets", "live", "auto", "time"};
 
 void read_remote(Fields fields, KeptSettings& settings) {

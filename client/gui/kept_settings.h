@@ -10,13 +10,13 @@
 
 namespace aucast::gui {
 
-/// What the window remembers from one time to the next.
+/// What the window remembers until it is opened again.
 struct KeptSettings {
   RemoteSettings remote;
-  std::vector<std::string> recent;  ///< addresses, the last one first
-  std::string face;  ///< the folder of the face to begin with; empty: the one that is shipped
-  std::vector<std::string> recent_files;  ///< that were played, the last one first
-  std::vector<KnownTable> tables;         ///< how they are read, the last one first
+  std::vector<std::string> recent;  ///< addresses, the newest first
+  std::string face;                 ///< folder of the face to begin with; empty: the default face
+  std::vector<std::string> recent_files;  ///< files that were played, the newest first
+  std::vector<KnownTable> tables;         ///< how tables are read, the newest first
   AnimationSettings animation;
   TransitionSettings transition;
   RenderingSettings rendering;
@@ -28,35 +28,36 @@ struct KeptSettings {
 /// How many addresses are remembered.
 inline constexpr std::size_t kRecentMax = 8;
 
-/// $XDG_CONFIG_HOME/aucast/face-player.toml, or the same in ~/.config; the arguments are the values
-/// of XDG_CONFIG_HOME and HOME, null when unset. A relative XDG_CONFIG_HOME counts as unset, as its
-/// specification wants. Failed when there is neither.
+/// The path $XDG_CONFIG_HOME/aucast/face-player.toml, else ~/.config/aucast/face-player.toml. The
+/// arguments are the values of XDG_CONFIG_HOME and HOME, null if unset. A relative XDG_CONFIG_HOME
+/// counts as unset, as its specification demands. Fails if both are unset.
 [[nodiscard]] Result<std::filesystem::path> settings_file(const char* xdg_config_home,
                                                           const char* home);
 
-/// BadData "file:line:column: ..." for the first thing that is wrong. What is not said keeps its
-/// usual value.
+/// Reads settings. What is missing gets its default. BadData "file:line:column: ..." for the first
+/// error.
 [[nodiscard]] Result<KeptSettings> parse_settings(std::string_view text, const std::string& file);
-/// A TOML file for people; parse_settings() gives the same settings back.
+/// The settings as a commented TOML file, from which parse_settings() gets the same settings.
 [[nodiscard]] std::string format_settings(const KeptSettings& settings);
 
-/// Puts an address in front of the list, without doubling it.
+/// Moves an address to the front of the list, or adds it there.
 void remember_address(std::vector<std::string>& recent, const RemoteSettings& settings);
 
 /// The same for a list of files.
 void remember_file(std::vector<std::string>& recent, const std::string& file);
 
-/// What a file held, or that it had to be put aside.
+/// The result of load_settings().
 struct LoadedSettings {
-  KeptSettings settings;  ///< the usual ones when there was no file, or no good one
-  std::string complaint;  ///< a sentence for the user; empty when all is well
-  bool may_write = true;  ///< false: writing would destroy what could neither be read nor kept
+  KeptSettings settings;  ///< the defaults if there was no file, or it could not be read
+  std::string complaint;  ///< a sentence for the user; empty: all is well
+  bool may_write = true;  ///< false: writing would destroy a file that could neither be read nor
+                          ///< renamed
 };
 
-/// Reads the settings. A file that is wrong is renamed to FILE.broken (the last one stays), so that
-/// it is never overwritten; one that cannot be read stays as it is.
+/// Reads the settings. A file with errors is renamed to FILE.broken, in place of an earlier one, so
+/// that it is not overwritten; a file that cannot be read stays as it is.
 [[nodiscard]] LoadedSettings load_settings(const std::filesystem::path& file);
-/// Writes them whole or not at all, and makes the folder when it is missing.
+/// Writes the settings, completely or not at all. Makes the folder if it is missing.
 [[nodiscard]] Result<void> save_settings(const KeptSettings& settings,
                                          const std::filesystem::path& file);
 

@@ -61,8 +61,8 @@ void key_help(const KeyColumn& column, std::size_t row, float left) {
 
 }  // namespace
 
-/// In the middle of what the panel leaves free, in two columns where one is too high for the
-/// window; what is still too large is scrolled to.
+/// In the middle of what the panel leaves free, in two columns if one would be too high for the
+/// window. If it is still too large, it scrolls.
 void key_list(const Look& look, float width, bool& shown) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = 10 * look.scale;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPauseEndsWord = 1;  // seconds
 constexpr ImGuiItemFlags kSlider = 1 << 20;
-/// As one sees them: the panel, the bar, what lies over the face.
+/// In the order in which the focus goes through them: the panel, the bar, what lies over the face.
 constexpr std::array kWindows = {"panel", "transport", "welcome", "###gallery", "###keys"};
 
 bool pressed(ImGuiKey key) {
@@ -35,7 +35,7 @@ ImGuiWindow* popup_on_top() {
   return open == 0 ? nullptr : context.OpenPopupStack[open - 1].Window;
 }
 
-/// Those that the focus goes through; a dialog or a list that is open has it alone.
+/// The windows that the focus goes through. While a dialog or a list is open, only that one.
 std::vector<ImGuiWindow*> windows() {
   if (ImGuiWindow* const popup = popup_on_top()) return {popup};
   std::vector<ImGuiWindow*> shown;

@@ -7,54 +7,56 @@ struct ImGuiWindow;
 
 namespace aucast::gui {
 
-/// What is typed to find something in a list.
+/// What the user types to find an entry of a list.
 class TypeAhead {
  public:
-  /// Takes what was typed since the last frame; `listens`: a list is open and no text is edited.
+  /// Takes what was typed since the last frame. `listens`: whether a list is open and no text is
+  /// edited. `now`: in seconds.
   void take(bool listens, double now);
-  /// Whether this is the first since something was typed that begins with it, or does so behind a
-  /// number: both "12" and "lip" find "12 Lip Corner Puller".
+  /// Call it for each entry in turn. True for the first one that begins with what was typed, or
+  /// does so after its number: both "12" and "lip" find "12 Lip Corner Puller".
   [[nodiscard]] bool finds(std::string_view label);
 
  private:
   std::string typed_;
   double last_ = 0;
-  bool looks_ = false;  ///< what was typed has not been found yet
+  bool looks_ = false;  ///< no entry has matched yet
 };
 
-/// That of the list that is open.
+/// The one for the list that is open.
 [[nodiscard]] TypeAhead& type_ahead();
 
-/// The focus of the keyboard among the panels. Tab shows it and moves it through all that can be
-/// used, window after window and around, Shift and Tab back; arrows move it nearby, Enter and Space
-/// use what has it. Esc and a click hide it. ImGui 1.86 itself stops at fields alone and stays in
-/// one window.
+/// The keyboard focus in the panels. Tab shows it and moves it through everything that can be used,
+/// from window to window and round again; Shift+Tab goes back. Arrows move it to items nearby,
+/// Enter and Space use the item that has it. Esc and a click hide it. Without this class, ImGui
+/// 1.86 stops only at fields and stays in one window.
 class KeyboardFocus {
  public:
   /// `opens`: a dialog with a list is open, or will be in this frame.
   void before_frame(bool opens);
-  /// Behind ImGui::NewFrame().
+  /// Call it after ImGui::NewFrame().
   void begin();
-  /// Before ImGui::Render().
+  /// Call it before ImGui::Render().
   void end();
   [[nodiscard]] bool shown() const { return shown_; }
-  /// False when it was not shown.
+  /// Hides the focus; returns whether it was shown.
   bool hide();
 
  private:
   void look_in(ImGuiWindow* window, int direction);
 
   bool shown_ = false;
-  bool looks_ = false;       ///< in this frame, for the next thing that can be used
-  bool enters_ = false;      ///< nothing in this window had it
-  bool alive_ = false;       ///< what had the focus was there in the frame before
-  bool moves_ = false;       ///< it was found in the frame before
-  bool to_slider_ = false;   ///< what was found is none to type in at once
+  bool looks_ = false;       ///< in this frame, the next item that can be used is looked for
+  bool enters_ = false;      ///< no item in this window had the focus
+  bool alive_ = false;       ///< the item with the focus was there in the previous frame
+  bool moves_ = false;       ///< an item was found in the previous frame
+  bool to_slider_ = false;   ///< the item found is a slider, so a number is not to be typed at once
   int direction_ = 0;        ///< -1: back
-  std::string next_window_;  ///< where to go on looking; empty: nowhere
+  std::string next_window_;  ///< the window in which to go on looking; empty: none
 };
 
-/// A slider, as long as it lives: the focus comes to it without beginning to type a number.
+/// Marks the items made while it lives as sliders: the focus comes to them without beginning to
+/// type a number.
 class SliderScope {
  public:
   SliderScope();
@@ -63,25 +65,26 @@ class SliderScope {
   SliderScope& operator=(const SliderScope&) = delete;
 };
 
-/// What the arrows do to an item that draws itself, in steps: to the right, and up.
+/// What the arrows do to an item that draws itself, in steps to the right and up.
 struct ArrowSteps {
   int right = 0;
   int up = 0;
-  bool held = false;       ///< the item is taken, and the arrows are its
-  bool continued = false;  ///< not the first step since it was taken
+  bool held = false;       ///< the user has taken hold of the item, so that arrows are for it
+  bool continued = false;  ///< not the first step since then
 };
 
-/// Of the item before, a button that was `pressed` or not: Space and Enter take it and let it go,
-/// Esc and Tab let it go, as with a slider.
+/// For the previous item, a button; `pressed`: what the button returned. Space and Enter take hold
+/// of it and let it go, Esc and Tab let it go, as with a slider.
 [[nodiscard]] ArrowSteps arrows_of_item(bool pressed);
-/// The mouse holds the item before.
+/// Whether the mouse holds the previous item.
 [[nodiscard]] bool held_by_mouse();
 
-/// Behind a field of text: Enter has ended it, and what is typed next is still meant for it and no
-/// shortcut. It stays, all of it chosen, until Esc, Tab or a click.
+/// Call it after a text field. When Enter has ended it, the field stays active with all its text
+/// selected until Esc, Tab or a click, because what is typed next is still meant for it and is no
+/// shortcut.
 void stay_in_field();
 
-/// What only a mouse can use, as long as it lives: there are keys for it elsewhere.
+/// The items made while it lives are for the mouse only: there are other keys for what they do.
 class MouseOnly {
  public:
   MouseOnly();
@@ -90,13 +93,14 @@ class MouseOnly {
   MouseOnly& operator=(const MouseOnly&) = delete;
 };
 
-/// Puts the focus on the item before, where it is seen; `shows`: the focus too.
+/// Gives the focus to the previous item and scrolls to it. `shows`: the focus is shown from then
+/// on.
 void focus_here(bool shows);
-/// The item before has the focus, and that is seen.
+/// Whether the previous item has the focus, and the focus is shown.
 [[nodiscard]] bool focus_is_here();
-/// What was just pressed was so without the mouse.
+/// Whether what was just pressed was pressed without the mouse.
 [[nodiscard]] bool used_by_keys();
-/// Around the item before, if it has the focus: for items that draw themselves.
+/// Draws the focus around the previous item if it has it. For items that draw themselves.
 void mark_focus();
 
 }  // namespace aucast::gui

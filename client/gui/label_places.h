@@ -4,9 +4,9 @@
 
 namespace aucast::gui {
 
-/// Where labels stand that belong to these heights: each as close to its own as can be, in the same
-/// order, `gap` apart and between `top` and `bottom`. With less room than that they stand evenly.
-/// Pure.
+/// The heights at which to place labels: each as close to its wanted height as possible, in the
+/// same order, at least `gap` apart and between `top` and `bottom`. If there is not enough room
+/// they are spread evenly. Pure.
 [[nodiscard]] std::vector<float> label_places(const std::vector<float>& wanted, float gap,
                                               float top, float bottom);
 

@@ -17,7 +17,7 @@ using Phase = MirrorView::Phase;
 
 constexpr const char* kOnlyHere = "127.0.0.1";
 constexpr const char* kEverywhere = "0.0.0.0";
-/// The picture before there is one; and no picture is higher than the share of its width.
+/// Height by width of the area before there is a picture, and the most for any picture.
 constexpr float kUsualShape = 0.75F;
 constexpr float kBarHeight = 4;
 
@@ -56,7 +56,7 @@ void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form
   }
 }
 
-/// Over the picture from `at`, as it is drawn.
+/// Draws over the picture, which begins at `at`.
 void draw_landmarks(const Look& look, const preview::Seen& seen, ImVec2 at, ImVec2 size,
                     bool as_mirror) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -78,7 +78,7 @@ void say_in_the_middle(const char* text, ImVec2 at, ImVec2 size) {
       text);
 }
 
-/// In place of a picture: why there is none. Nothing below moves when there is more to say.
+/// Says in place of a picture why there is none. Nothing below moves if the text is longer.
 void no_picture(const Look& look, const MirrorView& mirror, ImVec2 at, ImVec2 size) {
   if (mirror.trouble.empty()) {
     say_in_the_middle(
@@ -181,7 +181,7 @@ void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiC
   quiet_text(tr("camera.private_note"));
 }
 
-/// From the middle to both sides; the subject's left is where it is in the picture.
+/// A bar from the middle to both sides; the subject's left is on the same side as in the picture.
 void bar(const Look& look, const AuBar& one, float width, bool as_mirror) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();

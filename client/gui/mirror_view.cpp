@@ -10,8 +10,8 @@
 namespace aucast::gui {
 namespace {
 
-/// AUs of which a face has one at a time: the first goes to the left or up, the next to the right
-/// or down.
+/// Pairs of AUs of which a face can have only one at a time: the first goes left or up, the second
+/// right or down.
 struct Pair {
   int first;
   TextKey label;
@@ -22,7 +22,7 @@ constexpr std::array<Pair, 5> kPairs = {{{51, "camera.turn"},
                                          {61, "camera.eyes_turn"},
                                          {63, "camera.eyes_nod"}}};
 
-/// The pair that the number is of; null: it stands alone.
+/// The pair to which the number belongs; null: none.
 const Pair* pair_of(int number) {
   const auto* const pair = std::find_if(kPairs.begin(), kPairs.end(), [number](const Pair& one) {
     return number == one.first || number == one.first + 1;

@@ -12,26 +12,26 @@
 
 namespace aucast::gui {
 
-/// One's own camera, and who else sees the face.
+/// The user's own camera, and who else sees the face.
 struct MirrorView {
   enum class Phase : std::uint8_t {
     Off,
-    Starting,  ///< nothing was seen yet
+    Starting,  ///< no picture has come yet
     Private,   ///< only this window sees the face
-    Live,      ///< others can
+    Live,      ///< others can see it too
     Ending,
   };
   Phase phase = Phase::Off;
-  bool wanted = false;       ///< the window was asked to begin with it
-  std::string source;        ///< camera, camera:DEVICE or what stands in for it
-  std::string trouble;       ///< why it is off or was not let live, a sentence; empty: all is well
-  bool expected = false;     ///< and that is how films end: nothing is wrong
-  std::string live;          ///< ADDR:PORT for others; empty: they are not let in
-  std::size_t watching = 0;  ///< how many of them do
+  bool wanted = false;    ///< --mirror: the window began with it
+  std::string source;     ///< camera, camera:DEVICE or a film in its place
+  std::string trouble;    ///< why it is off or could not go live, as a sentence; empty: all is well
+  bool expected = false;  ///< `trouble` is only the end of a film: nothing is wrong
+  std::string live;       ///< ADDR:PORT for guests; empty: it is not live
+  std::size_t watching = 0;                   ///< how many guests watch
   std::shared_ptr<const preview::Seen> seen;  ///< the newest picture; null: none
-  std::vector<std::string> addresses;         ///< of this host
-  bool asks_token = false;                    ///< others must show one
-  bool asks_tls = false;                      ///< others must connect with TLS
+  std::vector<std::string> addresses;         ///< addresses of this host
+  bool asks_token = false;                    ///< guests must show a token
+  bool asks_tls = false;                      ///< guests must use TLS
   friend bool operator==(const MirrorView&, const MirrorView&) = default;
 };
 
@@ -40,36 +40,37 @@ struct StartMirror {
   std::string source;
 };
 struct StopMirror {};
-/// Others may connect at this address of this host. With the camera off it opens it first.
+/// Lets guests connect at this address of this host. If the camera is off, opens it first.
 struct GoLive {
   std::string bind;
   int port = protocol::kDefaultPort;
-  std::string source{};  ///< what is opened where nothing is
+  std::string source{};  ///< the camera to open if it is off
 };
-/// They may not any more.
+/// Lets no guests connect any more.
 struct GoPrivate {};
 using MirrorCommand = std::variant<StartMirror, StopMirror, GoLive, GoPrivate>;
 
-/// Whether a film stands in for a camera: "talk.mp4", "camera:talk.mp4". Nobody needs to see it in
-/// private first.
+/// Whether the source is a film in place of a camera: "talk.mp4", "camera:talk.mp4". It can go live
+/// without being seen in private first.
 [[nodiscard]] bool is_film_source(const std::string& source);
 
-/// One AU of a face, or two that exclude each other, as a bar from the middle to both sides.
+/// One AU, or two that exclude each other, as a bar from the middle to both sides.
 struct AuBar {
   std::string label;     ///< "12 Lip Corner Puller", "51 52 Head Left, Right"
-  int left_percent = 0;  ///< on the subject's own left, or of the AU that goes there
+  int left_percent = 0;  ///< on the subject's left, or of the AU that points there
   int right_percent = 0;
   friend bool operator==(const AuBar&, const AuBar&) = default;
 };
 
-/// Those of a face, a bar for each number; turns of head and eyes come in pairs, left before right
-/// and up before down.
+/// The bars for the AUs of a face, one per AU. Turns of head and eyes come in pairs, left before
+/// right and up before down.
 [[nodiscard]] std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus);
 
-/// Who sees the face, in a sentence: "Only you see this face.", "Live at 10.0.0.7:4650, 2 watch."
+/// A sentence that says who sees the face: "Only you see this face.", "Live at 10.0.0.7:4650, 2
+/// watch."
 [[nodiscard]] std::string audience_text(const MirrorView& view);
 
-/// What others need to see it, in a sentence or two.
+/// What guests need in order to see it, in a sentence or two.
 [[nodiscard]] std::string admission_text(const MirrorView& view);
 
 }  // namespace aucast::gui

@@ -9,8 +9,8 @@
 namespace aucast::gui {
 namespace {
 
-/// A sentence over the face, its lower edge at `bottom`, which is moved to its upper one. True when
-/// it was clicked.
+/// Draws a sentence over the face with its lower edge at `bottom`, and sets `bottom` to its upper
+/// edge. Returns whether it was clicked.
 bool sentence(const Look& look, const char* id, const Notice& notice, float width, float& bottom) {
   ImGui::SetNextWindowPos(ImVec2(width / 2, bottom), ImGuiCond_Always, ImVec2(0.5F, 1));
   constexpr ImGuiWindowFlags kFlags =

@@ -15,17 +15,18 @@
 
 namespace aucast::gui {
 
-// Each panel is a function from the model to commands, inside an open ImGui window. What belongs to
-// its widgets alone (half-typed text, a list's selection) is handed in.
+// Each panel is a function from the model to commands, called inside an open ImGui window. The
+// state of its widgets (half-typed text, a list's selection) is handed in as its form. Members
+// described as "of the model" remember what the form last took from there.
 
-/// What is drawn of the curves.
+/// The curves as they are drawn.
 struct CurvesForm {
   std::shared_ptr<const AuCurves> of;
   std::size_t columns = 0;
   std::vector<std::vector<float>> outlines;  ///< one per curve
-  int row = 0;                               ///< that is told of by keys
+  int row = 0;                               ///< the curve chosen by keys, whose value is shown
 };
-/// How strong each AU is over the stream file that plays; nothing for other streams.
+/// Shows how strong each AU is over the stream file that plays. Draws nothing for other streams.
 void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands);
 
 /// What is being typed about pictures and videos.
@@ -41,11 +42,12 @@ struct RemoteForm {
   RemoteSettings settings;
   std::array<char, 512> address{};
   std::array<char, 512> token_file{};
-  std::optional<std::string> wrong;  ///< with the text of the address
-  bool filled = false;               ///< taken over from the model
+  std::optional<std::string> wrong;  ///< what is wrong with the text of the address; nullopt:
+                                     ///< nothing
+  bool filled = false;               ///< the form has been filled from the model
   RecordForm record;
   bool large_chart = false;
-  bool to_aus = false;  ///< the table of AUs is to be scrolled to
+  bool to_aus = false;  ///< scroll to the table of AUs
   CurvesForm curves;
 };
 
@@ -53,24 +55,24 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, Gui
 
 /// What is being typed in the expression panel.
 struct ExpressionForm {
-  std::array<char, 512> aus{};    ///< to be shown together
-  std::string taken;              ///< the AUs of the expression that were put there last
+  std::array<char, 512> aus{};    ///< AUs to be shown together
+  std::string taken;              ///< the expression's AUs that were put into `aus` last
   int chosen = -1;                ///< the expression whose AUs they are
-  std::array<char, 64> search{};  ///< among the expressions without a button
+  std::array<char, 64> search{};  ///< looked for among the expressions without a button
 };
 
-/// Named expressions, and AUs put together.
+/// Named expressions, and combined AUs.
 void expression_panel(const Look& look, const GuiModel& model, ExpressionForm& form,
                       GuiCommands& commands);
 
 /// What is chosen in the expression editor.
 struct EditorForm {
-  int save_as = -1;             ///< number for "save as"; -1: the AU being edited
+  int save_as = -1;             ///< the AU to save as; -1: the AU being edited
   std::array<char, 64> name{};  ///< for an AU that FACS does not name
-  int named = -1;               ///< the AU whose name was put there
+  int named = -1;               ///< the AU whose name is in `name`
   std::string name_taken;       ///< of the model
-  bool to_name = false;         ///< the focus goes to the name
-  int opened_for = -1;          ///< the AU whose muscles were opened
+  bool to_name = false;         ///< give the focus to the name
+  int opened_for = -1;          ///< the AU for which the groups of its muscles were opened
 };
 
 /// The expression editor: one AU and its muscles.
@@ -80,25 +82,27 @@ void editor_panel(const Look& look, const GuiModel& model, EditorForm& form, Gui
 struct ComposerForm {
   bool linked = true;   ///< one slider for both sides
   Thumbnails pictures;  ///< of keyframes, by their AUs as in a packet
-  int rows = 0;         ///< of the timeline, and the one chosen, as of the last frame
+  int rows = 0;  ///< number of rows in the timeline in the last frame; `chosen`: the one chosen
   int chosen = -1;
 };
 
-/// Faces made of AUs, put in a row as a stream.
+/// Puts faces made of AUs in a row, as a stream.
 void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands);
 
-/// Before anything was opened: a sample, files, and where the rest is.
+/// What is shown until something is opened: a sample, files, and where to find the rest.
 void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 
-/// How high that bar is; 0: nothing plays that it is for. With little room it has a second line.
+/// The height of transport_bar(); 0: it is not shown, because no stream that is available whole
+/// plays. In little width it has a second line.
 [[nodiscard]] float transport_height(const Look& look, const GuiModel& model, float width);
-/// The bar under the face by which a stream that is there whole is played; `width`: what the side
+/// The bar under the face that controls a stream that is available whole. `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
-/// What the remote player's panel says about stream files.
+/// The part of the remote player's panel about stream files.
 void file_part(const GuiModel& model, GuiCommands& commands);
-/// Pictures, video, gallery and stream files of what is played, and where they go.
+/// The part for pictures, video, gallery and stream files of what is played, and where they are
+/// saved.
 void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands);
 
 /// What is being typed in the gallery's dialog.
@@ -112,19 +116,19 @@ struct GalleryForm {
 void gallery_dialog(const Look& look, const GuiModel& model, float width, GalleryForm& form,
                     GuiCommands& commands);
 
-/// What the remote player's panel says about sound: volume, level, device; nothing where there is
-/// no device.
+/// The part of the remote player's panel about sound: volume, level, device. Draws nothing if there
+/// is no device.
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands);
-/// Over the face: the stream's title above, what is being said below.
+/// Draws the stream's title and the caption over the face, at its top and its bottom.
 void captions(const Look& look, const GuiModel& model, float width);
 
-/// What is said about the connection.
+/// The notice about the connection.
 struct NoticeForm {
-  std::string shown;   ///< empty: nothing
-  std::string closed;  ///< what was read and clicked away
+  std::string shown;   ///< empty: none
+  std::string closed;  ///< the one that the user has closed
 };
 
-/// Over the face: what is wrong with the connection, and for a while what was just done.
+/// Shows over the face what is wrong with the connection and, for a while, what was just done.
 void notices(const Look& look, const GuiModel& model, float width, NoticeForm& form,
              GuiCommands& commands);
 
@@ -132,19 +136,19 @@ void notices(const Look& look, const GuiModel& model, float width, NoticeForm& f
 struct FileForm {
   std::array<char, 1024> folder{};
   std::array<char, 256> name{};
-  std::string shown_folder;  ///< of the model that was taken over
+  std::string shown_folder;  ///< the folder that was taken from the model
   std::string shown_name;
-  bool entered = false;         ///< the folder's field, in the frame before
-  bool to_first = false;        ///< the focus goes to the first entry
-  bool to_name = false;         ///< the focus goes to the name
-  bool waits = false;           ///< it has not come there yet
-  std::vector<unsigned> typed;  ///< meanwhile
+  bool entered = false;         ///< the field of the folder was active in the previous frame
+  bool to_first = false;        ///< give the focus to the first entry
+  bool to_name = false;         ///< give the focus to the name
+  bool waits = false;           ///< the focus has not arrived there yet
+  std::vector<unsigned> typed;  ///< characters typed until it arrives
 };
 
 /// The file dialog, while the model has one open.
 void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCommands& commands);
 
-/// What is being typed on the Camera tab, and the picture there.
+/// What is being typed on the Camera tab, and its picture.
 struct MirrorForm {
   std::array<char, 512> source{};
   std::string taken;  ///< of the model
@@ -152,14 +156,14 @@ struct MirrorForm {
   int port = protocol::kDefaultPort;
   bool as_mirror = true;
   bool landmarks = true;
-  std::uintptr_t texture = 0;  ///< of the picture that is seen; 0: none
+  std::uintptr_t texture = 0;  ///< ImGui's texture ID of the picture; 0: none
   bool filled = false;
 };
 
-/// The Camera tab: one's own face, and who else may see it.
+/// The Camera tab: the user's own face, and who else may see it.
 void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form, GuiCommands& commands);
 
-/// The faces to choose from, their pictures by folder.
+/// The faces to choose from. `pictures`: by the faces' folders.
 void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
                GuiCommands& commands);
 

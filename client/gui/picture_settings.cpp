@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kWordMax = 80;
 
-/// A file's name is read by people and programs of all systems.
+/// The word as part of a file's name that works on all systems.
 std::string in_a_name(std::string word) {
   if (word.empty()) return "none";
   for (char& c : word) {

@@ -12,33 +12,34 @@ namespace aucast::gui {
 inline constexpr int kPictureSideMin = 16;
 inline constexpr int kPictureSideMax = 4096;
 
-/// Where pictures and videos of the window go, and how large they are.
+/// Where pictures and videos made in the window go, and how large they are.
 struct PictureSettings {
   std::string folder;                            ///< empty: the current one
-  std::string pattern = "face-player-{number}";  ///< as picture_name() takes it, if it is right
+  std::string pattern = "face-player-{number}";  ///< for picture_name(); may be invalid while it is
+                                                 ///< typed
   int width = 0;  ///< pixels, kPictureSideMin to kPictureSideMax; 0: as the window shows the face
   int height = 0;
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 
-/// What the words of a pattern stand for at this moment; beside these {number} counts from 1.
+/// What the words of a pattern stand for now. There is also {number}, which counts from 1.
 struct PictureWords {
   std::string face;      ///< {face}
   std::string stream;    ///< {stream}; empty: nothing plays
   std::string keyframe;  ///< {keyframe}; empty: none
-  std::string aus;       ///< {aus}; empty: there are none
+  std::string aus;       ///< {aus}; empty: none
   std::string date;      ///< {date}
 };
 
-/// The name that a pattern means, without its ending. What cannot stand in a name becomes '-'; a
-/// word that stands for nothing becomes "none". Usage error for a word that is not known, and for a
+/// The file name for a pattern, without its ending. Characters that a name cannot have become '-',
+/// and a word that stands for nothing becomes "none". Usage error for an unknown word, and for a
 /// pattern that is empty or has a '/'.
 [[nodiscard]] Result<std::string> picture_name(std::string_view pattern, const PictureWords& words,
                                                int number);
 
-/// The first file of that pattern that is not there yet: what is there is never overwritten. A
-/// pattern without {number} gets -2, -3 and so on when it must. Makes the folder. Failed when it
-/// cannot be made.
+/// The path of the first file for the pattern that does not exist yet, so that none is overwritten.
+/// A pattern without {number} gets -2, -3 and so on where needed. Makes the folder; fails if it
+/// cannot.
 [[nodiscard]] Result<std::filesystem::path> picture_file(const PictureSettings& settings,
                                                          const PictureWords& words,
                                                          const std::string& ending);

@@ -16,10 +16,10 @@ namespace {
 constexpr float kSpeedWidth = 78;
 constexpr float kLoopWidth = 76;
 constexpr float kRepeatWidth = 66;
-/// With less room the bar leaves out what there are keys for.
+/// With less width, the bar leaves out what there are keys for.
 constexpr float kRoomy = 560;
 constexpr float kNarrow = 370;
-/// At scale 1; what the line of the names adds to it.
+/// Height at scale 1, and what the line of names adds to it.
 constexpr float kOneLineHeight = 76;
 constexpr float kNamesHeight = 24;
 /// By the arrows of the bar.
@@ -152,7 +152,7 @@ void draw_track(const Look& look, const LocalView& local, ImVec2 from, ImVec2 to
   list.AddCircleFilled(knob, 7 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLinesHovered), 24);
 }
 
-/// Above the bar, at a place of its length.
+/// Shows a time above the bar, at the position `at`.
 void time_bubble(float at, float top, const std::string& text) {
   const float half = ImGui::CalcTextSize(text.c_str()).x / 2 + ImGui::GetStyle().WindowPadding.x;
   const float x = std::max(half, std::min(at, ImGui::GetIO().DisplaySize.x - half));
@@ -260,7 +260,7 @@ void repeat_button(const Look& look, const LocalView& local, bool roomy, GuiComm
   if (pressed) commands.push_back(LocalCommand(ToggleRepeat{}));
 }
 
-/// The place, the whole time and the name, which gives way: it ends `before` a place of the screen.
+/// The position, the whole time and the name, which is cut short at the screen position `before`.
 void times_and_name(const LocalView& local, float before) {
   ImGui::AlignTextToFramePadding();
   const std::string text = time_text(local.position) + " / " + time_text(local.total);
@@ -270,7 +270,7 @@ void times_and_name(const LocalView& local, float before) {
   tip(local.name);
 }
 
-/// All in one line.
+/// The bar with everything in one line.
 void roomy_bar(const Look& look, const LocalView& local, GuiCommands& commands) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float right = ImGui::GetWindowWidth() - style.WindowPadding.x - 2 * style.ItemSpacing.x -
@@ -285,7 +285,7 @@ void roomy_bar(const Look& look, const LocalView& local, GuiCommands& commands) 
   repeat_button(look, local, true, commands);
 }
 
-/// What is read stands below the buttons.
+/// The bar in two lines: texts are below the buttons.
 void small_bar(const Look& look, const LocalView& local, float width, GuiCommands& commands) {
   if (width < kNarrow * look.scale) {
     pause_button(look, local, commands);
@@ -345,7 +345,7 @@ void put(const std::string& text, std::array<char, N>& field) {
 
 constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
 
-/// Closed until somebody looks for it.
+/// Where pictures and videos are saved. Initially folded.
 void where_they_go(const Look& look, const PictureSettings& now, RecordForm& form,
                    GuiCommands& commands) {
   if (!ImGui::TreeNodeEx(tr("play.where"),
@@ -402,7 +402,7 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   commands.push_back(ChangePictures{wanted});
 }
 
-/// What other programs can read.
+/// The menu of exports for other programs.
 void export_menu(const GuiModel& model, GuiCommands& commands) {
   if (!ImGui::BeginPopup("export")) return;
   const auto item = [&](const char* text, Purpose purpose, bool enabled) {

@@ -13,10 +13,11 @@ namespace {
 
 constexpr int kMarkers = 6;
 constexpr float kMarkerRadius = 3.2F;
-/// In samples, from a marker of a line to its next; other lines have theirs in between.
+/// The distance in samples from one marker of a line to the next; those of other lines lie in
+/// between.
 constexpr std::size_t kMarkerEvery = 24;
 
-/// A sign of its own for each of a few lines.
+/// Draws the sign of a line: each of the few lines has its own.
 void draw_marker(int marker, const ImVec2& at, float r, unsigned colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto place = [&](float x, float y) { return ImVec2(at.x + x * r, at.y + y * r); };
@@ -39,7 +40,7 @@ void draw_marker(int marker, const ImVec2& at, float r, unsigned colour) {
   }
 }
 
-/// Beside the ends of the lines, in their colours, apart from each other.
+/// Writes labels beside the ends of the lines, in their colours, kept apart from each other.
 void line_labels(const Look& look, std::span<const PlotLine> lines, float x, float top,
                  float bottom) {
   const float row = ImGui::GetTextLineHeight();

@@ -4,12 +4,12 @@
 
 namespace aucast::gui {
 
-/// ImGui needs some frames after a change until everything is where it belongs.
+/// How many frames ImGui needs after a change until everything is in its place.
 inline constexpr int kFramesAfterChange = 3;
 
-/// How many frames to draw because the panels, drawn from `shown`, should show `now`: none, a
-/// single one when only time went on (a stream's place, the plots), kFramesAfterChange otherwise.
-/// The place of a stream alone is shown anew only every tenth of a second.
+/// How many frames to draw so that panels that show `shown` come to show `now`: 0 if nothing has
+/// changed, 1 if only time went on (position, plots, the camera's picture), else
+/// kFramesAfterChange. A change of the position alone counts only from a tenth of a second on.
 [[nodiscard]] int frames_due(const GuiModel& shown, GuiModel now);
 
 }  // namespace aucast::gui

@@ -43,7 +43,7 @@ void number(const Look& look, const char* name, const char* id, int& value, cons
   tip(help);
 }
 
-/// One field for host, port and stream, with the last ones in a list.
+/// One field for host, port and stream, with a list of the recent ones.
 bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   label(look, tr("play.address"));
   const float arrow = ImGui::GetFrameHeight();
@@ -128,7 +128,7 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   ImGui::EndCombo();
 }
 
-/// Each has its own place whatever the state: a second click on a button must never be another's.
+/// Each button keeps its place in all states, so that a second click never hits another one.
 void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered,
                      const std::optional<std::string>& wrong, GuiCommands& commands) {
   const PlayingView& playing = model.playing;
@@ -154,7 +154,7 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   if (wide_button(tr("play.stop"), 2, 3, running)) commands.push_back(Stop{});
 }
 
-/// Live, as far behind as the link needs, so many ms, or as full as the buffers are to be.
+/// The choice of gui::Behind, and its numbers.
 void behind_server(const Look& look, RemoteSettings& settings) {
   label(look, tr("play.behind"), tr("tip.behind"));
   const std::array<const char*, 4> ways = {tr("play.behind_sets"), tr("play.behind_live"),
@@ -172,8 +172,7 @@ void behind_server(const Look& look, RemoteSettings& settings) {
          tr("tip.threshold"));
 }
 
-/// How the server is connected to; closed until somebody looks for it. It holds from the next
-/// Connect on.
+/// How to connect to the server. Initially folded. Takes effect with the next Connect.
 void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (!ImGui::TreeNodeEx(tr("play.next_connection"),
                          ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
@@ -221,7 +220,7 @@ void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   next_connection(look, model, form);
 }
 
-/// A fact, in less room than something to set.
+/// A value that is only shown, in less space than one to set.
 void said(const Look& look, const char* name, const std::string& value, const char* help = "") {
   quiet_text(name);
   tip(help);

@@ -15,13 +15,13 @@ namespace aucast::gui {
 
 /// How far behind the server the face is.
 enum class Behind : std::uint8_t {
-  Sets,  ///< so that the buffers hold as many sets as the form says
-  Live,  ///< as little as the link allows
-  Auto,  ///< as much as the link needs
-  Time,  ///< as many ms as the form says
+  Sets,  ///< by the number of sets in the buffers, as set in the form
+  Live,  ///< by as little as the link allows
+  Auto,  ///< by as much as the link needs
+  Time,  ///< by `behind_ms`
 };
 
-/// The form of the remote player, as people fill it in.
+/// What is filled in in the remote player's form.
 struct RemoteSettings {
   static constexpr int kPortMax = 65535;
   static constexpr int kSetsMax = playback::BufferOptions::kSetsMax;
@@ -38,26 +38,27 @@ struct RemoteSettings {
   std::string stream{};    ///< empty: the server's first
   bool tls = false;
   std::string token_file{};                  ///< empty: as the command line says
-  std::vector<protocol::Endpoint> others{};  ///< where the stream is too, tried in turn
+  std::vector<protocol::Endpoint> others{};  ///< other servers of the stream, tried in turn
   Behind behind = Behind::Sets;
   int behind_ms = 300;  ///< 0 to kBehindMsMax, of Behind::Time
   friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
 };
 
-/// What is wrong with the form, as a sentence with the remedy; nothing when it can be used. The
-/// limits are those of the command line.
+/// What is wrong with the form, as a sentence with the remedy; nullopt: nothing. The limits are
+/// those of the command line.
 [[nodiscard]] std::optional<std::string> problem(const RemoteSettings& settings);
 
-/// HOST or HOST:PORT, the port left out when it is the usual one;
-/// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM] when a stream or other hosts are named,
-/// aucasts:// for TLS.
+/// The address as HOST or HOST:PORT, without the port if it is the default one. If a stream or
+/// other hosts are named, as aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM]. For TLS, with
+/// aucasts://.
 [[nodiscard]] std::string address_text(const RemoteSettings& settings);
 /// The same without the stream, which has a field of its own.
 [[nodiscard]] std::string server_text(const RemoteSettings& settings);
-/// `settings`, with the server of `other`: where it is, how it is reached and its stream.
+/// `settings` with the server of `other`: its addresses, its protection and its stream.
 [[nodiscard]] RemoteSettings with_server_of(RemoteSettings settings, const RemoteSettings& other);
-/// address_text() the other way round, also HOST[:PORT]/STREAM; into address, port, others, stream
-/// and tls. What is wrong with the text, as a sentence; nothing then is changed.
+/// Reads what address_text() writes, and HOST[:PORT]/STREAM, into address, port, others, stream and
+/// tls. Returns nullopt, or, if the text is wrong, a sentence that says why; then nothing is
+/// changed.
 [[nodiscard]] std::optional<std::string> take_address(std::string_view text,
                                                       RemoteSettings& settings);
 

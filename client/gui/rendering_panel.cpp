@@ -41,7 +41,7 @@ void viewpoint(const Look& look, GuiCommands& commands) {
   quiet_text(tr("view.mouse"));
 }
 
-/// Any combination; what is transparent needs a surface.
+/// Any combination of layers; transparent needs a surface.
 bool layers(const Look& look, view::Layers& shown) {
   heading(look, tr("view.show"));
   bool changed = false;
@@ -57,7 +57,7 @@ bool layers(const Look& look, view::Layers& shown) {
   return changed;
 }
 
-/// Layers, ground and light as they are at first.
+/// Sets layers, background and light to their defaults.
 bool usual_view(RenderingSettings& settings) {
   RenderingSettings usual = settings;
   const RenderingSettings first;

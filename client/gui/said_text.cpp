@@ -12,8 +12,8 @@ namespace {
 
 using Values = std::vector<std::string>;
 
-/// What stands in `text` at the places of a pattern, each as short as it can be; nothing when the
-/// text is not of that pattern. Between two places there is always something.
+/// What `text` has at the places of a pattern, each as short as possible; nullopt if the text does
+/// not match the pattern. Between two places of a pattern there is always some text.
 std::optional<Values> places_in(std::string_view text, std::string_view pattern) {
   Values values;
   while (!pattern.empty()) {

@@ -11,13 +11,13 @@ namespace aucast::gui {
 namespace {
 
 constexpr float kMeterHeight = 8;
-/// Above these parts of the meter it is loud, and as loud as can be.
+/// Above these parts of the meter the sound is loud, and too loud.
 constexpr float kLoud = 0.75F;
 constexpr float kTooLoud = 0.94F;
 constexpr float kCaptionMargin = 24;
 constexpr float kCaptionWidthMax = 640;
 
-/// A bar from soft to loud, green, amber and red.
+/// A bar from soft to loud in green, amber and red.
 void level_meter(const Look& look, int percent) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImVec2 at = ImGui::GetCursorScreenPos();
@@ -66,7 +66,8 @@ void written(const Look& look, const char* id, const std::string& text, float x,
              float anchor, float room) {
   const ImVec2 padding(12 * look.scale, 7 * look.scale);
   const float wrap = std::min(room, kCaptionWidthMax * look.scale) - padding.x;
-  // Told and not found by ImGui, which would be a picture late and cut what is longer than before.
+  // The size is given: ImGui would find it one frame late, and cut a text that is longer than the
+  // last.
   const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
   ImGui::SetNextWindowSize(ImVec2(text_size.x + 2 * padding.x, text_size.y + 2 * padding.y));
   ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(0.5F, anchor));

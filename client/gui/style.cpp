@@ -24,8 +24,8 @@ constexpr std::array<FontFiles, 2> kFonts = {{
      "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
 }};
 
-/// Loads the first pair that is there; else ImGui's own font, which has one weight. Returns the
-/// bold one.
+/// Loads the first pair that exists, else ImGui's own font, which has one weight. Returns the bold
+/// font.
 ImFont* load_fonts(float scale, const ImVector<ImWchar>& letters) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
@@ -45,7 +45,7 @@ ImFont* load_fonts(float scale, const ImVector<ImWchar>& letters) {
   return atlas.AddFontDefault(&config);
 }
 
-/// Those of the Latin languages, and what the language in use has besides.
+/// The letters of the Latin languages, and those that the language in use has besides.
 ImVector<ImWchar> letters_of(const DisplayView& display) {
   ImFontGlyphRangesBuilder builder;
   builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());

@@ -6,24 +6,26 @@
 
 namespace aucast::gui {
 
-/// Half of the panel's margin, which is what ImGui lets things use of it.
+/// The width of a scroll bar: half of the panel's margin, which is all of it that ImGui lets items
+/// use.
 inline constexpr float kScrollBar = 8;
 
-/// The fonts of ImGui's context, which must be there and ends before this object.
+/// The fonts of ImGui's context. The context must exist when they are loaded and end before this
+/// object.
 class Fonts {
  public:
-  /// In place of those that were there: letters for the languages of `display`, at this scale. A
-  /// font is looked for where Debian keeps it; without one ImGui's own is used.
+  /// Replaces the fonts by ones with the letters of the languages of `display`, at this scale.
+  /// Fonts are looked for where Debian keeps them; if there are none, ImGui's own is used.
   void load(float scale, const DisplayView& display);
-  /// The heavier weight; ImGui's own font has only one.
+  /// The bold font; the normal one if there is no bold.
   [[nodiscard]] ImFont* bold() const { return bold_; }
 
  private:
-  ImVector<ImWchar> letters_;  ///< which the fonts refer to
+  ImVector<ImWchar> letters_;  ///< the fonts refer to it
   ImFont* bold_ = nullptr;
 };
 
-/// Colours, distances and roundings of all panels.
+/// Sets the colours, distances and roundings of all panels.
 void set_style(float scale);
 
 }  // namespace aucast::gui

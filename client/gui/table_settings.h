@@ -8,35 +8,38 @@
 
 namespace aucast::gui {
 
-/// How the table of a recogniser is read when it is opened.
+/// How the table of a recogniser is to be read.
 struct TableSettings {
-  int fps = 0;           ///< pictures a second, 1-1000; 0: by the table's own clock
+  int fps = 0;           ///< pictures a second, 1-1000; 0: as the table's own times say
   int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
-  int gain_percent = 0;  ///< of all AUs, up to 1000; 0: as they are
-  int quiet_s = 0;       ///< how long the face rests at first, which is subtracted; 0: it does not
+  int gain_percent = 0;  ///< gain for all AUs, up to 1000; 0: none
+  int quiet_s = 0;  ///< for how many seconds the face is at rest at first; that face is subtracted;
+                    ///< 0: it is not
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 
-/// A table that was not read as it is. One recording's gain is no other's.
+/// A table for which settings were made. They are remembered by file, as one recording's gain does
+/// not suit another.
 struct KnownTable {
   std::string file;
   TableSettings settings;
   friend bool operator==(const KnownTable&, const KnownTable&) = default;
 };
 
-/// How many are remembered.
+/// How many tables are remembered.
 inline constexpr std::size_t kKnownTablesMax = 100;
 
 struct TablesView {
-  /// Set in the dialog that is open, for the file to be opened; null: each is read as it was last.
+  /// The settings made in the open dialog for the file to be opened; nullopt: each file is read as
+  /// it was last.
   std::optional<TableSettings> asked;
-  std::shared_ptr<const std::vector<KnownTable>> known;  ///< the last one first; null: none
+  std::shared_ptr<const std::vector<KnownTable>> known;  ///< the newest first; null: none
   friend bool operator==(const TablesView&, const TablesView&) = default;
 };
 
-/// How this file would be read now.
+/// The settings with which this file would be read now.
 [[nodiscard]] TableSettings settings_for(const TablesView& tables, const std::string& file);
-/// The file was read so. What is read as it is need not be remembered.
+/// Remembers how a file was read. If its settings are the defaults, it is forgotten.
 void remember_table(TablesView& tables, const KnownTable& table);
 
 }  // namespace aucast::gui

@@ -14,7 +14,7 @@
 namespace aucast::gui {
 namespace {
 
-/// Null: English. What was used once is kept, for its texts were handed out.
+/// Null: English. Languages that were used are kept, because their texts were handed out.
 const Language*& used() {
   static const Language* language = nullptr;
   return language;

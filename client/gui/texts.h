@@ -14,8 +14,8 @@
 
 namespace aucast::gui {
 
-// The texts of the window by their keys. english.h is the table; another language is a file of
-// data/languages with the same keys. A key that the table does not have does not compile.
+// The texts of the window by their keys. english.h has the table; another language is a file of
+// data/languages with the same keys. A key that is not in the table does not compile.
 
 /// The place of a text in the table.
 class TextKey {
@@ -23,7 +23,7 @@ class TextKey {
   // NOLINTNEXTLINE(google-explicit-constructor): tr("button.save") is what it is for.
   consteval TextKey(const char* key) : row_(row_of(key)) {}
   [[nodiscard]] constexpr std::size_t row() const { return row_; }
-  /// How many places to fill in, written {name}, a text has.
+  /// How many places to be filled in, written {name}, the text has.
   [[nodiscard]] consteval std::size_t places() const {
     std::size_t count = 0;
     for (const char c : std::string_view(kEnglish[row_].text)) count += c == '{' ? 1U : 0U;
@@ -40,7 +40,7 @@ class TextKey {
   std::size_t row_;
 };
 
-/// A text with so many places to fill in.
+/// A text with this many places to be filled in.
 template <std::size_t Places>
 class FilledKey {
  public:
@@ -56,27 +56,28 @@ class FilledKey {
 
 /// A language of the window besides English.
 struct Language {
-  std::string name;                     ///< in itself: "Français"
+  std::string name;                     ///< the language's own name: "Français"
   std::vector<std::string> texts;       ///< one for each row of kEnglish
-  std::map<int, std::string> au_names;  ///< those of FACS
+  std::map<int, std::string> au_names;  ///< FACS names by AU number
   std::map<int, std::string> au_looks;
-  std::map<std::string, std::string> words;  ///< of the data files, by the English: "Happiness"
+  std::map<std::string, std::string> words;  ///< words of the data files by the English word, such
+                                             ///< as "Happiness"
 
   bool operator==(const Language&) const = default;
 };
 
-/// Reads a file of data/languages. BadData "file:line:column: ..." when a text is missing, is one
-/// too many, or has other places to fill in than the English one.
+/// Reads a file of data/languages. BadData "file:line:column: ..." if a text is missing or unknown,
+/// or its places to be filled in differ from the English text's.
 [[nodiscard]] Result<Language> load_language(const std::filesystem::path& file);
 
-/// From now on all texts are of this language. What tr() gave before stays valid. Thread: the
+/// Uses this language for all texts from now on. What tr() returned before stays valid. Thread: the
 /// player's.
 void use_language(Language language);
 void use_english();
-/// A language other than English is used.
+/// Whether a language other than English is in use.
 [[nodiscard]] bool other_language();
 
-/// The text in the language that is used.
+/// The text in the language in use.
 [[nodiscard]] const char* tr(TextKey key);
 
 [[nodiscard]] inline std::string place_text(std::string_view text) {
@@ -85,7 +86,8 @@ void use_english();
 [[nodiscard]] inline std::string place_text(std::integral auto number) {
   return std::to_string(number);
 }
-/// The text of a row with its places filled in, in the order in which the English has them.
+/// The text of a row of the table with its places filled in. `values`: in the order of the English
+/// text.
 [[nodiscard]] std::string filled(std::size_t row, const std::vector<std::string>& values);
 
 template <typename... Values>
@@ -94,15 +96,17 @@ requires(sizeof...(Values) > 0) [[nodiscard]] std::string
   return filled(key.row(), {place_text(values)...});
 }
 
-/// The FACS name of an AU; `own` where FACS has none, or who made the AU calls it otherwise.
+/// The name of an AU to show. `own`: the name given by its author, used if FACS has none or the two
+/// differ.
 [[nodiscard]] std::string au_name(int number, const std::string& own = {});
-/// What an AU looks like; `english` where the language does not say.
+/// What an AU looks like; `english` if the language has no text for it.
 [[nodiscard]] std::string au_looks(int number, const std::string& english);
-/// A word of a data file, such as the label of an expression; itself where the language has none.
+/// The translation of a word of a data file, such as an expression's label; the word itself if
+/// there is none.
 [[nodiscard]] std::string data_word(const std::string& english);
 /// "1 keyframe", "6 keyframes".
 [[nodiscard]] std::string keyframes_text(std::size_t count);
-/// All that the language that is used may write, for the font.
+/// All texts of the language in use, from which the font takes its letters.
 [[nodiscard]] std::vector<std::string> all_texts();
 
 }  // namespace aucast::gui

@@ -8,10 +8,10 @@
 namespace aucast::gui {
 namespace {
 
-/// In letters.
+/// In units of the font size.
 constexpr float kTipWidth = 26;
 constexpr float kTipWidthLeast = 8;
-/// A window of fewer rows is a bar.
+/// A window with fewer rows than this is a bar.
 constexpr float kBarRows = 4;
 
 struct TipPlace {
@@ -19,8 +19,8 @@ struct TipPlace {
   float width = 0;  ///< of its lines
 };
 
-/// Beside the window that the item is in, so that the rows above and below can be seen; without
-/// room there, above the row above. A bar has nothing above it.
+/// Beside the window that the item is in, so that the rows above and below can be seen; if there is
+/// no room, above the row above. For a bar, above the bar.
 TipPlace place_of_tip(const std::string& text, const ImRect& item) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -63,8 +63,8 @@ void tip_beside(const std::string& text, const ImRect& item) {
   ImGui::EndTooltip();
 }
 
-/// Whether the last item was used since the pointer or the focus came to it: it is known then, and
-/// what it opened should not be hidden by its tip.
+/// Whether the last item was used since the pointer or the focus came to it. The user then knows
+/// it, and its tip should not hide what it opened.
 bool used_since_pointed_at(bool pointed) {
   const ImGuiID item = ImGui::GetItemID();
   if (item == 0) return false;

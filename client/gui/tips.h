@@ -4,14 +4,14 @@
 
 namespace aucast::gui {
 
-// What is said of a control. It stands beside the window or dialog that the control is in, and
-// hides none of them.
+// Tooltips. They appear beside the window or dialog that their item is in, so that they hide none
+// of its controls.
 
-/// Says more about the item before, while the pointer or the focus is on it and until it is used.
+/// Shows a tooltip for the previous item while the pointer or the focus is on it, until it is used.
 void tip(const std::string& text, bool also_disabled = false);
-/// Says something about the item before, wherever the pointer is.
+/// Shows a tooltip for the previous item, wherever the pointer is.
 void tip_of_last(const std::string& text);
-/// The same about what is drawn at a place of the screen.
+/// Shows a tooltip for what is drawn at a place of the screen.
 void tip_at(float x, float y, const std::string& text);
 
 }  // namespace aucast::gui

@@ -8,19 +8,19 @@
 
 namespace aucast::gui {
 
-/// The way from the face as it is to another one in a number of in-between frames, each shown for
-/// the same time (thesis 5.4.2: 50 of 5 ms). Pure: the times are handed in.
+/// Moves from one face to another in a number of in-between frames, each shown for the same time
+/// (thesis 5.4.2: 50 of 5 ms). Pure: the times are handed in.
 class Transition {
  public:
   /// Both faces have one activation per channel.
   Transition(std::vector<float> start, std::vector<float> end, TransitionSettings settings,
              Instant begin);
 
-  /// The in-between frame of this moment: the start before the first one is due, exactly the end
-  /// from the last one on.
+  /// The in-between frame at `now`: the start before the first one is due, exactly the end from the
+  /// last one on.
   [[nodiscard]] std::vector<float> at(Instant now) const;
   [[nodiscard]] bool over(Instant now) const;
-  /// When the next frame is due; nothing when it is over.
+  /// When the next frame is due; nullopt: it is over.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
 
  private:

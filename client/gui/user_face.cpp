@@ -24,8 +24,8 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
   return end_b == b.end();
 }
 
-/// A face may use files of another one, as the people that come with the player share their
-/// muscles. A copy of `from` stands alone: it has such files in its own folder.
+/// A face may use files of another face, as the shipped people share their muscles. A copy of
+/// `from` has such files in its own folder.
 Result<void> make_whole(const fs::path& copy, const fs::path& from) {
   const fs::path description = copy / face::kFaceFile;
   if (!fs::exists(description)) return {};
@@ -70,7 +70,7 @@ Result<fs::path> aus_file_of(const fs::path& face_folder) {
   return Error{ErrorKind::BadData, at_place(description.string(), "names no file of AUs")};
 }
 
-/// Writes what `change` makes of the face's file of AUs.
+/// Replaces the face's AU file by what `change` makes of it.
 template <typename Change>
 Result<fs::path> change_aus(const fs::path& face_folder, const Change& change) {
   auto file = aus_file_of(face_folder);

@@ -10,43 +10,42 @@
 
 namespace aucast::gui {
 
-// Where edited faces live: copies in the user's own data folder, so that the shipped ones stay as
-// they are.
+// Edited faces are copies in the user's own data folder, so that the shipped ones stay unchanged.
 
-/// $XDG_DATA_HOME/aucast/faces, or ~/.local/share/aucast/faces; the arguments are the values of
-/// XDG_DATA_HOME and HOME, null when unset. A relative XDG_DATA_HOME counts as unset, as its
-/// specification wants. Failed when there is neither.
+/// The path $XDG_DATA_HOME/aucast/faces, else ~/.local/share/aucast/faces. The arguments are the
+/// values of XDG_DATA_HOME and HOME, null if unset. A relative XDG_DATA_HOME counts as unset, as
+/// its specification demands. Fails if both are unset.
 [[nodiscard]] Result<std::filesystem::path> user_faces_folder(const char* xdg_data_home,
                                                               const char* home);
 
-/// The folder to write to for the face in `face_folder`: itself when it lies in `user_faces`, else
-/// user_faces/NAME, copied now unless it is there. A copy appears whole or not at all, and has in
-/// it what its face.toml takes from other folders.
+/// The folder to write to for the face in `face_folder`: that folder if it lies in `user_faces`,
+/// else user_faces/NAME. That is copied now if it does not exist. The copy appears whole or not at
+/// all, and contains what its face.toml uses from other folders.
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const std::filesystem::path& user_faces);
 
 /// Whether this folder is a face, in our format or the classic one.
 [[nodiscard]] bool is_face(const std::filesystem::path& folder);
 
-/// The faces in a folder of faces, by name, in our format or the classic one; the kind is left to
-/// the caller. None when there is no such folder.
+/// The faces in a folder of faces, sorted by name, in our format or the classic one. The caller
+/// sets their kind. Empty if there is no such folder.
 [[nodiscard]] std::vector<FaceEntry> faces_in(const std::filesystem::path& folder);
 
-/// Whether a face lies in the folder of the user's own ones.
+/// Whether a face lies in the folder of the user's own faces.
 [[nodiscard]] bool is_own_face(const std::filesystem::path& face_folder,
                                const std::filesystem::path& user_faces);
 
-/// An AU to be saved.
+/// An AU for save_aus().
 struct SavedAu {
   int number = 0;
   Drive drive;
-  std::string name;  ///< its note; empty: as it is
+  std::string name;  ///< its note; empty: the note stays
 };
-/// Saves AUs in the AU file of a face of our own format and returns that file. The version before
-/// stays beside it with a ~ at its end. What was there is untouched when this fails.
+/// Saves AUs in the AU file of a face of our own format and returns that file. The previous version
+/// is kept beside it with a ~ at the end of its name. If this fails, nothing has changed.
 [[nodiscard]] Result<std::filesystem::path> save_aus(const std::filesystem::path& face_folder,
                                                      const std::vector<SavedAu>& aus);
-/// Takes one AU out of that file, in the same way.
+/// Removes one AU from that file in the same way.
 [[nodiscard]] Result<std::filesystem::path> remove_au(const std::filesystem::path& face_folder,
                                                       int number);
 

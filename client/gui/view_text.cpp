@@ -19,7 +19,7 @@ bool awaits_connection(PlaybackState state, const playback::SourceStatus& status
          status.end == EndReason::NotEnded;
 }
 
-/// 1234, "B": "1.2 kB".
+/// For 1234 and "B": "1.2 kB".
 std::string scaled(double value, const char* unit) {
   constexpr std::array kFactors = {"", "k", "M", "G"};
   std::size_t factor = 0;
@@ -60,8 +60,8 @@ std::string outcome(const std::vector<face::AuShare>& all) {
   return text;
 }
 
-/// The rules that have to do with an AU on a side, each once: "opposition: 51 100 % and 52 40 %:
-/// 51 60 %, 52 gone".
+/// The rules that concern an AU on a side, each once: "opposition: 51 100 % and 52 40 %: 51 60 %,
+/// 52 gone".
 std::string reasons(int number, Side side, std::span<const face::RuleExplained> rules) {
   std::string text;
   for (const face::RuleExplained& one : rules) {

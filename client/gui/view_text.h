@@ -16,24 +16,24 @@
 
 namespace aucast::gui {
 
-// From the player's numbers to what people read. Pure.
+// Turns the player's numbers into texts. Pure.
 
 [[nodiscard]] Activity activity_of(playback::PlaybackState state,
                                    const playback::SourceStatus& status);
 
-/// "playing", "paused"; what is buffered is about to play.
+/// "playing", "paused" and so on; Buffering counts as "playing".
 [[nodiscard]] std::string state_name(playback::PlaybackState state);
 
 /// "connecting", "reconnecting", "buffering 42 %", "playing", "paused", "stalled", "ended",
-/// "stopped", "lost"; the percentage is of what must be there before playing begins.
+/// "stopped" or "lost". The percentage is of what must be buffered before playing begins.
 [[nodiscard]] std::string state_in_words(playback::PlaybackState state,
                                          const playback::SourceStatus& status,
                                          const playback::BufferOptions& buffers);
 
-/// Neither the server nor the user has ended it.
+/// Whether a stream ended for another reason than that the server or the user ended it.
 [[nodiscard]] bool went_wrong(playback::EndReason end);
 
-/// The server was lost, and what it sent before is being played.
+/// Whether the server was lost, and what it sent before is still being played.
 [[nodiscard]] bool plays_the_rest(playback::PlaybackState state,
                                   const playback::SourceStatus& status);
 
@@ -50,15 +50,16 @@ namespace aucast::gui {
 /// "320 bit/s", "1.2 kbit/s".
 [[nodiscard]] std::string bit_rate_text(double bytes_a_second);
 
-/// "893 B, 1.2 kbit/s"; while nothing moves the mean since the beginning: "893 B, mean 310 bit/s".
-/// Rates are in bytes a second.
+/// "893 B, 1.2 kbit/s"; if `rate` is 0, with the mean since the beginning: "893 B, mean 310 bit/s".
+/// `rate` and `mean` are in bytes a second.
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
 
-/// "51 100 % and 52 40 %: 51 60 %, 52 gone": what a rule read, and what it changed.
+/// What a rule read and what it changed: "51 100 % and 52 40 %: 51 60 %, 52 gone".
 [[nodiscard]] std::string effect_in_words(const face::RuleExplained& one);
 
-/// The AUs of a keyframe as they came and as the face shows them, ascending, a side by itself where
-/// both differ. `rules` are those that changed something; an AU without a recording is not shown.
+/// The AUs of a keyframe as they came and as the face shows them, ascending; if an AU's sides
+/// differ, each has its own row. `rules`: those that changed something. An AU without a recording
+/// is not shown by the face.
 [[nodiscard]] std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
                                          std::span<const face::RuleExplained> rules,
                                          const face::AuRecordings& recordings);

@@ -36,7 +36,8 @@ void percent(int value, bool differs) {
   }
 }
 
-/// Broken at spaces alone: ImGui would break "0.7" as well. A longer word is left to it.
+/// Breaks lines only at spaces: ImGui would break "0.7" as well. It breaks a word that is longer
+/// than a line.
 std::string in_lines(const std::string& text, float width) {
   std::string lines;
   std::size_t line_begin = 0;
@@ -215,7 +216,7 @@ void sides_heading() {
 
 namespace {
 
-/// What was typed is cut, in words.
+/// Says that a typed number beyond the limits is clamped.
 template <typename Number>
 void say_if_outside(double typed, const std::array<Number, 2>& limits) {
   const auto least = static_cast<double>(limits[0]);
@@ -225,8 +226,8 @@ void say_if_outside(double typed, const std::array<Number, 2>& limits) {
                  number_text(std::clamp(typed, least, most))));
 }
 
-/// ImGui writes the number under the grip: here it stands beside, and in the slider only while it
-/// is typed.
+/// ImGui writes the number under the grip. Here it is beside the slider, and in it only while it is
+/// typed.
 template <typename Number>
 bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
                const std::array<Number, 2>& limits, const char* format, const char* widest = "") {
@@ -260,7 +261,7 @@ bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
   return changed;
 }
 
-/// A text of nothing but a whole number.
+/// The number, if the text is nothing but a whole number.
 std::optional<int> whole_number(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -279,7 +280,7 @@ int step_on(const Steps& steps, int value, int direction) {
   return std::clamp(value + direction * by, steps.least, steps.most);
 }
 
-/// Up and Down while the number is typed.
+/// Handles Up and Down while the number is typed.
 int step_typed(ImGuiInputTextCallbackData* typed) {
   const auto& stepped = *static_cast<const Stepped*>(typed->UserData);
   const auto there = static_cast<std::size_t>(typed->BufTextLen);

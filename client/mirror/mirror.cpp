@@ -30,14 +30,14 @@ std::string find_program(const std::filesystem::path& chosen) {
   return kProgram;
 }
 
-/// What au-transmitter calls a camera.
+/// The name of the source for au-transmitter.
 std::string camera_of(const std::string& source) {
   if (source.empty()) return "camera";
   if (source == "camera" || source.starts_with("camera:")) return source;
   return "camera:" + source;
 }
 
-/// An entry of the log without its time and program.
+/// A line of the log without its time and program.
 std::string without_head(const std::string& line) {
   const std::string head = std::string(kProgram) + ": ";
   const std::size_t at = line.find(head);
@@ -48,10 +48,10 @@ Trouble said(std::string why) {
   return {Trouble::Kind::Said, std::move(why)};
 }
 
-/// A program that was killed had no time for last words.
+/// Why the child has ended. If it was killed, its last line is not the reason.
 Trouble why_ended(int exit_code, const std::string& last_line) {
   constexpr int kSignalled = 128;
-  // Our own, as it had ended its output.
+  // SIGKILL was our own, because the child had ended its output.
   if (exit_code > kSignalled && exit_code != kSignalled + SIGKILL) {
     return {Trouble::Kind::Signalled, {}, exit_code - kSignalled};
   }
@@ -140,7 +140,7 @@ void Mirror::take(preview::Record record) {
   });
 }
 
-/// What is wrong with what came, if anything.
+/// Takes all complete records; returns what is wrong with them, if anything is.
 std::optional<std::string> Mirror::take_all(preview::PreviewReader& reader) {
   while (true) {
     auto record = reader.next();
@@ -161,7 +161,7 @@ void Mirror::read() {
     wrong = take_all(reader);
   }
   course_.change([](Course& course) { course.reading = false; });
-  // It has no more to say; what has ended already keeps its exit code.
+  // There is no more output to read. If the child has ended already, it keeps its exit code.
   child_->stop();
   const int code = child_->wait();
   const Trouble why = wrong ? said(*wrong) : why_ended(code, child_->last_line());

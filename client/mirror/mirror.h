@@ -15,13 +15,14 @@
 
 namespace aucast::mirror {
 
-/// A camera whose face is shown here before anybody else sees it: au-transmitter as a child.
-/// Thread: one of its own; everything here from one thread.
+/// Shows the face that a camera sees before anybody else can see it. It runs au-transmitter as a
+/// child process.
+/// Thread: one of its own; the functions here are called from one other thread.
 class Mirror final : public OwnCamera {
  public:
-  /// Unreadable when au-transmitter is not there, Failed when it cannot be started.
+  /// Unreadable if au-transmitter is not installed, Failed if it cannot be started.
   [[nodiscard]] static Result<std::unique_ptr<Mirror>> start(const MirrorOptions& options);
-  /// end(), and at most kPatience later it is killed.
+  /// Calls end(), and kills the child if it has not ended within kPatience.
   ~Mirror() override;
 
   static constexpr std::chrono::milliseconds kPatience{2'500};
@@ -39,12 +40,13 @@ class Mirror final : public OwnCamera {
   struct Course {
     MirrorState state;
     bool asked_to_end = false;
-    bool reading = true;  ///< the child may be given orders, and be killed
+    bool reading = true;  ///< the child's output has not ended: it may still be given orders, or
+                          ///< killed
   };
 
   std::unique_ptr<Child> child_;
   Shared<Course> course_;
-  // Comes last: it uses all of the above.
+  // Last, so that it is joined before what it uses is destroyed.
   std::jthread thread_;
 };
 

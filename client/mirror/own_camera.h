@@ -10,14 +10,14 @@
 
 namespace aucast::mirror {
 
-/// What is wrong with au-transmitter, the child; the caller puts it into words.
+/// What went wrong in the child, au-transmitter. The caller puts it into words.
 struct Trouble {
   enum class Kind : std::uint8_t {
     None,
-    Said,        ///< in the program's own words
-    NoPictures,  ///< there were no more of them: the end of a film, a camera pulled out
-    Ended,       ///< without a word
-    Signalled,   ///< ended by a signal
+    Said,        ///< `said` has the program's own message
+    NoPictures,  ///< no more pictures came: a film has ended, or the camera was unplugged
+    Ended,       ///< it ended without a message
+    Signalled,   ///< it was ended by `signal`
     Silent,      ///< it does not take orders
   };
   Kind kind = Kind::None;
@@ -25,18 +25,18 @@ struct Trouble {
   int signal = 0;
 };
 
-/// What the child has told so far.
+/// What the child has reported so far.
 struct MirrorState {
-  std::string address;  ///< ADDR:PORT where this host can play the stream; empty: not yet
-  std::shared_ptr<const preview::Seen> seen;  ///< the newest; null: nothing yet
-  std::string live;                           ///< ADDR:PORT for others; empty: they are not let in
-  std::size_t watching = 0;                   ///< how many of them watch
+  std::string address;  ///< ADDR:PORT at which this host can play the stream; empty: not yet known
+  std::shared_ptr<const preview::Seen> seen;  ///< the newest picture; null: none yet
+  std::string live;                           ///< ADDR:PORT for guests; empty: it is not live
+  std::size_t watching = 0;                   ///< how many guests watch
   Trouble refused;                            ///< why the last order was not carried out
-  bool over = false;                          ///< the child is gone
-  Trouble ended;                              ///< why; nothing when it was asked to
+  bool over = false;                          ///< the child has ended
+  Trouble ended;                              ///< why it ended; None if it was asked to
 };
 
-/// One's own camera as the window knows it: a Mirror, or what stands in for it in tests.
+/// The user's own camera as the window knows it: a Mirror, or a substitute in tests.
 class OwnCamera {
  public:
   OwnCamera() = default;
@@ -44,9 +44,9 @@ class OwnCamera {
   OwnCamera(const OwnCamera&) = delete;
   OwnCamera& operator=(const OwnCamera&) = delete;
 
-  /// state() then tells the result.
+  /// Gives the child an order. The result shows in state().
   virtual void order(const preview::Order& order) = 0;
-  /// Lets it end: everybody who watches is told.
+  /// Asks the child to end; it tells its guests before.
   virtual void end() = 0;
   [[nodiscard]] virtual MirrorState state() const = 0;
 };

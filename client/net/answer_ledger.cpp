@@ -51,8 +51,8 @@ std::string AnswerLedger::speak_negotiated(protocol::ClientSession& session, con
   return words;
 }
 
-/// Each answer that goes alone has the server's system acknowledge it: with a voice, which goes
-/// over thin links, several go at once.
+/// Whether answers wait to be sent together. Each packet of answers costs a TCP acknowledgement:
+/// with a voice, which is meant for slow links, several answers share one.
 bool AnswerLedger::gathers(const protocol::ClientSession& session, const Wishes& wishes,
                            Instant now) const {
   const auto window = static_cast<std::size_t>(std::max(session.window(), 0));

@@ -15,16 +15,17 @@ namespace aucast::net {
 /// Thread: none of its own.
 class AnswerLedger {
  public:
-  /// What the codes depend on besides the answers owed.
+  /// What the codes to send depend on, besides the answers owed.
   struct Wishes {
     bool user_paused = false;
-    bool full = false;   ///< there is no room for what would come
-    bool voice = false;  ///< the stream has one, so the link may be thin
+    bool full = false;   ///< there is no room for more keyframes
+    bool voice = false;  ///< the stream has a voice, so the link may be slow: answers are sent
+                         ///< several at a time
   };
 
   /// A keyframe has come.
   void owe(Instant now);
-  /// The connection is gone, and with it what was owed.
+  /// The connection is gone, and no answers are owed any more.
   void forget() { owed_ = 0; }
   [[nodiscard]] bool has_room() const { return owed_ < protocol::kOwedAnswersMax; }
 
@@ -34,7 +35,7 @@ class AnswerLedger {
   /// Whether speak() would return anything.
   [[nodiscard]] bool has_words(const protocol::ClientSession& session, const Wishes& wishes,
                                Instant now) const;
-  /// When answers that wait to be sent together are due; nullopt: none wait.
+  /// When answers that wait to be sent together must be sent; nullopt: none wait.
   [[nodiscard]] std::optional<Instant> deadline(const protocol::ClientSession& session,
                                                 const Wishes& wishes, Instant now) const;
 

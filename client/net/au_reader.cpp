@@ -14,7 +14,7 @@ using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
 
-/// `answered`: without, the window is 0.
+/// `answered`: whether keyframes are answered; if not, the window is 0.
 protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate,
                                                bool answered) {
   protocol::ClientSessionOptions session;
@@ -63,7 +63,7 @@ std::string_view remedy(SessionFailed::Why why) {
   return "; is it an au-transmitter? --connect-timeout sets how long to wait";
 }
 
-/// The server is full, or does not have the stream yet: another one may.
+/// The code of a server that is full or does not have the stream yet. Another server may have it.
 constexpr int kBusyCode = 503;
 
 }  // namespace
@@ -144,7 +144,7 @@ Reaction AuReader::refused(EndReason why, const std::string& reason) {
   return reaction;
 }
 
-/// After a loss: what was received is played while the next attempt is waited for.
+/// After a loss: what was received is played until the next attempt.
 bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   if (!options_.reconnect || status_.end != EndReason::NotEnded) return false;
   if (first_) take_in(*std::exchange(first_, std::nullopt));
@@ -283,7 +283,7 @@ void AuReader::handle(const protocol::ReconnectClassic& /*event*/, Reaction& rea
   connect_anew(reaction);
 }
 
-/// Another connection at once, with another way to talk; nothing of this one counts.
+/// Asks for a new connection at once, to talk in another way. Nothing from this one counts.
 void AuReader::connect_anew(Reaction& reaction) {
   reaction = {};
   reaction.changed = true;
@@ -340,8 +340,8 @@ bool AuReader::negotiated() const {
   return session_.level() == protocol::Level::Negotiated;
 }
 
-/// In classic what comes behind the one kept is not looked at; in level 2 there is room for what
-/// may be under way when the server is told to pause.
+/// How many keyframes are kept beside the buffers. In classic one: what comes after it is not read.
+/// In level 2 as many as may be under way when the server is told to pause.
 std::size_t AuReader::kept_max() const {
   return negotiated() ? static_cast<std::size_t>(std::max(session_.window(), 1)) : 1;
 }

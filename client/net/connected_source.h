@@ -8,8 +8,8 @@
 
 namespace aucast::net {
 
-/// The keyframes of a server, which come through a ServerConnection into the reader. The class that
-/// runs that connection derives from this one.
+/// The keyframes of a server: a ServerConnection feeds them into the reader, and this class takes
+/// them out for the player. The class that runs the connection derives from it.
 class ConnectedSource : public playback::KeyframeSource {
  public:
   [[nodiscard]] std::optional<playback::Keyframe> take() final;
@@ -19,8 +19,8 @@ class ConnectedSource : public playback::KeyframeSource {
   [[nodiscard]] playback::SourceStatus status() const final;
   void stop() final;
 
-  /// The user pauses or resumes the transmission; what is buffered plays on. At once in level 2; in
-  /// classic -1 can only take the place of an answer, so one more packet comes.
+  /// The user pauses or resumes the transmission; what is buffered plays on. In level 2 this takes
+  /// effect at once; in classic, -1 can only take the place of an answer, so one more packet comes.
   void pause() final;
   void resume() final;
 
@@ -29,7 +29,7 @@ class ConnectedSource : public playback::KeyframeSource {
   [[nodiscard]] SharedReader& reader() { return reader_; }
 
  private:
-  /// The reader may have something to send: ServerConnection's speak(), leave() and bytes_sent().
+  /// As ServerConnection's. speak() is called when the reader may have something to send.
   virtual void speak() = 0;
   virtual void leave() = 0;
   [[nodiscard]] virtual std::uint64_t bytes_sent() const = 0;

@@ -8,7 +8,8 @@
 
 namespace aucast::net {
 
-/// How a server is dialled, whatever it is asked then. `turn` counts through all that there are.
+/// How a server is dialled, whatever it is asked afterwards. `turn` counts the attempts: they go
+/// round `options.host` and all of `options.others`.
 [[nodiscard]] inline link::DialOptions dial_options(const RemoteOptions& options,
                                                     std::size_t turn = 0) {
   const Security& security = options.security;

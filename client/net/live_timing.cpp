@@ -6,7 +6,7 @@
 namespace aucast::net {
 namespace {
 
-/// What is held ready beside the jitter itself, and what it may grow to.
+/// How much is buffered in addition to the jitter, and the most that is buffered in all.
 constexpr Milliseconds kDelayMargin{60};
 constexpr Milliseconds kDelayMax{4'000};
 
@@ -38,7 +38,8 @@ std::optional<Milliseconds> LiveTiming::arrived(playback::Keyframe& keyframe, Mi
   return options_.adapt ? measured(*keyframe.arrived, time) : std::nullopt;
 }
 
-/// The first keyframe tells nothing of the jitter: who joins is sent one that has begun.
+/// The first keyframe says nothing about the jitter: a client that joins is sent one that has
+/// already begun.
 std::optional<Milliseconds> LiveTiming::measured(Instant now, Milliseconds time) {
   if (!measured_since_) {
     measured_since_ = now;

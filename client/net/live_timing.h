@@ -10,9 +10,9 @@
 namespace aucast::net {
 
 /// Decides from the arrivals of a live stream's keyframes when to play them. With
-/// BufferOptions::adapt the stream is delayed by what its jitter needs, and before that is known by
-/// the round trip: a lost packet takes at least one to be sent again. With BufferOptions::low_delay
-/// each keyframe says when it is due instead.
+/// BufferOptions::adapt the stream is delayed by as much as its jitter needs; until that is known,
+/// by a multiple of the round trip, as a lost packet takes at least one to be sent again. With
+/// BufferOptions::low_delay each keyframe gets a time at which it is due instead.
 /// Thread: none of its own.
 class LiveTiming {
  public:
@@ -20,18 +20,19 @@ class LiveTiming {
 
   /// `round_trip`: of the connection that begins; zero if unknown.
   void connected(Duration round_trip);
-  /// A new connection, or the user has paused: the next keyframe may come at any time.
+  /// Call it for a new connection or when the user has paused: the next keyframe may come at any
+  /// time.
   void begin_again();
-  /// A keyframe has come, at `keyframe.arrived`. Sets when it is due, or returns how much is to be
-  /// buffered from now on. `untimed`: the time of a keyframe that has none of its own; `place`: in
-  /// the stream, if known.
+  /// A keyframe has come, at `keyframe.arrived`. With low_delay, sets when it is due; with adapt,
+  /// returns how much is to be buffered from now on (nullopt: as before). `untimed`: the time of a
+  /// keyframe that has none of its own; `place`: its place in the stream, if known.
   [[nodiscard]] std::optional<Milliseconds> arrived(playback::Keyframe& keyframe,
                                                     Milliseconds untimed,
                                                     std::optional<Milliseconds> place);
 
-  /// What is buffered before the jitter is known.
+  /// How much to buffer before the jitter is known.
   [[nodiscard]] Milliseconds first_delay() const { return first_delay_; }
-  /// With low delay: from a keyframe's arrival until it is due, the recent average.
+  /// With low_delay, the recent average of the time from a keyframe's arrival until it is due.
   [[nodiscard]] Milliseconds low_delay() const;
 
  private:
@@ -41,7 +42,8 @@ class LiveTiming {
   playback::LivePlayout playout_;
   playback::JitterMeter jitter_;
   Milliseconds first_delay_{0};
-  std::optional<Instant> measured_since_;  ///< nothing: the next keyframe tells nothing of it
+  std::optional<Instant> measured_since_;  ///< nullopt: the next keyframe, being the first, says
+                                           ///< nothing about the jitter
 };
 
 }  // namespace aucast::net

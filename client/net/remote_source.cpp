@@ -51,7 +51,7 @@ class RemoteSource::Network {
     }
   }
 
-  /// The reader has been asked for something and may have something to say.
+  /// The player has asked the reader for something, after which it may have something to send.
   void post_speak() {
     if (speak_posted_.exchange(true)) return;
     asio::post(io_, [this] {

@@ -24,10 +24,11 @@ using protocol::parse_endpoint;
 struct RemoteOptions {
   std::string host;
   std::uint16_t port = protocol::kDefaultPort;
-  std::vector<Endpoint> others{};  ///< with `reconnect`: where the stream is too, tried in turn
+  std::vector<Endpoint> others{};  ///< with `reconnect`: other servers of the stream, tried in turn
   bool classic = false;            ///< --protocol classic
   std::string stream;              ///< --stream; empty: the first
-  /// The longest time to look up and reach the server, and then again for its first packet.
+  /// How long the server may take to be looked up and reached, and again as long for its first
+  /// packet.
   Duration connect_timeout = std::chrono::seconds(10);
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed{};  ///< --speed
@@ -37,19 +38,20 @@ struct RemoteOptions {
   Security security{};
   bool voice = false;     ///< ask for the stream's voice
   bool captions = false;  ///< ask for its captions
-  /// Called on the network thread when something has changed, as long as the source lives; may only
-  /// wake the player. May be empty.
+  /// Called on the network thread when something has changed, until the source is destroyed. It may
+  /// only wake the player. May be empty.
   std::function<void()> wakeup;
 };
 
-/// The keyframes of a server. A thread of its own dials and runs a ServerConnection, whose AuReader
-/// is the one object that both threads touch; what the player asks of the network thread is posted
-/// to it. A failure shows in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with
-/// a sentence for the user. Keyframes received before are still returned.
+/// The keyframes of a server. A thread of its own, the network thread, dials and runs a
+/// ServerConnection. The AuReader is the one object that both this and the player's thread touch;
+/// what the player asks of the network thread is posted to it. A failure shows in status():
+/// Unreachable, ConnectionLost, ProtocolError or Refused, with a sentence for the user. Keyframes
+/// received before are still returned.
 class RemoteSource final : public ConnectedSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once
-  /// Stops as stop() does and joins the thread; the last bytes have kFarewellTimeMax to go out.
+  /// Stops as stop() does and joins the thread; sending the last bytes may take kFarewellTimeMax.
   ~RemoteSource() override;
 
   bool wait_until(Instant until) override;

@@ -12,22 +12,22 @@ namespace aucast::net {
 
 /// What the command line says about security.
 struct SecurityOptions {
-  bool tls = false;             ///< --tls; also when a file of TLS is named
+  bool tls = false;             ///< --tls; any file for TLS turns it on too
   tls::Files files;             ///< --tls-cert, --tls-key, --tls-ca
   std::filesystem::path token;  ///< --token-file
   bool insecure_token = false;  ///< --insecure-token: send it even where others can read it
 };
 
-/// How connections are protected, and the token for the server. Ready for use.
+/// How connections are protected, and the token for the server, with all files read.
 struct Security {
-  std::optional<tls::Context> tls;  ///< nothing: plain
+  std::optional<tls::Context> tls;  ///< nullopt: without TLS
   std::string token;                ///< empty: none
   bool insecure_token = false;
-  std::string warning{};  ///< for the log; else empty
+  std::string warning{};  ///< for the log; empty: none
 };
 
-/// Reads the files. Unreadable or BadData naming the file and the cause; Usage when a token would
-/// go to `host` for everybody on the way to read.
+/// Reads the files. Unreadable or BadData naming the file and the cause; Usage if the token would
+/// go over the network to `host` unencrypted and `insecure_token` is not set.
 [[nodiscard]] Result<Security> load_security(const SecurityOptions& options, std::string_view host);
 
 }  // namespace aucast::net

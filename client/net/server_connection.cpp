@@ -40,7 +40,7 @@ void ServerConnection::on_peer_end() {
   lose({});
 }
 
-/// The reader is told when it has taken what came before.
+/// The reader is told only when it has taken what came before.
 void ServerConnection::lose(std::string broke) {
   peer_ended_ = true;
   broke_ = std::move(broke);

@@ -18,15 +18,16 @@ namespace aucast::net {
 /// The one object that the player's and the network thread both touch.
 using SharedReader = Shared<AuReader>;
 
-/// Carries out on links what an AuReader decides: one link after the other, when connections are
-/// lost. The owner makes the links, and waits before the next one.
-/// Thread: that of the links; the reader is shared with the player's.
+/// Carries out what an AuReader decides, on a link; when a connection is lost, on the next link.
+/// The owner makes the links, and waits before the next one.
+/// Thread: that of the links; the player's thread uses the reader too.
 class ServerConnection final : public link::LinkUser {
  public:
   /// What the connection asks of its owner.
   struct Owner {
-    std::function<void(Milliseconds wait)> dial;  ///< a link, after `wait`: begin() or fail()
-    std::function<void()> over;                   ///< nothing more will be wanted
+    std::function<void(Milliseconds wait)> dial;  ///< make a link after `wait`, then call begin()
+                                                  ///< or fail()
+    std::function<void()> over;                   ///< the connection has ended for good
     std::function<void()> changed;                ///< there is something new for the player
   };
 
@@ -41,10 +42,10 @@ class ServerConnection final : public link::LinkUser {
   void fail(const std::string& reason, bool final);
   /// Call when the player has done something after which the reader may have something to send.
   void speak(Instant now);
-  /// The user leaves: sends the last bytes, then calls over().
+  /// The user leaves: sends the last bytes, then calls Owner::over.
   void leave();
 
-  /// Answers so far, as the protocol has them. Any thread.
+  /// How many bytes of the protocol were sent, without what a layer such as TLS adds. Any thread.
   [[nodiscard]] std::uint64_t bytes_sent() const { return bytes_sent_; }
 
  private:
@@ -62,11 +63,11 @@ class ServerConnection final : public link::LinkUser {
   SharedReader& reader_;
   const std::string peer_;
   const Owner owner_;
-  std::shared_ptr<link::Link> link_;  ///< nothing: none is there
+  std::shared_ptr<link::Link> link_;  ///< null: there is none
   bool open_ = false;
-  bool link_over_ = false;   ///< it closed by itself; what it brought may still wait for room
-  bool peer_ended_ = false;  ///< and the reader has not been told yet
-  std::string broke_;        ///< why it did; empty: the peer shut its side
+  bool link_over_ = false;   ///< it has closed; bytes that came before may still wait for room
+  bool peer_ended_ = false;  ///< the peer has ended, and the reader has not been told yet
+  std::string broke_;        ///< why the connection broke; empty: the peer closed its side
   bool leaving_ = false;
   bool over_ = false;
   std::atomic<std::uint64_t> bytes_sent_{0};

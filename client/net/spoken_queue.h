@@ -22,7 +22,7 @@ class SpokenQueue {
   [[nodiscard]] std::optional<playback::Voice> take_voice();
   [[nodiscard]] std::optional<playback::Caption> take_caption();
 
-  /// Where the voice ends that was kept last.
+  /// The place at which the last packet of voice that was kept ends.
   [[nodiscard]] Milliseconds voice_end() const { return voice_end_; }
   [[nodiscard]] std::uint64_t voice_left_out() const { return voice_left_out_; }
   [[nodiscard]] std::uint64_t captions_left_out() const { return captions_left_out_; }

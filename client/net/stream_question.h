@@ -21,10 +21,10 @@ class StreamQuestion final : public link::LinkUser {
   using Answered = std::function<void(Result<protocol::StreamList>)>;
 
   struct Terms {
-    std::string server;    ///< as messages call it
+    std::string server;    ///< its name in messages
     std::string token{};   ///< empty: none
-    Instant until{};       ///< no answer by then is a failure
-    std::string remedy{};  ///< what to do then, a clause; empty: nothing
+    Instant until{};       ///< when waiting for the answer ends with a failure
+    std::string remedy{};  ///< what the user can do then, as a clause; empty: nothing
   };
   StreamQuestion(Terms terms, Answered answered);
   ~StreamQuestion() override;

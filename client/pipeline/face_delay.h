@@ -13,10 +13,10 @@ class FaceDelay {
  public:
   /// The face of `at`, one activation per channel. The times must not go back.
   void add(Instant at, const std::vector<float>& activations);
-  /// at() is asked for nothing earlier any more.
+  /// at() will not be asked for anything earlier any more.
   void forget_before(Instant at);
-  /// The face of `at`: interpolated between its neighbours; before all faces the first, after all
-  /// the last. Earlier ones are forgotten. Something must have been added. Valid until the next
+  /// The face at `at`, interpolated between its neighbours; before all faces the first, after all
+  /// the last. Earlier faces are forgotten. At least one must have been added. Valid until the next
   /// call.
   [[nodiscard]] const std::vector<float>& at(Instant at);
   [[nodiscard]] bool empty() const { return faces_.empty(); }

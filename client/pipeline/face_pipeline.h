@@ -14,21 +14,21 @@ struct FaceState {
   std::vector<float> activations;  ///< one per channel of the face
 };
 
-/// The one place that fixes the order from a set of AUs to activations: blend (rules), mix, then
-/// interpolate between start and end frame. Deforming is the caller's, with a FaceDeformer, because
-/// not every position is drawn.
-/// The mapping must outlive it; a change of it takes effect at the next keyframe or remake().
-/// After construction only neutral() and change_face() allocate, and begin_keyframe() and remake()
-/// if the mapping has been given more rules since. Thread: the player's.
+/// Turns a set of AUs into activations: blends (rules), mixes, then interpolates between start and
+/// end frame. Only this class decides that order. The caller deforms, with a FaceDeformer, because
+/// not every position is drawn. The mapping must outlive it; a change to the mapping takes effect
+/// at the next keyframe or remake(). After construction only neutral() and change_face() allocate,
+/// and begin_keyframe() and remake() if the mapping has been given more rules since. Thread: the
+/// player's.
 class FacePipeline {
  public:
   FacePipeline(const AuMapping& mapping, playback::Interpolation interpolation);
 
   /// A keyframe begins: the face goes from `start` to `aus`.
   void begin_keyframe(const AuFrame& aus, const FaceState& start);
-  /// Makes the end frame again, because the mapping has changed.
+  /// Makes the end frame again. Call it when the mapping has changed.
   void remake();
-  /// The mapping has a new face: makes both frames again from their AUs.
+  /// Makes both frames again from their AUs. Call it when the mapping has a new face.
   void change_face();
   /// The face at fraction `mu` in [0,1] of the current keyframe: exactly `start` at 0 and the end
   /// frame at 1; neutral before the first. `state` must be as large as neutral().

@@ -35,7 +35,7 @@ void IdleFace::blink(float closure, std::span<float> activations) const {
   }
 }
 
-/// Afterwards at most one of them pulls.
+/// Adds `by` to the difference of two opposed channels. Afterwards at most one of them is active.
 void IdleFace::shift(const face::OpposedChannels& channels, double by,
                      std::span<float> activations) const {
   const auto& [plus, minus] = channels;

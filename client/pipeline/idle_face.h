@@ -13,25 +13,25 @@
 
 namespace aucast::pipeline {
 
-/// What a face does by itself.
+/// What an idle face does; nullopt: not at all.
 struct IdleOptions {
   std::optional<std::uint64_t> seed{};            ///< gaze and breath (playback/idle_life.h)
   std::optional<playback::BlinkOptions> blink{};  ///< playback/blinking.h
 };
 
-/// Adds what a face does by itself to the activations that are shown. Movements that the face has
-/// no channel for are left out. The face must outlive it.
+/// Adds what an idle face does to the activations that are shown. Movements for which the face has
+/// no channel are left out. The face must outlive it.
 class IdleFace {
  public:
   explicit IdleFace(const face::Face& face);
 
-  /// All of it, at `seconds` of the clock that the options' functions go by.
+  /// Adds all that the options ask for, as it is at `seconds` >= 0.
   void apply(const IdleOptions& options, double seconds, std::span<float> activations) const;
 
-  /// Closes both lids at least so far.
+  /// Closes both lids by at least `closure`, in [0,1].
   void blink(float closure, std::span<float> activations) const;
 
-  /// Looks aside from where the eyes look, and lifts the head with the breath: by half a degree of
+  /// Turns the eyes from where they look, and lifts the head with the breath: by half a degree of
   /// nodding and 0.7 mm forward.
   void move(const playback::IdleMotion& motion, std::span<float> activations) const;
 

@@ -8,32 +8,32 @@
 
 namespace aucast::pipeline {
 
-/// A face that is moved by a Playback, of either kind. It owns no clock: time is handed in.
-/// The mapping and what is opened must outlive it. advance() allocates nothing.
+/// A face that is moved by a Playback. It has no clock: time is handed in. The mapping and what is
+/// opened must outlive it. advance() allocates nothing.
 /// Thread: the player's.
 class Player {
  public:
   Player(const AuMapping& mapping, playback::Interpolation interpolation);
 
-  /// Opens what plays from the next advance() on; until its first keyframe the face stays as it is.
+  /// Opens what plays from the next advance() on; the face stays as it is until the first keyframe.
   /// Null: nothing plays.
   void open(playback::Playback* playback);
   [[nodiscard]] playback::Playback* playback() const { return playback_; }
 
-  /// Called for each keyframe that begins, when the pipeline has it.
+  /// Called for each keyframe that begins, once pipeline() has it.
   using OnBegin = std::function<void(const playback::KeyframeBegun&)>;
-  /// Moves to `now`: begins one keyframe after the other until none begins.
+  /// Moves the face to `now`, and begins every keyframe that is due.
   void advance(Instant now, const OnBegin& on_begin = {});
-  /// The mapping has changed: the keyframe under way is made anew.
+  /// Call it when the mapping has changed: makes the keyframe under way anew.
   void remake();
-  /// The mapping has a new face, which goes on with the same AUs.
+  /// Call it when the mapping has a new face, which goes on with the same AUs.
   void change_face();
   /// Takes effect at once.
   void set_interpolation(playback::Interpolation kind);
 
-  /// As of the last call that changed it.
+  /// The face as of the last call that changed it.
   [[nodiscard]] const FaceState& face() const { return face_; }
-  /// Sets the face: the next keyframe begins from there.
+  /// Sets the face, from which the next keyframe begins.
   void set_face(std::span<const float> activations);
   [[nodiscard]] const FacePipeline& pipeline() const { return pipeline_; }
 
@@ -44,7 +44,7 @@ class Player {
   playback::Playback* playback_ = nullptr;
   FacePipeline pipeline_;
   FaceState face_;
-  bool begun_ = false;  ///< the pipeline has a keyframe of what is open
+  bool begun_ = false;  ///< pipeline_ has a keyframe of playback_
 };
 
 }  // namespace aucast::pipeline

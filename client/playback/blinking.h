@@ -21,12 +21,12 @@ struct BlinkOptions {
 };
 
 /// Blinking as a pure function of time: the same options blink at the same moments. One blink
-/// begins in every interval, at a random place of it, and takes three times as long as the lids
-/// need to close: they are closed for half of that time and need one and a half to open. Returns
-/// the closure of both lids in [0,1] at `seconds` >= 0.
+/// begins in every interval, at a random moment of it, and takes 3 x closing_ms: the lids close in
+/// closing_ms, stay closed for half of it and open in one and a half of it. Returns the closure of
+/// both lids in [0,1] at `seconds` >= 0.
 [[nodiscard]] float blink_closure(const BlinkOptions& options, double seconds);
 
-/// With the usual interval and closing time.
+/// The same with the default interval and closing time.
 [[nodiscard]] float blink_closure(std::uint64_t seed, double seconds);
 
 }  // namespace aucast::playback

@@ -10,20 +10,21 @@
 
 namespace aucast::playback {
 
-/// Finds the caption for what is seen and heard among those that came ahead of their places.
+/// Keeps captions that come ahead of their places, and says which one belongs to the place that is
+/// seen and heard.
 /// Thread: none of its own.
 class CaptionLine {
  public:
   static constexpr std::size_t kWaitingMax = 10'000;
   /// Adds the next caption, whose place is that of the previous one or later. Must not be full().
   void add(Caption caption);
-  /// No more captions fit: the next ones stay in the playback.
+  /// Whether no more captions fit. The next ones then stay in the playback.
   [[nodiscard]] bool full() const { return waiting_.size() >= kWaitingMax; }
-  /// Takes what has come of `playback`, until it is full.
+  /// Takes the captions that `playback` has, until full().
   void take_from(Playback& playback);
-  /// Moves to `place`. The text stays when places go back.
+  /// Moves to `place`. If places go back, the text stays.
   void move_to(Duration place);
-  /// UTF-8; empty: nothing is said.
+  /// The caption at the place, UTF-8; empty: none.
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:

@@ -8,14 +8,14 @@
 
 namespace aucast::playback {
 
-/// The usual and the longest of many delays.
+/// The median and the longest of many delays.
 struct DelaySummary {
   std::uint64_t keyframes = 0;  ///< 0: nothing was measured
   Duration median{};            ///< to the millisecond
   Duration longest{};
 };
 
-/// How long keyframes took from their arrival until the face had reached them.
+/// Collects delays, such as from a keyframe's arrival until the face had reached it.
 /// Thread: none of its own.
 class DelayMeter {
  public:
@@ -26,11 +26,11 @@ class DelayMeter {
   [[nodiscard]] DelaySummary lately() const;
 
  private:
-  std::vector<std::uint64_t> by_ms_;  ///< how many took each number of milliseconds, rounded
+  std::vector<std::uint64_t> by_ms_;  ///< by_ms_[n]: how many delays of n milliseconds, rounded
   std::uint64_t keyframes_ = 0;
   Duration longest_{};
   std::vector<Duration> last_;
-  std::size_t next_ = 0;  ///< of last_, to be written over
+  std::size_t next_ = 0;  ///< index into last_ of the oldest, to be overwritten next
 };
 
 }  // namespace aucast::playback

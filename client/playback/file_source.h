@@ -10,9 +10,9 @@ namespace aucast::playback {
 /// Gives each keyframe its place; those without a time of their own take `untimed`.
 void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed);
 
-/// Keyframes that are all available: a stream file, played without a server. Always ready, so
-/// nothing ever stalls; its status tells the end of the stream from the start, because nothing more
-/// will arrive. After stop() it gives nothing.
+/// A stream file, played without a server. It is always ready, so nothing ever stalls. Its status
+/// says from the start that the stream has ended, because nothing more will arrive. After stop() it
+/// gives no keyframes.
 /// Thread: the player's.
 class FileSource final : public KeyframeSource {
  public:

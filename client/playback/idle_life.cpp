@@ -20,7 +20,7 @@ double chance_of(std::uint64_t seed, std::uint64_t what, std::int64_t number) {
   return chance(seed + 0x100 * what, static_cast<std::uint64_t>(number));
 }
 
-/// 0 to 1 with no speed at both ends.
+/// Goes from 0 to 1 with no speed at either end.
 double smooth(double t) {
   t = std::clamp(t, 0.0, 1.0);
   return t * t * (3 - 2 * t);

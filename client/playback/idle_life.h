@@ -4,7 +4,7 @@
 
 namespace aucast::playback {
 
-/// What a face does by itself besides blinking.
+/// What an idle face does besides blinking.
 struct IdleMotion {
   double gaze_left_deg = 0;  ///< to the subject's left
   double gaze_up_deg = 0;

@@ -13,8 +13,8 @@ enum class Interpolation : std::uint8_t {
 /// The weight of the end frame at fraction `mu` in [0,1]: exactly 0 at 0 and 1 at 1.
 [[nodiscard]] float ease(Interpolation kind, double mu);
 
-/// out = start (1 - w) + end w for each activation; `out` equals `start` at w = 0 and `end` at
-/// w = 1 bit for bit. All of the same size; `out` may be `start` or `end`.
+/// out = start (1 - w) + end w for each activation. At w = 0 and w = 1, `out` equals `start` and
+/// `end` bit for bit. All spans have the same size; `out` may be `start` or `end`.
 void interpolate(std::span<const float> start, std::span<const float> end, float weight,
                  std::span<float> out);
 

@@ -12,7 +12,8 @@ void JitterMeter::arrived(Instant now, Milliseconds time) {
   while (!lowest_.empty() && lowest_.back().lateness >= arrival.lateness) lowest_.pop_back();
   highest_.push_back(arrival);
   lowest_.push_back(arrival);
-  // Seen from the one before, so that a gap of whatever length shows in the one that ends it.
+  // Windows end before the previous keyframe, so that a gap of any length shows in the keyframe
+  // that ends it.
   while (last_ - highest_.front().at > kWindow) highest_.pop_front();
   while (last_ - lowest_.front().at > kWindow) lowest_.pop_front();
   last_ = now;

@@ -7,19 +7,20 @@
 
 namespace aucast::playback {
 
-/// Measures by how much a stream has to be delayed so that late keyframes still come in time: the
-/// spread of their lateness, against their own times, over the last kWindow. A keyframe that was
-/// lost and sent again counts as late as it was.
+/// Measures by how much a stream has to be delayed so that late keyframes still come in time. A
+/// keyframe's lateness is the time from the first arrival to its own, minus the times of all
+/// keyframes before it; the result is the spread of lateness over the last kWindow. A keyframe that
+/// was lost and sent again counts with all of its lateness.
 /// Thread: none of its own.
 class JitterMeter {
  public:
   static constexpr Duration kWindow = std::chrono::seconds(30);
 
-  /// A keyframe of `time` has come at `now`; the times must not go back.
+  /// A keyframe of length `time` has come at `now`, which must not go back.
   void arrived(Instant now, Milliseconds time);
-  /// The spread; nullopt until a keyframe has come, and 0 for only one.
+  /// The spread; nullopt until a keyframe has come, and 0 after only one.
   [[nodiscard]] std::optional<Duration> spread() const;
-  /// A new connection: what is known of the link stays, the place in the stream does not.
+  /// Call it for a new connection: the spread is remembered, the place in the stream is not.
   void begin_again();
 
  private:
@@ -28,12 +29,13 @@ class JitterMeter {
     Duration lateness;
   };
 
-  std::deque<Arrival> highest_;  ///< falling: the first is the most late of the window
-  std::deque<Arrival> lowest_;   ///< rising: the first is the least late
+  std::deque<Arrival> highest_;  ///< falling; the first is the latest of the window
+  std::deque<Arrival> lowest_;   ///< rising; the first is the least late of the window
   std::optional<Instant> begin_;
   Instant last_{};
   Milliseconds media_{0};
-  std::optional<Duration> before_;  ///< the spread of the previous connection
+  std::optional<Duration> before_;  ///< the spread of the previous connection, used for one more
+                                    ///< kWindow
 };
 
 }  // namespace aucast::playback

@@ -12,7 +12,7 @@ constexpr std::size_t kLiveKeyframesMin = 2;
 constexpr int kFasterPercent = 95;
 constexpr int kSlowerPercent = 105;
 
-/// Most that stalls raise the delay to.
+/// The longest delay that stalls lead to.
 constexpr Milliseconds kAdaptedMax{10'000};
 
 }  // namespace

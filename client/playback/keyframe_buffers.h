@@ -29,30 +29,36 @@ struct BufferOptions {
 /// and some more.
 inline constexpr std::size_t kReceiverSetsByTime = 2000;
 
-/// How many sets must be in the Receiver buffer before the Playout buffer is filled: the
-/// threshold's share of it, rounded up.
+/// How many sets must be in the Receiver buffer before the Playout buffer is filled:
+/// threshold_percent of its capacity, rounded up.
 [[nodiscard]] constexpr std::size_t threshold_of(const BufferOptions& options) {
   return (options.receiver_capacity * static_cast<std::size_t>(options.threshold_percent) + 99) /
          100;
 }
 
 /// The Receiver and the Playout buffer of the thesis (5.4.4.1-5.4.4.2, figures 5.12-5.15), first-in
-/// first-out, with the gaps of its figures closed: the end of the stream flushes what is below the
-/// threshold; a full receiver with an empty playout fills it whatever the threshold; the
-/// controller's refill tells the reader that there is room. Invariant: sizes never exceed the
-/// capacities; nothing is duplicated or reordered, and nothing of a recorded stream is lost. A live
-/// stream is buffered by time: playing starts when two keyframes and `live_delay` are there, or the
-/// receiver is full, first and after a stall. A keyframe is played in 95 % of its time if more than
-/// `live_delay` plus that time is buffered besides it; with `adapt`, in 105 % if less than
-/// `live_delay` minus twice that time is. The oldest keyframe is dropped for each that overflows
-/// the receiver and, while playback is waiting, as many as need be once more than `live_delay` +
-/// kLiveLagMax is buffered (then down to `live_delay`). store() always takes a live keyframe: there
-/// is no case A. With `low_delay` playing starts with one keyframe, and pace_percent stays 100.
-/// While playback is waiting, the oldest are dropped once kStandingLagMax more is buffered than the
-/// time from the newest one's arrival until it is due, or its own time if it has no due time (then
-/// down to that). With `by_time` a recorded stream waits for two keyframes and `live_delay` as
-/// well; with `adapt` each stall doubles `live_delay`, up to 10 s. Thread: none of its own; the
-/// owner guards it.
+/// first-out. What its figures leave open is decided thus: at the end of the stream the buffers are
+/// played even below the threshold; a full receiver fills an empty playout whatever the threshold;
+/// when the controller's take() refills the playout, the reader can see that there is room().
+/// Invariant: sizes never exceed the capacities; nothing is duplicated or reordered, and nothing of
+/// a recorded stream is lost.
+///
+/// A live stream is buffered by time. At first and after a stall, playing starts when two keyframes
+/// and `live_delay` are buffered, or the receiver is full. A keyframe is played in 95 % of its time
+/// if more than `live_delay` plus that time is buffered after it; with `adapt`, in 105 % if less
+/// than `live_delay` minus twice that time is. store() always takes a live keyframe. When the
+/// receiver overflows, the oldest is dropped. While playback is waiting and more than `live_delay`
+/// + kLiveLagMax is buffered, the oldest are dropped until `live_delay` is left.
+///
+/// With `low_delay`, playing of a live stream starts with one keyframe, and pace_percent stays 100.
+/// While playback is waiting, there is a limit: the time from the newest keyframe's arrival until
+/// it is due (its own time if it has no due time). Once more than that + kStandingLagMax is
+/// buffered, the oldest are dropped down to the limit.
+///
+/// With `by_time`, a recorded stream waits for two keyframes and `live_delay` too; with `adapt` as
+/// well, each stall doubles `live_delay`, up to 10 s.
+///
+/// Thread: none of its own; the owner guards it.
 class KeyframeBuffers {
  public:
   /// The options must be in their ranges.
@@ -78,12 +84,12 @@ class KeyframeBuffers {
   /// Sets `live_delay`, clamped to its range.
   void set_delay(Milliseconds delay);
   [[nodiscard]] Milliseconds delay() const { return options_.live_delay; }
-  /// Free places of the receiver.
+  /// How many more keyframes the receiver can take.
   [[nodiscard]] std::size_t room() const;
-  /// Nothing will come for a while: starts playing with what is buffered.
+  /// Starts playing with what is buffered, because nothing will come for a while.
   void release();
-  /// {-2}, or nothing more will come for another reason: the buffers are played to the end. Only
-  /// keyframes that case A had kept back may still be stored.
+  /// Call it at {-2}, or when nothing more will come for another reason: the buffers are played to
+  /// the end. Only keyframes that were kept back in case A may still be stored.
   void end_of_stream();
 
   // === The playback controller's side.
@@ -103,7 +109,7 @@ class KeyframeBuffers {
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
-  /// What a live stream may buffer beyond wanted() while playback is waiting.
+  /// How much more than wanted() a live stream may buffer while playback is waiting.
   static constexpr Milliseconds kLiveLagMax{2000};
   /// The same with `low_delay`.
   static constexpr Milliseconds kStandingLagMax{100};
@@ -118,14 +124,15 @@ class KeyframeBuffers {
   void pop_front();
 
   BufferOptions options_;
-  /// Both buffers, so that a keyframe passes from one to the other where it lies.
+  /// Both buffers in one, so that a keyframe passes from one to the other without being moved.
   std::deque<Keyframe> keyframes_;
-  std::size_t playout_ = 0;  ///< of `keyframes_`, from the front; the rest is the receiver's
+  std::size_t playout_ = 0;  ///< how many, from the front, are the Playout buffer's; the rest are
+                             ///< the receiver's
   bool ended_ = false;
   std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe; nullopt: recorded
   Milliseconds untimed_{250};         ///< the same for recorded streams
-  bool starved_ = true;               ///< the player found nothing, so a delay is built up
-  bool begun_ = false;                ///< the player has found a keyframe before
+  bool starved_ = true;               ///< take() found nothing, so a delay is built up
+  bool begun_ = false;                ///< take() has found a keyframe before
   std::uint64_t dropped_ = 0;
 };
 

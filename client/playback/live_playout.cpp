@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::int64_t kSecondsKept = 30;
 constexpr std::size_t kSpared = 2;
-/// Fewer keyframes than this in a second do not show a step of the clock.
+/// Seconds with fewer keyframes than this are not examined for a step of the clock.
 constexpr std::size_t kStepKeyframes = 5;
-/// For what the two computers add of their own: waking up, reading.
+/// For delays in the two computers, such as waking up and reading.
 constexpr Duration kMargin = std::chrono::milliseconds(2);
-/// delay() is the average of about so many keyframes.
+/// delay() is the average over about this many keyframes.
 constexpr int kAverageOf = 16;
 
 }  // namespace
@@ -24,7 +24,7 @@ Instant LivePlayout::arrived(Instant now, Milliseconds time, std::optional<Milli
   // What was left out on the way shows in the places; in a loop they begin again.
   if (place && place_ && *place > *place_ + time) sets_out_ += *place - *place_ - time;
   place_ = place;
-  // Who joins is sent a keyframe that has begun: it tells nothing of the link.
+  // A client that joins is sent a keyframe that has already begun: it says nothing about the link.
   if (!first) note(now, now - *begin_ - sets_out_);
   sets_out_ += time;
   const Instant due = *begin_ + sets_out_ + latest() + kMargin;
@@ -48,7 +48,8 @@ void LivePlayout::note(Instant now, Duration lateness) {
   ++second.keyframes;
 }
 
-/// When everything of the second that is over came later, or earlier, than what was known before.
+/// Forgets the seconds before the last complete one if everything in it came later, or earlier,
+/// than everything before.
 void LivePlayout::forget_before_a_step() {
   if (seconds_.size() < 2 || seconds_.back().keyframes < kStepKeyframes) return;
   const Second over = seconds_.back();

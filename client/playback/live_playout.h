@@ -9,25 +9,26 @@
 
 namespace aucast::playback {
 
-/// When the keyframes of a live stream are due with the lowest delay that the jitter allows
-/// (--live). The face can begin to move to a keyframe only when that has come, so it is delayed by
-/// as much as keyframes come late by the stream's own clock, and by no more: each is due its own
-/// time after the latest moment at which it could have been expected.
+/// Decides when the keyframes of a live stream are due, with the lowest delay that the jitter
+/// allows (--live). The face can begin to move to a keyframe only when that has come. So the face
+/// is delayed by as much as keyframes come late, compared with the stream's own clock, and by no
+/// more: each keyframe is due its own time after the latest moment at which it could have been
+/// expected to come.
 ///
-/// The lateness is that of the latest keyframe in each of the last 30 seconds, without the worst
-/// two seconds, so that a delay that happens once or twice in half a minute does not delay
-/// everything after it. A clock that has stepped (a source that stood still, moments that were left
-/// out) begins anew after a second.
+/// That lateness is the largest of the last 30 seconds, without the worst two of them, so that a
+/// delay that happens once or twice in half a minute does not delay everything after it. If the
+/// stream's clock has stepped (the source was silent, or moments were left out), what was known
+/// before is forgotten after a second.
 /// Thread: none of its own.
 class LivePlayout {
  public:
-  /// A keyframe that takes `time` has come at `now`: when the face should have reached it. `place`:
-  /// in the stream, if it is known. The times must not go back.
+  /// A keyframe of length `time` has come at `now`. Returns when the face should have reached it.
+  /// `place`: its place in the stream, if known. `now` must not go back.
   [[nodiscard]] Instant arrived(Instant now, Milliseconds time,
                                 std::optional<Milliseconds> place = std::nullopt);
-  /// From a keyframe's arrival until it is due, the recent average.
+  /// The recent average of the time from a keyframe's arrival until it is due.
   [[nodiscard]] Duration delay() const { return delay_; }
-  /// A new connection, or the user has paused: nothing is known of what comes.
+  /// Call it for a new connection or when the user has paused: forgets everything.
   void begin_again() { *this = {}; }
 
  private:
@@ -45,7 +46,7 @@ class LivePlayout {
   std::optional<Instant> begin_;
   Duration sets_out_{};  ///< when the face leaves for the next keyframe, on the stream's clock
   std::optional<Milliseconds> place_;
-  std::deque<Second> seconds_;  ///< the last one is under way
+  std::deque<Second> seconds_;  ///< the last one is not over yet
   Duration delay_{};
 };
 

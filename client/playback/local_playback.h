@@ -10,7 +10,8 @@
 
 namespace aucast::playback {
 
-/// Where a moment of a stream lies: `mu` in [0,1] of the way to the face of `keyframe`.
+/// A position in a stream by keyframe: the fraction `mu` in [0,1] of the way to the face of
+/// `keyframe`.
 struct StreamPlace {
   std::size_t keyframe = 0;  ///< counts from 0
   double mu = 0;
@@ -24,49 +25,53 @@ class LocalPlayback {
  public:
   static constexpr int kSpeedMin = 10;  ///< percent
   static constexpr int kSpeedMax = 1000;
-  /// Percent, ascending: the speeds that are offered, and that one step faster or slower leads to.
+  /// The speeds that are offered, in percent, ascending. One step faster or slower leads to the
+  /// next.
   static constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 
-  /// The time of each keyframe, none negative; at least one. Stands at the beginning, paused.
+  /// `times`: the time of each keyframe, at least one, none negative. It begins paused, at position
+  /// 0.
   explicit LocalPlayback(const std::vector<Milliseconds>& times);
 
   [[nodiscard]] Duration total() const { return ends_.back(); }
   /// When each keyframe is reached, ascending.
   [[nodiscard]] const std::vector<Duration>& ends() const { return ends_; }
-  /// Between 0 and total().
+  /// In [0, total()].
   [[nodiscard]] Duration position(Instant now) const;
   /// The keyframe under way at a position; where one ends and the next begins, the one that ends.
   [[nodiscard]] StreamPlace place(Duration position) const;
-  /// The clock runs; also true at the end until somebody pauses.
+  /// Whether the clock runs. Stays true at the end until pause().
   [[nodiscard]] bool playing() const { return playing_; }
-  /// Has played to the end.
+  /// Whether it has played to the end.
   [[nodiscard]] bool over(Instant now) const { return playing_ && position(now) == total(); }
   [[nodiscard]] int speed_percent() const { return speed_percent_; }
   [[nodiscard]] std::optional<Duration> loop_begin() const { return loop_begin_; }
   [[nodiscard]] std::optional<Duration> loop_end() const { return loop_end_; }
   [[nodiscard]] bool repeats() const { return repeats_; }
 
-  /// From the end it plays from the beginning.
+  /// Plays on; at the end, from the beginning.
   void play(Instant now);
   void pause(Instant now);
-  /// Goes to a position, clamped to the stream; keeps playing, or not, as before. What has played
-  /// to its end stands there; seeking to the end and back, as in a drag, plays on.
+  /// Goes to a position, clamped to the stream, and keeps playing or stays paused as before. If it
+  /// had played to its end, it is paused from now on; if it only was sought to the end, as in a
+  /// drag, it plays on after seeking back.
   void seek(Duration position, Instant now);
   /// Goes to the next keyframe's end (+1) or the previous one's (-1), and stays there.
   void step_keyframe(int direction, Instant now);
-  /// The same by the pictures of a film of the stream, `fps` a second from its beginning; its end
-  /// is the last one.
+  /// The same by the pictures of a film of the stream, `fps` a second from its beginning. The
+  /// stream's end counts as the last picture.
   void step_frame(int direction, int fps, Instant now);
   /// Clamped to the limits.
   void set_speed(int percent, Instant now);
-  /// To the next of the usual speeds, up (+1) or down (-1).
+  /// Goes to the next of kSpeeds, up (+1) or down (-1).
   void change_speed(int direction, Instant now);
-  /// First A, then B, then none: the marks of a loop, at the position of `now`.
+  /// Sets the marks of a loop at the position of `now`: first A, then B, which may be before A; the
+  /// third call removes both.
   void mark_loop(Instant now);
-  /// At the end it begins anew. A loop between two marks comes first.
+  /// Whether it begins anew at the end. A loop between two marks takes precedence.
   void set_repeat(bool repeats, Instant now);
 
-  /// Keyframes reached by playing, and the sum of their times; rounds of a loop count.
+  /// Keyframes reached by playing, and the sum of their times. All rounds of a loop count.
   [[nodiscard]] std::uint64_t keyframes_played(Instant now) const;
   [[nodiscard]] Duration media_time(Instant now) const;
 
@@ -80,7 +85,7 @@ class LocalPlayback {
     Duration begin{0};
     Duration end{0};
   };
-  /// The part that is played again and again from the anchor on.
+  /// The part that is repeated when playing on from the anchor; nullopt: none.
   [[nodiscard]] std::optional<Loop> loop() const;
   /// Stream time since the anchor, as if there were no end and no loop.
   [[nodiscard]] Duration run(Instant now) const;
@@ -97,7 +102,7 @@ class LocalPlayback {
   std::optional<Duration> loop_begin_;
   std::optional<Duration> loop_end_;
   bool repeats_ = false;
-  Passed passed_before_;  ///< up to the anchor
+  Passed passed_before_;  ///< what was played before the anchor
 };
 
 }  // namespace aucast::playback

@@ -7,7 +7,7 @@ namespace aucast::playback {
 /// Where playing is in a stream, and how fast it moves.
 struct Passing {
   Duration place{0};  ///< on the stream's clock
-  double speed = 0;   ///< stream time per time; 0: it stands still
+  double speed = 0;   ///< seconds of the stream per second; 0: paused or waiting
 };
 
 }  // namespace aucast::playback

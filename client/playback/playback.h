@@ -13,10 +13,10 @@ namespace aucast::playback {
 
 class SeekablePlayback;
 
-/// Which keyframe the face is on its way to, and how far. Time is handed in and must not go back;
-/// where there is sound, what is handed in is the time of the place that is being heard. Two kinds:
-/// SourcePlayback plays what a source gives as it comes, SeekablePlayback plays a stream that is
-/// available whole, at any place and speed.
+/// Decides which keyframe the face is on its way to, and how far it has come. Time is handed in and
+/// must not go back; where there is sound, it is sound::SoundPlayer's. Two kinds: SourcePlayback
+/// plays what a source gives as it comes, SeekablePlayback plays a stream that is available whole,
+/// at any place and speed.
 /// Thread: none of its own.
 class Playback {
  public:
@@ -25,8 +25,8 @@ class Playback {
   Playback(const Playback&) = delete;
   Playback& operator=(const Playback&) = delete;
 
-  /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until
-  /// nothing is returned.
+  /// Moves to `now`. If a keyframe begins, it is returned; call again with the same `now` until
+  /// nullopt is returned.
   [[nodiscard]] virtual std::optional<KeyframeBegun> advance(Instant now) = 0;
   /// The face stays where it is at `now` until resume().
   virtual void pause(Instant now) = 0;
@@ -37,34 +37,35 @@ class Playback {
   [[nodiscard]] virtual PlaybackState state() const = 0;
   /// True in Ended, Stopped and Lost.
   [[nodiscard]] bool over() const { return is_over(state()); }
-  /// Of the last advance().
+  /// As of the last advance().
   [[nodiscard]] virtual PlaybackProgress progress() const = 0;
-  /// Nothing has come for a long time: the face has left the last keyframe for neutral.
+  /// Whether the face has left the last keyframe for neutral, because nothing has come for a long
+  /// time.
   [[nodiscard]] virtual bool eased() const { return false; }
-  /// When the face should be looked at again; nullopt when it stands still.
+  /// When to call advance() next for a face that has moved visibly; nullopt if the face does not
+  /// move.
   [[nodiscard]] virtual std::optional<Instant> next_position_at() const = 0;
   /// Where playing is, as of the last advance(). After the end it goes on, for sound that lasts
-  /// longer than the face. Nothing where no places are known.
+  /// longer than the face. Nullopt if no places are known.
   [[nodiscard]] virtual std::optional<Passing> passing() const = 0;
-  /// KeyframeSource's.
+  /// As KeyframeSource's.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
   [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
-  /// The times handed in are `ahead` of those of the steady clock, and their face is shown
-  /// `lead` later. Zero until then.
+  /// Says that the times handed in from now on are `ahead` of the steady clock, and that the face
+  /// for a time is shown `lead` after that time is handed in. Both are zero before the first call.
   virtual void set_clock(Duration /*ahead*/, Duration /*lead*/) {}
-  /// Whole ones, as of the last advance().
+  /// How many keyframes were played to their end, as of the last advance().
   [[nodiscard]] virtual std::uint64_t keyframes_played() const = 0;
   /// The sum of their times.
   [[nodiscard]] virtual Duration media_time() const = 0;
   [[nodiscard]] virtual std::uint64_t stalls() const { return 0; }
   /// How long live keyframes took from their arrival until they were reached.
   [[nodiscard]] virtual const DelayMeter& delays() const;
-  /// The same delay as intended, for keyframes that had a due time.
+  /// The same delays as they were intended, for keyframes that had a due time.
   [[nodiscard]] virtual const DelayMeter& delays_meant() const;
-  /// Waits until advance() may find something or until `until`, whichever is first; true when it
-  /// may.
+  /// Blocks until advance() may find a keyframe, or until `until`. Returns true in the first case.
   virtual bool wait_until(Instant /*until*/) { return true; }
-  /// Of what gives the keyframes.
+  /// The status of what gives the keyframes.
   [[nodiscard]] virtual SourceStatus status() const = 0;
   /// This object, if it can seek; else null.
   [[nodiscard]] virtual SeekablePlayback* seekable() { return nullptr; }
@@ -74,8 +75,8 @@ class Playback {
 class SourcePlayback final : public Playback {
  public:
   struct Options {
-    std::optional<Milliseconds> speed{};  ///< of a keyframe without a time of its own; nothing: the
-                                          ///< server's
+    std::optional<Milliseconds> speed{};  ///< the time of a keyframe that has none of its own;
+                                          ///< nullopt: the server's default
     std::optional<Milliseconds> hold{};   ///< PlaybackController::set_hold()
     bool film_clock = false;              ///< PlaybackController::set_film_clock()
   };

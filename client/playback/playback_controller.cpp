@@ -9,18 +9,19 @@
 namespace aucast::playback {
 namespace {
 
-/// The next keyframe of the source. `ended` is set when there will never be one again.
+/// The next keyframe of the source, if there is one now. Sets `ended` if there will never be one
+/// again.
 std::optional<Keyframe> take_next(KeyframeSource& source, bool& ended) {
   ended = false;
   if (auto keyframe = source.take()) return keyframe;
   if (!source.ready()) return std::nullopt;
-  // Between the two calls one may have come, or the end: now it is one or the other for good.
+  // Between the two calls a keyframe or the end may have come, so ask once more.
   auto keyframe = source.take();
   ended = !keyframe.has_value();
   return keyframe;
 }
 
-/// What a keyframe that begins at `begin` takes, of `time` that is its own.
+/// How long a keyframe that begins at `begin` is played; `time` is its own time.
 Duration time_taken(const Keyframe& keyframe, Milliseconds time, Instant begin) {
   const Duration whole = time;
   // A voice that is half a per cent faster or slower sounds the same; a face may be so by five.
@@ -103,7 +104,7 @@ std::optional<KeyframeBegun> PlaybackController::advance_stalled(Instant now,
   return ease_when_due(now);
 }
 
-/// Nothing comes: begins the easing when it is time for it.
+/// While nothing comes: begins the easing when it is due.
 std::optional<KeyframeBegun> PlaybackController::ease_when_due(Instant now) {
   move_easing(now);
   if (eased_ || !hold_ || !begun_ || now - stalled_since_ < *hold_) return std::nullopt;
@@ -239,7 +240,7 @@ void PlaybackController::pause(Instant now) {
   state_ = PlaybackState::Paused;
 }
 
-/// In the middle of the keyframe that is played, if one is.
+/// Holds the keyframe under way, if there is one, where it is at `now`.
 void PlaybackController::stand(Instant now) {
   if (state_ != PlaybackState::Playing) return;
   move_to(now);

@@ -15,10 +15,10 @@ namespace aucast::playback {
 inline constexpr int kPositionsPerKeyframe = 50;
 
 enum class PlaybackState : std::uint8_t {
-  Buffering,  ///< nothing played yet, the first keyframe is awaited
+  Buffering,  ///< nothing has been played yet, the first keyframe is awaited
   Playing,
   Stalled,  ///< both buffers ran empty before the end: the clock waits, the face holds
-  Stale,    ///< that lasted too long: the face eases to neutral and waits there
+  Stale,    ///< a stall lasted too long: the face eases to neutral and waits there
   Paused,   ///< by the user
   Ended,    ///< the last keyframe's position 50 is reached and the stream had ended
   Stopped,  ///< the user left
@@ -41,20 +41,20 @@ struct KeyframeBegun {
   std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
 };
 
-/// Where playback stands. position is k in 0..50 of the current keyframe, mu = the exact fraction.
+/// How far playback has come.
 struct PlaybackProgress {
   std::uint64_t keyframe = 0;  ///< counts from 1; 0 before the first
-  int position = 0;            ///< whole positions reached, 0..50
-  double mu = 0;               ///< fraction in [0,1]
+  int position = 0;  ///< the last position k of the current keyframe that was reached, 0..50
+  double mu = 0;     ///< exact fraction in [0,1] of the current keyframe
 };
 
-/// The playback controller of figure 5.15 on a given clock. The end frame of one keyframe is the
-/// start frame of the next, which begins exactly where the last one ended, so that nothing drifts:
-/// N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe of 0 ms
-/// is a jump: it is over as soon as it has begun. A live keyframe with a due time takes until then,
-/// but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while somebody speaks);
-/// after a stall it begins when it arrived, but not before the previous call of advance(). The
-/// times handed in must not go back. Thread: the player's.
+/// The playback controller of the thesis (figure 5.15) on a given clock. The end frame of one
+/// keyframe is the start frame of the next, which begins exactly when the last one ended, so that
+/// nothing drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A
+/// keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due time takes
+/// until then, but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while a
+/// voice is heard); after a stall it begins when it arrived, but not before the previous call of
+/// advance(). The times handed in must not go back. Thread: the player's.
 class PlaybackController {
  public:
   /// The longest time that --speed gives a keyframe.
@@ -64,9 +64,9 @@ class PlaybackController {
   /// time.
   explicit PlaybackController(std::optional<Milliseconds> speed);
 
-  /// Moves to `now`. When a keyframe begins it is returned; call again with the same `now` until
-  /// nullopt is returned, because short keyframes may be over already: first bring the face to the
-  /// end of the previous one, then begin the returned one. The easing to neutral is returned as a
+  /// Moves to `now`. If a keyframe begins, it is returned: bring the face to the end of the
+  /// previous one, then begin this one. Call again with the same `now` until nullopt is returned,
+  /// because short keyframes may have ended already. The easing to neutral is returned as a
   /// keyframe too, but is not counted as one.
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
 
@@ -74,42 +74,43 @@ class PlaybackController {
   /// default it never does.
   void set_hold(Milliseconds hold) { hold_ = hold; }
   static constexpr Milliseconds kEaseTime{1000};
-  /// The times handed in are a film's and not those of arrivals: every keyframe takes its own time,
-  /// live or not, and no delay is measured.
+  /// The times handed in are those of a film clock, unrelated to arrivals: every keyframe takes its
+  /// own time, live or not, and no delay is measured.
   void set_film_clock() { film_clock_ = true; }
-  /// Playback::set_clock().
+  /// As Playback::set_clock().
   void set_clock(Duration ahead, Duration lead) {
     ahead_ = ahead;
     lead_ = lead;
   }
-  /// The face has left the last keyframe for neutral.
+  /// Whether the face has left the last keyframe for neutral.
   [[nodiscard]] bool eased() const { return eased_; }
-  /// A wait shorter than this after a keyframe with a due time is not a stall: nobody sees it.
+  /// After a keyframe with a due time, a shorter wait than this is no stall, because nobody sees
+  /// it.
   static constexpr Milliseconds kStallMin{20};
 
   [[nodiscard]] PlaybackState state() const;
   /// is_over(state()).
   [[nodiscard]] bool over() const;
   [[nodiscard]] PlaybackProgress progress() const;
-  /// Playback::passing().
+  /// As Playback::passing().
   [[nodiscard]] std::optional<Passing> passing() const;
-  /// When position k+1 of the current keyframe, or of the easing, is reached; nullopt when the
-  /// clock stands.
+  /// When the next position of the current keyframe, or of the easing, is reached; nullopt while
+  /// nothing moves.
   [[nodiscard]] std::optional<Instant> next_position_at() const;
 
-  /// The user pauses: the face stays where it is at `now`; resume() goes on from there.
-  /// Without effect when paused already or over.
+  /// The user pauses: the face stays where it is at `now`. Has no effect when paused already or
+  /// over().
   void pause(Instant now);
-  /// Goes on from where it was paused. Without effect when not paused.
+  /// Goes on from where it was paused. Has no effect when not paused.
   void resume(Instant now);
-  /// The user leaves: the last position reached at `now` stays. Without effect when over().
+  /// The user leaves: the face stays at the position reached at `now`. Has no effect when over().
   void stop(Instant now);
 
-  [[nodiscard]] std::uint64_t keyframes_played() const;  ///< whole ones
+  [[nodiscard]] std::uint64_t keyframes_played() const;  ///< those played to their end
   [[nodiscard]] std::uint64_t stalls() const;
-  /// Live: from the arrival of each keyframe to the advance() that found it fully reached.
+  /// Live: the time from the arrival of each keyframe to the advance() that found it fully reached.
   [[nodiscard]] const DelayMeter& delays() const { return delays_; }
-  /// From the arrival of each keyframe that has a due time to that time.
+  /// Live: the time from the arrival of each keyframe that has a due time until it is due.
   [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
   /// Sum of the times of the keyframes played.
   [[nodiscard]] Milliseconds media_time() const;
@@ -118,7 +119,7 @@ class PlaybackController {
   /// Sets progress_ and last_position_at_ for `now`, inside the current keyframe.
   void move_to(Instant now);
   void stand(Instant now);
-  /// The next keyframe, beginning at `begin`; or the state that its absence means.
+  /// Begins the next keyframe at `begin`; if there is none, sets the state that follows from that.
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
                                                         KeyframeSource& source);
   [[nodiscard]] std::optional<KeyframeBegun> advance_stalled(Instant now, KeyframeSource& source);
@@ -132,7 +133,7 @@ class PlaybackController {
   PlaybackProgress progress_;
   Instant keyframe_begin_{};
   Milliseconds duration_{0};
-  Duration takes_{0};  ///< as it is played: more or less than duration_
+  Duration takes_{0};  ///< how long it is played: up to 5 % more or less than duration_
   std::optional<Instant> arrived_;
   std::optional<Instant> due_;
   DelayMeter delays_;
@@ -143,16 +144,17 @@ class PlaybackController {
   bool film_clock_ = false;
   Duration ahead_{0};
   Duration lead_{0};
-  std::optional<Milliseconds> place_;  ///< of the end of the keyframe under way
+  std::optional<Milliseconds> place_;  ///< where the keyframe under way ends
   Milliseconds span_{0};               ///< how long it lasts on the clock of places
   Instant looked_at_{};                ///< `now` of the last advance()
   Instant looked_before_{};            ///< `now` of the advance() before that
-  Instant stalled_since_{};            ///< or lost since
+  Instant stalled_since_{};            ///< start of the stall, or of the loss
   bool stall_counted_ = true;
   bool eased_ = false;
   Instant ease_begin_{};
   Instant paused_since_{};
-  std::optional<Instant> stood_at_;  ///< since when a keyframe stands half played, if one does
+  std::optional<Instant> stood_at_;  ///< since when a keyframe has been held half played; nullopt:
+                                     ///< none is
   PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;

@@ -5,7 +5,7 @@
 namespace aucast::playback {
 namespace {
 
-/// A hundred pictures a second are more than a display shows.
+/// The time between positions: a hundred pictures a second, more than displays show.
 constexpr Milliseconds kLookEvery{10};
 
 std::vector<Milliseconds> times_of(const std::vector<Keyframe>& keyframes, Milliseconds untimed) {

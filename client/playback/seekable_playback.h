@@ -8,8 +8,8 @@
 
 namespace aucast::playback {
 
-/// Plays a stream that is available whole: the position is a function of time, and the face at a
-/// position does not depend on how it was reached.
+/// Plays a stream that is available whole. The face at a position does not depend on how the
+/// position was reached.
 /// Thread: none of its own.
 class SeekablePlayback final : public Playback {
  public:
@@ -19,7 +19,7 @@ class SeekablePlayback final : public Playback {
 
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override;
   void pause(Instant now) override;
-  /// At the end it begins anew.
+  /// At the end, plays from the beginning.
   void resume(Instant now) override;
   void stop(Instant now) override;
   [[nodiscard]] PlaybackState state() const override;
@@ -31,15 +31,16 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] SourceStatus status() const override;
   [[nodiscard]] SeekablePlayback* seekable() override { return this; }
 
-  /// For seeking, steps, speed and loop; playing begins by it.
+  /// The position, for seeking, steps, speed and loop. If it was untouched, playing begins.
   [[nodiscard]] LocalPlayback& playhead(Instant now);
   [[nodiscard]] const LocalPlayback& playhead() const { return playhead_; }
-  /// Of the last advance().
+  /// As of the last advance().
   [[nodiscard]] Duration position() const { return position_; }
   [[nodiscard]] const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   /// When each keyframe is reached, ascending.
   [[nodiscard]] const std::shared_ptr<const std::vector<Duration>>& ends() const { return ends_; }
-  /// The keyframe under way begins once more, from the face before it: something else has changed.
+  /// The keyframe under way, to be begun once more from the face before it because something else
+  /// has changed.
   [[nodiscard]] KeyframeBegun under_way() const;
 
  private:
@@ -51,7 +52,7 @@ class SeekablePlayback final : public Playback {
   Duration position_{0};
   Instant looked_at_{};
   bool begun_ = false;
-  bool untouched_ = true;  ///< not played, paused or sought yet
+  bool untouched_ = true;  ///< neither played, paused nor sought yet
   bool ended_ = false;
   bool stopped_ = false;
 };

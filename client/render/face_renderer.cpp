@@ -22,7 +22,7 @@ namespace {
 
 using view::Shader;
 
-/// What is left of a transparent surface, and of what shines through a solid one.
+/// Opacity of a transparent surface, and of what shines through a solid one.
 constexpr float kTransparent = 0.45F;
 constexpr float kShineThrough = 0.45F;
 
@@ -54,7 +54,8 @@ struct FaceRenderer::State {
   void draw_depth(const std::vector<Run>& runs);
   void draw_segments(const view::Style& style);
   [[nodiscard]] const Program& program_for(Shader shader) const;
-  /// The mesh's own lines and points lie on its own triangles.
+  /// The opaque runs to draw: not rounded if the mesh's lines or points are shown, which lie on its
+  /// own triangles.
   [[nodiscard]] const std::vector<Run>& solid(const view::Layers& layers) const {
     return layers.wireframe || layers.vertices ? mesh.plain() : mesh.solid();
   }
@@ -70,7 +71,7 @@ const Program& FaceRenderer::State::program_for(Shader shader) const {
   return shader == Shader::Eye ? programs.eye : programs.surface;
 }
 
-/// While somebody works on the shaders; what does not build leaves the picture as it was.
+/// Rebuilds shaders whose files have changed. If that fails, the old ones stay.
 void FaceRenderer::State::renew_shaders() {
   if (!files.changed()) return;
   auto built = build_programs(files);
@@ -155,7 +156,7 @@ void FaceRenderer::State::draw_surface(const view::Style& style) {
   glDisable(GL_BLEND);
 }
 
-/// Eyes, teeth and mouth as they are, over them one layer of what encloses them.
+/// Draws eyes, teeth and mouth as they are, and over them one layer of what encloses them.
 void FaceRenderer::State::draw_transparent(const view::Style& style) {
   std::vector<Run> inner;
   std::vector<Run> outer;
@@ -172,7 +173,7 @@ void FaceRenderer::State::draw_transparent(const view::Style& style) {
   glDisable(GL_BLEND);
 }
 
-/// What hides, without a colour.
+/// Draws only into the depth buffer.
 void FaceRenderer::State::draw_depth(const std::vector<Run>& runs) {
   glUseProgram(programs.depth.id());
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

@@ -29,8 +29,8 @@ class GlObject {
   GLuint id_;
 };
 
-/// A kind of object whose names `kGenerate` hands out and `kDelete` takes back: functions, or
-/// libepoxy's pointers to them.
+/// Traits for a kind of object whose names are made by `kGenerate` and deleted by `kDelete`: OpenGL
+/// functions, or libepoxy's pointers to them.
 template <auto& kGenerate, auto& kDelete>
 struct NamedTraits {
   static GLuint create() {
@@ -52,13 +52,13 @@ using Renderbuffer = GlObject<NamedTraits<glGenRenderbuffers, glDeleteRenderbuff
 using Framebuffer = GlObject<NamedTraits<glGenFramebuffers, glDeleteFramebuffers>>;
 using Program = GlObject<ProgramTraits>;
 
-/// Compiles and links. Failed, naming the program and with the compiler's words, when it does not.
-/// Each source is given in pieces that are put together.
+/// Compiles and links a program. On failure the error has `name` and the compiler's messages. Each
+/// source is given in pieces that are put together.
 [[nodiscard]] Result<Program> build_program(const std::string& name,
                                             std::span<const char* const> vertex,
                                             std::span<const char* const> fragment);
 
-/// Where a uniform that the program has is set.
+/// The location of a uniform. The program must have it.
 [[nodiscard]] GLint uniform(const Program& program, const char* name);
 
 }  // namespace aucast::render

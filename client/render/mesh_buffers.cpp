@@ -14,7 +14,7 @@ namespace {
 using view::Shader;
 using Triangle = view::RoundedMesh::Triangle;
 
-/// A quarter of a pixel in a face that fills the screen: no corner shows there.
+/// Mesh units: a quarter of a pixel in a face that fills the screen, so that no corner shows.
 constexpr float kLeastBend = 0.004F;
 constexpr glm::vec3 kClay{0.52F, 0.47F, 0.43F};  ///< the surface in a plain colour
 
@@ -93,7 +93,7 @@ void MeshBuffers::bind(bool textured) const {
   }
 }
 
-/// The triangles in the order of the runs that this makes of the ranges.
+/// Makes runs of the ranges, and returns the triangles in their order.
 MeshBuffers::Triangles MeshBuffers::sort_into_runs(const view::StaticMesh& mesh) {
   // A translucent range is mostly solid (hair): only triangles with a clear corner are blended.
   const auto clear_corner = [&mesh](const Triangle& t) {
@@ -152,7 +152,7 @@ void MeshBuffers::round_off(std::span<const glm::vec3> rest, Triangles& triangle
   triangles.insert(triangles.end(), rounded_.triangles().begin(), rounded_.triangles().end());
 }
 
-/// An edge of two triangles is drawn twice, as where triangles are filled with lines.
+/// An edge between two triangles is drawn twice, as OpenGL does with outlined triangles.
 void MeshBuffers::load_edges(std::span<const Triangle> triangles) {
   std::vector<std::array<std::uint32_t, 2>> edges;
   for (const Run& run : plain_) {

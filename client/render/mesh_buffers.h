@@ -17,35 +17,35 @@ namespace aucast::render {
 /// A run of triangles with one material.
 struct Run {
   view::Material material;
-  std::size_t block = 0;  ///< of the material in MeshBuffers::materials()
-  int index = -1;         ///< of the eye or the crease
+  std::size_t block = 0;  ///< index of the material in MeshBuffers::materials()
+  int index = -1;         ///< index of the eye or the crease; -1: neither
   bool rounded = false;
   std::size_t first_index = 0;
   GLsizei index_count = 0;
 
-  /// With the program in use and the mesh's vertices bound.
+  /// The program must be in use and the mesh's vertices bound.
   void draw() const;
-  /// The same vertices as points.
+  /// Draws the same vertices as points.
   void draw_points() const;
 };
 
 /// A face in OpenGL's memory: its vertices, and its triangles as runs in the order in which they
-/// are drawn. Needs a current context for all its life.
+/// are drawn. Needs a current context as long as it lives.
 /// Thread: the one the context is current on.
 class MeshBuffers {
  public:
   MeshBuffers();
 
   void load(const view::StaticMesh& mesh);
-  /// Where the vertices are from here on.
+  /// Sets where the vertices are.
   void place(const view::MovingMesh& mesh);
-  /// Binds the vertices; without `textured` all are of one plain colour.
+  /// Binds the vertices; without `textured` all have one plain colour.
   void bind(bool textured) const;
-  /// The edges of plain() as lines: OpenGL ES cannot fill triangles with them. With a program in
-  /// use and the vertices bound; nothing in OpenGL.
+  /// Draws the edges of plain() as lines. For OpenGL ES, which cannot draw triangles as outlines;
+  /// draws nothing in OpenGL. A program must be in use and the vertices bound.
   void draw_edges() const;
 
-  /// Outermost first.
+  /// The opaque runs, outermost first.
   [[nodiscard]] const std::vector<Run>& solid() const { return solid_; }
   /// The same runs with the mesh's own triangles, not rounded.
   [[nodiscard]] const std::vector<Run>& plain() const { return plain_; }
@@ -71,7 +71,7 @@ class MeshBuffers {
   Buffer edges_;
   GLsizei edge_ends_ = 0;
   BlockBuffer<MaterialBlock> materials_;
-  std::size_t vertex_count_ = 0;  ///< without those that rounding adds
+  std::size_t vertex_count_ = 0;  ///< without the vertices that rounding adds
   view::RoundedMesh rounded_;
   view::Strands strands_;
   std::vector<Run> solid_;

@@ -9,7 +9,7 @@
 namespace aucast::render {
 namespace {
 
-/// Stands out from what is behind.
+/// A colour that contrasts with what is behind the lines.
 glm::vec4 line_colour(const view::Style& style) {
   if (style.layers.surface()) return {0.02F, 0.03F, 0.05F, 0.45F};
   const glm::vec3& ground = style.background.centre;
@@ -34,7 +34,8 @@ void fill_with_lines(std::span<const Run> runs, const view::Layers& layers) {
 }
 #endif
 
-/// OpenGL ES has no such filling, and no offset of lines either: the shader brings them nearer.
+/// OpenGL ES has neither outlined triangles nor an offset for lines: the shader moves the lines
+/// nearer.
 void draw_lines(const MeshBuffers& mesh, const view::Layers& layers) {
   if (layers.wireframe) mesh.draw_edges();
   if (!layers.vertices) return;

@@ -5,8 +5,8 @@
 
 namespace aucast::render {
 
-/// Draws the edges and corners of `mesh`, not rounded, as far as the style's layers ask for them,
-/// with the program `lines` and the vertices that are bound.
+/// Draws the edges and corners of `mesh`, not rounded, if the style's layers ask for them, with the
+/// program `lines`. The vertices must be bound.
 void draw_mesh_lines(const Program& lines, const MeshBuffers& mesh, const view::Style& style);
 
 }  // namespace aucast::render

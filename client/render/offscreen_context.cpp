@@ -16,8 +16,8 @@ namespace {
 
 constexpr const char* kRemedy = ": apt install libgl1 libegl1 libgl1-mesa-dri";
 
-/// libepoxy ends the program when a library is not there, so it is asked for beforehand. It stays
-/// loaded: libepoxy is about to use it.
+/// Whether a library can be loaded. libepoxy would end the program if not. It stays loaded, as
+/// libepoxy is about to use it.
 std::optional<std::string> missing_library() {
   for (const char* name : {"libEGL.so.1", "libGL.so.1"}) {
     if (::dlopen(name, RTLD_LAZY | RTLD_LOCAL) == nullptr) return name;
@@ -36,7 +36,7 @@ bool client_extension(const char* name) {
   return extensions != nullptr && std::strstr(extensions, name) != nullptr;
 }
 
-/// One way to a display. No display and no reason: this EGL does not know that way.
+/// What one way to a display led to. Neither display nor reason: this EGL does not know that way.
 struct Way {
   const char* name;
   EGLDisplay (*display)();
@@ -102,7 +102,7 @@ struct OffscreenContext::State {
     eglReleaseThread();
   }
 
-  /// The reason when it did not work.
+  /// Returns the reason if it does not work; nullopt: it does.
   [[nodiscard]] std::optional<std::string> open(const Way& way, Api api) {
     const EGLDisplay found = way.display();
     if (found == EGL_NO_DISPLAY) return "not there";

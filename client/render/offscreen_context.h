@@ -9,11 +9,11 @@ namespace aucast::render {
 
 enum class Api : std::uint8_t { OpenGl33Core, OpenGlEs30 };
 
-/// A context without a display: EGL, the surfaceless platform first, an EGL device second. Current
-/// on the thread that made it.
+/// An OpenGL context without a display. It tries EGL's surfaceless platform, then an EGL device,
+/// then the default display. It is current on the thread that made it.
 class OffscreenContext {
  public:
-  /// Failed, with what each way said and what to install, when there is none.
+  /// Fails if none of the three works, with the reason of each and what to install.
   [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create(
       Api api = Api::OpenGl33Core);
   ~OffscreenContext();

@@ -23,7 +23,7 @@ struct OffscreenTarget::State {
   Framebuffer framebuffer;
   Framebuffer resolved;
 
-  /// False when the driver does not take this size or number of samples.
+  /// Returns false if the driver does not accept this size or number of samples.
   [[nodiscard]] bool allocate(GLint samples) {
     glBindRenderbuffer(GL_RENDERBUFFER, colour.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);

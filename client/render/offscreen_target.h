@@ -8,17 +8,17 @@
 namespace aucast::render {
 
 /// A multisampled framebuffer of our own, so that pictures do not depend on a window's. Needs a
-/// current context.
+/// current context as long as it lives.
 class OffscreenTarget {
  public:
-  /// 4 samples where possible. Failed when the size is beyond what the driver can do.
+  /// Makes one with 4 samples where possible. Fails if the driver cannot do that size.
   [[nodiscard]] static Result<std::unique_ptr<OffscreenTarget>> create(int width, int height);
   ~OffscreenTarget();
   OffscreenTarget(const OffscreenTarget&) = delete;
   OffscreenTarget& operator=(const OffscreenTarget&) = delete;
 
   void bind();
-  /// Resolves and reads back what was drawn, top row first, alpha 255.
+  /// Resolves the samples and returns what was drawn, with alpha 255.
   [[nodiscard]] view::Image read();
 
  private:

@@ -13,9 +13,9 @@ namespace aucast::render {
 /// whenever it is used.
 class PictureTexture {
  public:
-  /// `rgb`: 3 * width * height bytes, rows from the top, none of them 0.
+  /// `rgb`: 3 * width * height bytes, top row first. Neither width nor height may be 0.
   void show(std::size_t width, std::size_t height, std::span<const std::uint8_t> rgb);
-  /// The alpha is left out; the picture is not empty.
+  /// Alpha is ignored. The picture must not be empty.
   void show(const view::Image& image);
   [[nodiscard]] GLuint id() const { return texture_.id(); }
 

@@ -23,7 +23,7 @@ struct Recipe {
   const char* define;
   const char* vertex;
   const char* fragment;
-  std::array<const char*, 3> uniforms{};  ///< that are set by name, then nullptr
+  std::array<const char*, 3> uniforms{};  ///< those that are set by name; the rest is null
 };
 
 constexpr std::array<Recipe, 8> kRecipes{{
@@ -62,7 +62,7 @@ void bind_block(const Program& program, const char* name, GLuint slot) {
   if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, slot);
 }
 
-/// What neither GLSL 3.30 nor ES 3.00 can say in the text.
+/// What cannot be written in a text that is both GLSL 3.30 and GLSL ES 3.00.
 void bind_inputs(const Program& program) {
   bind_block(program, "Camera", CameraBlock::kSlot);
   bind_block(program, "Lights", LightsBlock::kSlot);

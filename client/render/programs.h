@@ -6,8 +6,8 @@
 
 namespace aucast::render {
 
-/// Everything that is drawn with. A lit material has a program of its own, so that no pixel pays
-/// for another one.
+/// All shader programs. Each lit material has its own, so that no pixel pays for the code of
+/// another.
 struct Programs {
   Program surface;
   Program hair;
@@ -22,8 +22,8 @@ struct Programs {
 constexpr GLenum kShadowUnit = GL_TEXTURE0;
 constexpr GLenum kGrainUnit = GL_TEXTURE1;
 
-/// Builds them all as GLSL 3.30 or, in an OpenGL ES context, as GLSL ES 3.00. Failed, with the
-/// compiler's words, when one does not build or lacks a uniform that is set.
+/// Builds all programs as GLSL 3.30 or, in an OpenGL ES context, as GLSL ES 3.00. Fails with the
+/// compiler's messages if one does not build or lacks a uniform that is set.
 [[nodiscard]] Result<Programs> build_programs(const ShaderFiles& files);
 
 }  // namespace aucast::render

@@ -7,15 +7,17 @@
 
 namespace aucast::render {
 
-/// Draws straight lines and dots of a width in pixels. Needs a current context for all its life.
+/// Draws straight lines and dots whose width is given in pixels. Needs a current context as long as
+/// it lives.
 /// Thread: the one the context is current on.
 class SegmentRenderer {
  public:
   SegmentRenderer();
 
-  /// What draw() draws from here on.
+  /// Sets what draw() draws.
   void load(std::span<const view::Segment> segments);
-  /// Blends them over the picture with their opacity times `alpha`. The depth test is the caller's.
+  /// Blends the segments over the picture with their opacity times `alpha`. The caller sets the
+  /// depth test.
   void draw(const Program& program, float alpha) const;
 
  private:

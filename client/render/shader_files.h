@@ -8,20 +8,20 @@
 
 namespace aucast::render {
 
-/// The texts of shaders/*.glsl. They are part of the program; for work on them the environment
-/// variable AUCAST_SHADERS names a folder that is read instead.
+/// The texts of shaders/*.glsl, which are compiled into the program. To work on them, name a folder
+/// in the environment variable AUCAST_SHADERS, which is then read instead.
 class ShaderFiles {
  public:
   ShaderFiles();
 
-  /// Unreadable when the folder lacks the file.
+  /// Unreadable if the folder lacks the file.
   [[nodiscard]] Result<std::string> text(std::string_view name) const;
 
-  /// Whether a file of the folder was written since the last call; never without a folder.
+  /// Whether a file in the folder was written since the last call. Always false without a folder.
   [[nodiscard]] bool changed();
 
  private:
-  std::filesystem::path folder_;  ///< empty: the texts of the program
+  std::filesystem::path folder_;  ///< empty: the compiled-in texts
   std::filesystem::file_time_type newest_ = std::filesystem::file_time_type::min();
 };
 

@@ -6,14 +6,14 @@
 namespace aucast::render {
 namespace {
 
-constexpr int kShadowSide = 256;  ///< texels of 0.1 units; every reading is spread over several
+constexpr int kShadowSide = 256;  ///< texels of 0.1 mesh units; every sample is spread over several
 /// The box is fixed, so that shadows do not crawl while the head moves.
 constexpr glm::vec3 kCentre{0, 0, 1};
 constexpr float kReach = 13;
 constexpr float kBias = 0.10F;
 constexpr float kSlopeBias = 2.0F;
 
-/// Puts back the framebuffer that was bound.
+/// Binds the framebuffer again, when destroyed, that was bound when it was made.
 class BoundFramebuffer {
  public:
   BoundFramebuffer() { glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_); }

@@ -10,18 +10,19 @@
 
 namespace aucast::render {
 
-/// How far the key light reaches, seen from the light. Needs a current context.
+/// A depth map of the face seen from the key light: what it does not see lies in shadow. Needs a
+/// current context as long as it lives.
 class ShadowMap {
  public:
   ShadowMap();
 
-  /// Where the next draw() is seen from; `towards_key`: of unit length.
+  /// Sets the direction from which the next draw() looks. `towards_key`: unit length.
   void aim(const glm::vec3& towards_key);
-  /// `draw_casters` draws all that casts a shadow, with the program `depth`. Leaves the light's
-  /// camera in force.
+  /// Draws the map with the program `depth`; `draw_casters` must draw all that casts a shadow.
+  /// Afterwards the programs still use the light's camera.
   void draw(const Program& depth, const std::function<void()>& draw_casters);
   void bind(GLenum unit) const;
-  /// Into [0,1] of the map.
+  /// Takes a place to coordinates in [0,1] on the map, and its depth.
   [[nodiscard]] const glm::mat4& world_to_texture() const { return world_to_texture_; }
 
  private:

@@ -11,9 +11,9 @@
 
 namespace aucast::render {
 
-/// What is too fine for a skin's vertices: blotches of its colour, and pores that tilt it and break
-/// up its highlights; cloth has it too. A small texture that is wrapped round the head at rest.
-/// Needs a current context.
+/// Details of skin that are finer than its vertices: blotches of colour, and pores that tilt the
+/// surface and break up its highlights. Cloth uses them too. It is a small texture, wrapped round
+/// the head at rest. Needs a current context as long as it lives.
 class SkinGrain {
  public:
   SkinGrain();

@@ -13,8 +13,8 @@
 
 namespace aucast::render {
 
-// The uniform blocks of shaders/common.glsl in their std140 layout: a vec3 stands at a multiple of
-// 16 bytes, and a float fills its fourth place.
+// The uniform blocks of shaders/common.glsl, which explains their members, in std140 layout: a vec3
+// begins at a multiple of 16 bytes, and a float may follow in its last 4 bytes.
 
 struct CameraBlock {
   static constexpr GLuint kSlot = 0;
@@ -47,7 +47,8 @@ struct MaterialBlock {
 };
 static_assert(sizeof(MaterialBlock) == 48);
 
-/// Blocks of one kind in a buffer, one of them in force. Needs a current context.
+/// Blocks of one kind in a buffer, of which the programs read one at a time. Needs a current
+/// context as long as it lives.
 template <typename Block>
 class BlockBuffer {
  public:
@@ -68,7 +69,7 @@ class BlockBuffer {
     upload(bytes.data(), bytes.size());
   }
 
-  /// What the programs read from here on.
+  /// Makes the programs read the block number `index` from now on.
   void use(std::size_t index = 0) const {
     glBindBufferRange(GL_UNIFORM_BUFFER, Block::kSlot, buffer_.id(),
                       static_cast<GLintptr>(index * stride_), sizeof(Block));

@@ -17,7 +17,7 @@ namespace aucast::render {
 namespace {
 
 constexpr int kWindowSamples = 4;
-/// Of events that nobody takes so many are kept.
+/// The most events that are kept if nobody takes them.
 constexpr std::size_t kInputMax = 4096;
 
 /// GLFW's last complaint; it has one per process, as there is one window.
@@ -48,7 +48,7 @@ Error no_opengl() {
               "chooses it); or use --headless, with --record FILE.mp4"};
 }
 
-/// The window first as wanted, then without multisampling, which some displays do not have.
+/// Makes the window with multisampling or, as some displays do not have that, without.
 GLFWwindow* open_window(int width, int height, const std::string& title) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -116,12 +116,12 @@ Key key_of(int code, int modifiers) {
   }
 }
 
-/// What goes on for as long as the key is held.
+/// Whether the command is repeated while the key is held.
 bool repeats(Key key) {
   return key == Key::Left || key == Key::Right || key == Key::PageUp || key == Key::PageDown;
 }
 
-/// The character that comes with the key says what it is.
+/// Whether the key types a character: its meaning then comes from the character event.
 bool is_text(int code, int modifiers) {
   constexpr int kCommands = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   return code >= GLFW_KEY_SPACE && code < GLFW_KEY_ESCAPE && (modifiers & kCommands) == 0;

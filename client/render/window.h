@@ -14,7 +14,7 @@ struct GLFWwindow;
 
 namespace aucast::render {
 
-/// What a key is for; None: nothing. Slower and Faster, Quieter and Louder are pairs of keys.
+/// The commands that keys give; None: the key gives none.
 enum class Key : int {
   None,
   Quit,
@@ -53,20 +53,21 @@ enum class Key : int {
 struct InputEvent {
   enum class Kind : std::uint8_t { Key, Character, Button, Move, Leave, Scroll, Focus };
   Kind kind = Kind::Move;
-  int code = 0;  ///< of the key or the button; the character; 1: the window has got the focus
+  int code = 0;  ///< key or button as in GLFW; the character; Focus: 1 if the window has got the
+                 ///< focus
   int scancode = 0;
-  int action = 0;  ///< 0: released
+  int action = 0;  ///< as in GLFW; 0: released
   int modifiers = 0;
-  double x = 0;  ///< position of the pointer, or how far the wheel turned
+  double x = 0;  ///< position of the pointer, or how far the wheel turned (Scroll)
   double y = 0;
-  Key meaning = Key::None;  ///< the player's command, unless a text field has the focus
-  bool text = false;        ///< a key that only types a character
+  Key meaning = Key::None;  ///< the command that the key gives, unless a text field has the focus
+  bool text = false;        ///< the key only types a character
 };
 
 /// A plain GLFW window with an OpenGL 3.3 core context and 4 samples. Thread: the main one.
 class Window {
  public:
-  /// Failed, saying what to do, when there is no display or no OpenGL 3.3.
+  /// Fails if there is no display or no OpenGL 3.3; the message says what to do.
   [[nodiscard]] static Result<std::unique_ptr<Window>> create(int width, int height,
                                                               const std::string& title);
   ~Window();
@@ -76,29 +77,30 @@ class Window {
   [[nodiscard]] bool should_close() const;
   /// Withdraws the user's request to close.
   void keep_open();
-  /// Handles events that are there; waits at most `seconds_max` for one when it is above 0.
+  /// Handles the events that have come. If there are none, waits for one for at most `seconds_max`.
   void poll(double seconds_max);
-  /// The next file dropped on the window; empty when there is none.
+  /// The path of the next file dropped on the window; empty: none.
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
-  /// Makes the window smaller where it is larger than the room that the screen has.
+  /// Makes the window smaller if it is larger than the free area of the screen.
   void fit_to_screen();
   void toggle_full_screen();
   [[nodiscard]] bool full_screen() const;
   /// Binds the window's own framebuffer again.
   void bind_framebuffer();
   void present();
-  /// The picture of the program in task bars.
+  /// Sets the program's icon in task bars.
   void set_icon(view::Image picture);
-  /// All input in order; the reader removes what it has handled.
+  /// All input in order. The caller removes what it has handled.
   [[nodiscard]] std::deque<InputEvent>& input();
-  /// True once after something happened that may need a new picture: any input, resize, exposure.
+  /// Whether anything has happened since the last call that may need a new picture: input,
+  /// resizing, exposure.
   [[nodiscard]] bool take_redraw();
   [[nodiscard]] view::Viewpoint& viewpoint();
   void framebuffer_size(int& width, int& height) const;
-  /// Scale of the screen: 1 at 96 dots an inch.
+  /// Scale of the screen; 1: 96 dots per inch.
   [[nodiscard]] float scale() const;
-  /// For the panels over the face. Owned by the window.
+  /// GLFW's own window, for the panels over the face. This object owns it.
   [[nodiscard]] GLFWwindow* native();
 
  private:

@@ -15,14 +15,14 @@
 namespace aucast::sound {
 namespace {
 
-/// Samples here to one of the file.
+/// How many samples of ours there are to one of the file.
 constexpr int kPhases = kRate / voice::kEncoderRate;
 constexpr int kReach = 12;
 constexpr int kTaps = 2 * kReach;
 using Filter = std::array<std::array<float, kTaps>, kPhases>;
 
-/// What lies between two samples of the file: a sinc under a Hann window, of kReach samples to
-/// each side. Phase 0 is the sample itself.
+/// A filter for values between two samples of the file: a sinc with a Hann window, kReach samples
+/// to each side. Phase 0 is the sample itself.
 Filter make_filter() {
   Filter filter{};
   for (int phase = 0; phase < kPhases; ++phase) {

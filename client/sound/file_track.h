@@ -21,7 +21,7 @@ class FileTrack final : public SoundTrack {
   /// Samples at voice::kEncoderRate, in [-1,1].
   explicit FileTrack(const std::vector<float>& samples);
 
-  /// SoundFile's.
+  /// As voice::SoundFile's.
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
   void read(std::int64_t begin, std::span<float> samples) override;

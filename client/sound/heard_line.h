@@ -7,9 +7,9 @@
 
 namespace aucast::sound {
 
-/// Makes an even clock of a sound device. Devices report in leaps, some 30 ms too early or too
-/// late, how much of their sound has been heard; the line through the reports of the last second
-/// runs evenly, and never goes back.
+/// Makes an even clock out of a sound device. Devices report how much of their sound has been
+/// heard, but in leaps, some 30 ms too early or too late; a line through the reports of the last
+/// second runs evenly. It never goes back.
 /// Thread: none of its own.
 class HeardLine {
  public:
@@ -17,29 +17,29 @@ class HeardLine {
   void add(Instant now, Duration heard);
   /// How much has been heard at `now`. The times must not go back.
   [[nodiscard]] Duration at(Instant now);
-  /// The device has stopped, and the line with it, until it reports more than so far.
+  /// The device has stopped: at() stays the same until the device reports more than it last did.
   void begin_again();
-  /// What the device's clock gains on the steady clock, in parts of a million; nothing before it
-  /// has run for ten seconds.
+  /// What the device's clock gains on the steady clock, in parts per million; nullopt until it has
+  /// run for 12 seconds.
   [[nodiscard]] std::optional<double> drift_ppm() const;
 
  private:
   struct Reading {
     Instant at;
-    Duration ahead;  ///< of the steady clock
+    Duration ahead;  ///< how far the device is ahead of the steady clock, both counted from begin_
   };
 
   [[nodiscard]] Duration mean() const;
 
   std::deque<Reading> readings_;
   Duration sum_{0};
-  Duration said_{0};  ///< the last reading
+  Duration said_{0};  ///< the device's last report
   Duration stood_{0};
   Instant begin_{};  ///< what `ahead` is counted from
   Instant last_at_{};
-  Duration ahead_{0};                  ///< of the line
-  Duration last_{0};                   ///< what at() gave
-  std::optional<Reading> drift_from_;  ///< of the line, when it had settled
+  Duration ahead_{0};                  ///< the same, on the line
+  Duration last_{0};                   ///< what at() returned last
+  std::optional<Reading> drift_from_;  ///< a point of the line from when it had settled
 };
 
 }  // namespace aucast::sound

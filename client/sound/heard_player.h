@@ -13,33 +13,35 @@
 
 namespace aucast::sound {
 
-/// A face that plays with its sound: the player of the face is advanced by the SoundPlayer's clock,
-/// and activations() are those of what is being heard. Without sound both are the present. The
-/// mapping and what is opened must outlive it. Thread: the player's.
+/// A face that plays with its sound. The player of the face is advanced by the SoundPlayer's clock,
+/// which is ahead of what is heard; activations() are of the face that belongs to what is heard
+/// now. Without sound there is no difference. The mapping and what is opened must outlive it.
+/// Thread: the player's.
 class HeardPlayer {
  public:
   HeardPlayer(const pipeline::AuMapping& mapping, playback::Interpolation interpolation)
       : face_(mapping, interpolation) {}
 
-  /// Opens what plays from the next advance() on; the face goes on from `from`. Null: nothing
-  /// plays, and the face stays there.
+  /// Opens what plays from the next advance() on; the face begins from the activations `from`. If
+  /// `playback` is null, nothing plays and the face stays there.
   void open(playback::Playback* playback, std::span<const float> from);
   [[nodiscard]] playback::Playback* playback() const { return face_.playback(); }
 
-  /// The time for playback when it is paused or sought at `steady`.
+  /// The time to give playback when it is paused or sought at `steady`.
   [[nodiscard]] Instant now(Instant steady) { return sound_.now(steady); }
-  /// Called for each keyframe that begins, with the moment of now(): it may be heard later.
+  /// Called for each keyframe that begins, with the time that now() gave: its sound may be heard
+  /// later.
   using OnBegin = std::function<void(const playback::KeyframeBegun&, Instant at)>;
   /// Moves face and sound to `steady`; returns what now() gave for it.
   Instant advance(Instant steady, const OnBegin& on_begin);
 
   /// The face that belongs to what is heard. Valid until the next call.
   [[nodiscard]] const std::vector<float>& activations();
-  /// Where in the stream that is, while playback knows.
+  /// The place in the stream that is being heard; nullopt if playback does not know its place.
   [[nodiscard]] std::optional<Duration> heard_place() const;
-  /// What was opened has come to its end, and its sound too; false while nothing is open.
+  /// Whether what was opened has come to its end, and its sound too; false if nothing is open.
   [[nodiscard]] bool over() const;
-  /// The mapping has a new face.
+  /// Call it when the mapping has a new face.
   void change_face();
 
   /// The face as playback has it, ahead of what is heard.

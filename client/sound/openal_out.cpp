@@ -19,7 +19,8 @@
 namespace aucast::sound {
 namespace {
 
-/// How often the device takes sound from the mixer: what it says of the time leaps by as much.
+/// How often the device takes sound from the mixer; its report of what has been heard leaps by as
+/// much.
 constexpr ALCint kUpdatesPerSecond = 100;
 
 struct CloseDevice {
@@ -34,14 +35,14 @@ struct DestroyContext {
 using Device = std::unique_ptr<ALCdevice, CloseDevice>;
 using Context = std::unique_ptr<ALCcontext, DestroyContext>;
 
-/// ALSA's, which OpenAL loads by itself.
+/// The type of ALSA's error handler. OpenAL loads ALSA.
 using AlsaHandler = void (*)(const char* file, int line, const char* function, int error,
                              const char* format, ...);
 void hear_no_alsa(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
                   const char* /*format*/, ...) {}
 
-/// On a computer without sound both libraries would fill the terminal with what they tried. What
-/// came of it is told by who asked.
+/// On a computer without sound both libraries would fill the terminal with what they tried. The
+/// caller reports the outcome.
 void quieten_libraries() {
   if (static bool done = false; std::exchange(done, true)) return;
   constexpr int kKeep = 0;

@@ -7,7 +7,7 @@
 
 namespace aucast::sound {
 
-/// How far the face is from the sound that is heard with it; above 0 the face is early.
+/// How far the face was from the sound heard with it; above 0 the face was early.
 struct ShiftSummary {
   std::uint64_t count = 0;  ///< 0: nothing was measured
   Duration median{};        ///< all to a tenth of a millisecond
@@ -15,10 +15,10 @@ struct ShiftSummary {
   Duration high{};          ///< 5 % are above
 };
 
-/// Counts such distances. Thread: none of its own.
+/// Collects these distances. Thread: none of its own.
 class ShiftMeter {
  public:
-  /// Beyond a second it counts as a second.
+  /// Distances beyond a second count as a second.
   void add(Duration shift);
   [[nodiscard]] ShiftSummary summary() const;
 

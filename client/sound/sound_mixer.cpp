@@ -7,10 +7,11 @@ namespace aucast::sound {
 namespace {
 
 constexpr int kStepGlide = 5 * kSamplesPerMs;
-/// From silence to full volume.
+/// How far the gain may change from one sample to the next: 10 ms from silence to full volume.
 constexpr float kGainStep = 1.0F / (10 * kSamplesPerMs);
-/// So far the sound may be from where it should be, rather than skip: a thousandth of a second when
-/// it is resampled anyway, and what rounding the clock comes to when it is not.
+/// The distance from where it should be, in samples, up to which the sound goes on without a skip:
+/// a thousandth of a second when it is resampled anyway, else what rounding the clock can amount
+/// to.
 constexpr double kOffResampled = kSamplesPerMs;
 constexpr double kOffCopied = 1.5;
 const float kFallPerSample = std::pow(0.05F, 1.0F / static_cast<float>(kRate));

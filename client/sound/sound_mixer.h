@@ -11,10 +11,10 @@
 namespace aucast::sound {
 
 /// Makes one continuous run of samples while a stream plays, pauses, is sought or changes speed. It
-/// never clicks: where the sound does not go on from where it was, it glides within 5 ms. Samples
-/// are copied as they are at speed 1, and resampled at other speeds from kSpeedMin to kSpeedMax,
-/// where the pitch changes too; beyond those there is silence. The track must outlive it. Thread:
-/// none of its own.
+/// never clicks: where the sound leaps, it glides to its new value within 5 ms. At speed 1 samples
+/// are copied as they are; at other speeds from kSpeedMin to kSpeedMax they are resampled, which
+/// changes the pitch; at all others there is silence. The track must outlive it. Thread: none of
+/// its own.
 class SoundMixer {
  public:
   static constexpr double kSpeedMin = 0.5;
@@ -22,11 +22,11 @@ class SoundMixer {
 
   explicit SoundMixer(SoundTrack& track) : track_(track) {}
 
-  /// Makes the next samples. `at_end`: the place behind the last of them and the speed that leads
-  /// there; nullopt, or a speed of 0: silence.
+  /// Makes the next samples. `at_end`: the place at which they end, and the speed with which the
+  /// stream got there; nullopt or a speed of 0: silence.
   void mix(std::optional<playback::Passing> at_end, std::span<float> samples);
 
-  /// Sets the volume in percent, 0 to 100, of perceived loudness: its third power is the gain.
+  /// Sets the volume, 0 to 100 percent of perceived loudness: the gain is its third power.
   void set_volume(int percent);
   void set_muted(bool muted) { muted_ = muted; }
   /// The largest recent sample, in [0,1], before volume and mute; falls by 26 dB a second.
@@ -40,14 +40,14 @@ class SoundMixer {
   void scale(std::span<float> samples);
 
   SoundTrack& track_;
-  std::optional<double> next_;  ///< the track's sample that comes next; nothing: silence
-  std::vector<float> taps_;     ///< what is resampled
+  std::optional<double> next_;  ///< the sample of the track that comes next; nullopt: it is silent
+  std::vector<float> taps_;     ///< the samples of the track that are resampled
   float last_ = 0;
-  float step_ = 0;  ///< what is added, ever less of it, so that the sound goes on without a step
+  float step_ = 0;  ///< added to the sound after a leap, and faded out, so that there is no step
   int step_left_ = 0;
   bool muted_ = false;
   float volume_ = 1;
-  float gain_ = 1;  ///< on its way to the volume
+  float gain_ = 1;  ///< approaches volume_
   float peak_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 namespace aucast::sound {
 
-/// Where samples go to be heard: mono, kRate a second, in [-1,1].
+/// A device that plays samples: mono, kRate a second, in [-1,1].
 /// Thread: the player's.
 class SoundOut {
  public:
@@ -14,11 +14,11 @@ class SoundOut {
   SoundOut(const SoundOut&) = delete;
   SoundOut& operator=(const SoundOut&) = delete;
 
-  /// Plays the samples after those written before. Never waits.
+  /// Plays these samples after those that were written before. Never blocks.
   virtual void write(std::span<const float> samples) = 0;
   /// How many of the written samples have been heard by now, as well as the device knows.
   [[nodiscard]] virtual std::int64_t heard() = 0;
-  /// The device is gone.
+  /// Whether the device is gone.
   [[nodiscard]] virtual bool lost() = 0;
 };
 

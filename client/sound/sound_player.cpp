@@ -6,7 +6,7 @@
 namespace aucast::sound {
 namespace {
 
-/// What a stop still writes: the sound fades in it.
+/// How many samples are still written when sound stops, so that it fades out.
 constexpr std::int64_t kPortion = std::int64_t{10} * kSamplesPerMs;
 
 Duration time_of(std::int64_t samples) {
@@ -47,7 +47,7 @@ void SoundPlayer::open(playback::Playback* playback, SoundTrack* track) {
   mixer_->set_muted(muted_);
 }
 
-/// From the moment that playback has come to.
+/// Sound starts from the time that playback has come to.
 void SoundPlayer::start(Instant steady) {
   sounds_ = true;
   begin_ = now_ - time_of(written_);
@@ -57,7 +57,7 @@ void SoundPlayer::start(Instant steady) {
   line_.begin_again();
 }
 
-/// The clock goes on from where it is.
+/// The clock goes on from where it is, without sound.
 void SoundPlayer::stop() {
   sounds_ = false;
   ahead_.reset();

@@ -7,12 +7,12 @@
 
 namespace aucast::sound {
 
-/// Samples a second of everything here, mono.
+/// Samples a second of all sound in this folder. All of it is mono.
 inline constexpr int kRate = voice::kDecoderRate;
 inline constexpr int kSamplesPerMs = voice::kDecoderSamplesPerMs;
 
-/// The sound that lies along a stream, mono at kRate in [-1,1]. Its samples are counted from the
-/// stream's beginning.
+/// The sound of a stream, mono at kRate in [-1,1]. Its samples are counted from the stream's
+/// beginning.
 class SoundTrack {
  public:
   SoundTrack() = default;
@@ -22,7 +22,7 @@ class SoundTrack {
 
   /// Fills `samples` with the sound from sample `begin` on; silence where there is none.
   virtual void read(std::int64_t begin, std::span<float> samples) = 0;
-  /// Behind the last sample that is known.
+  /// The number of the last known sample plus one.
   [[nodiscard]] virtual std::int64_t end() const = 0;
 };
 

@@ -10,9 +10,9 @@ namespace aucast::sound {
 namespace {
 
 constexpr std::int64_t kFadeIn = std::int64_t{5} * kSamplesPerMs;
-/// A leap of more than this is not decoded through.
+/// Leaps longer than this are skipped rather than decoded.
 constexpr std::int64_t kVoiceLeap = std::int64_t{500} * kSamplesPerMs;
-/// A decoder that begins in the middle is right after five packets of 60 ms.
+/// A decoder that begins in the middle of a stream is exact after five packets of 60 ms.
 constexpr std::int64_t kRunUp = std::int64_t{300} * kSamplesPerMs;
 
 }  // namespace
@@ -91,7 +91,7 @@ void VoiceTrack::decode_until(std::int64_t end) {
   }
 }
 
-/// What lies before the end of what is decoded has been heard as silence already.
+/// The part of the packet before decoded_end() is left out: silence has been heard there already.
 void VoiceTrack::append(const Packet& packet) {
   const std::span<const float> sound = decoder_.decode(packet.opus);
   if (sound.empty()) {
@@ -114,7 +114,7 @@ void VoiceTrack::append(const Packet& packet) {
   }
 }
 
-/// Goes on as the voice could have gone on, ever softer, before `until`.
+/// Continues the voice by concealment, ever softer, up to `until` at most.
 void VoiceTrack::fade_out(std::int64_t until) {
   const std::span<const float> sound = decoder_.conceal();
   const auto fade = std::min(static_cast<std::int64_t>(sound.size()), until - decoded_end());

@@ -19,18 +19,18 @@ namespace aucast::sound {
 /// Thread: none of its own.
 class VoiceTrack final : public SoundTrack {
  public:
-  /// What read() can go back by.
+  /// How far read() can go back.
   static constexpr Milliseconds kKept{1000};
 
   struct Counts {
     std::uint64_t packets = 0;
-    std::uint64_t bytes = 0;  ///< of Opus
+    std::uint64_t bytes = 0;  ///< of Opus data
     std::uint64_t gaps = 0;   ///< times that the voice faded out, also in the speaker's pauses
-    // Packets that were not heard:
+    // Packets that were not heard, by cause.
     std::uint64_t too_late = 0;      ///< their time had passed
     std::uint64_t left_out = 0;      ///< there was no room for them
-    std::uint64_t out_of_order = 0;  ///< they began before the end of one that waits
-    std::uint64_t unreadable = 0;    ///< they are no Opus
+    std::uint64_t out_of_order = 0;  ///< they began before the end of another that waits
+    std::uint64_t unreadable = 0;    ///< they are not valid Opus
 
     Counts& operator+=(const Counts& more);
   };
@@ -38,7 +38,7 @@ class VoiceTrack final : public SoundTrack {
   /// One Opus packet whose sound begins at `place`.
   void add(Milliseconds place, std::string opus);
 
-  /// Nothing before `begin` will be read any more, or only what lies just before it.
+  /// Nothing before sample `begin` will be read any more, except what lies just before it.
   void skip(std::int64_t begin);
   void read(std::int64_t begin, std::span<float> samples) override;
   [[nodiscard]] std::int64_t end() const override { return last_end_; }
@@ -61,10 +61,10 @@ class VoiceTrack final : public SoundTrack {
   voice::VoiceDecoder decoder_;
   std::deque<Packet> waiting_;
   std::size_t waiting_bytes_ = 0;
-  std::int64_t last_end_ = 0;  ///< of all packets
-  std::int64_t begin_ = 0;     ///< of decoded_
+  std::int64_t last_end_ = 0;  ///< the end of the last packet
+  std::int64_t begin_ = 0;     ///< the number of decoded_'s first sample
   std::vector<float> decoded_;
-  bool silent_ = true;  ///< what is decoded ends in silence
+  bool silent_ = true;  ///< decoded_ ends in silence
   Counts counts_;
 };
 

@@ -10,15 +10,16 @@
 
 namespace aucast::sound {
 
-/// A WAV file, mono, 16 bits, kRate samples a second. It appears under its name when finish()
-/// succeeds; what was there before stays until then. Same samples, same bytes.
+/// A WAV file: mono, 16 bits, kRate samples a second. It appears under its name when finish()
+/// succeeds; a file that was there before stays until then. The same samples give the same bytes.
 /// Thread: none of its own.
 class WavFile {
  public:
-  /// A WAV file's sizes have 32 bits: 12 hours. Any more is left out.
+  /// The most samples, some 12 hours, because a WAV file's sizes have 32 bits. Samples beyond that
+  /// are dropped.
   static constexpr std::size_t kSamplesMax = std::size_t{0x7fff'0000};
 
-  /// Failed when the place cannot be written.
+  /// Fails if the file cannot be written there.
   [[nodiscard]] static Result<std::unique_ptr<WavFile>> open(const std::filesystem::path& path);
   ~WavFile();
   WavFile(const WavFile&) = delete;
@@ -26,9 +27,9 @@ class WavFile {
 
   /// Adds samples, clamped to [-1,1].
   void add(std::span<const float> samples);
-  /// How many there are.
+  /// How many samples have been added.
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Writes all samples so far to the file, which is called temporary() until finish().
+  /// Writes all samples so far to the file, which has the name temporary() until finish().
   [[nodiscard]] Result<void> flush();
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
   [[nodiscard]] Result<void> finish();

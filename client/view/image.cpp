@@ -44,7 +44,7 @@ std::vector<std::uint8_t> without_alpha(const Image& image) {
   return rgb;
 }
 
-/// A caption cut with dots when it is wider than there is room.
+/// The caption, cut short with dots if it is too wide.
 std::string fitting(std::string caption, int width, int cap_height) {
   if (text_width(caption, cap_height) <= width) return caption;
   while (!caption.empty() && text_width(caption + "...", cap_height) > width) caption.pop_back();

@@ -28,7 +28,7 @@ const stbtt_fontinfo& font() {
   return font;
 }
 
-/// Pixels for one of the font's units.
+/// How many pixels one unit of the font is.
 float scale_of(int cap_height) {
   int top = 0;
   stbtt_GetCodepointBox(&font(), 'H', nullptr, nullptr, nullptr, &top);

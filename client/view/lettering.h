@@ -7,12 +7,12 @@
 
 namespace aucast::view {
 
-/// Pixels that a line of text takes in width when its capitals are `cap_height` pixels high.
+/// The width of a line of text in pixels if its capitals are `cap_height` pixels high.
 [[nodiscard]] int text_width(std::string_view text, int cap_height);
 
-/// Draws a line of printable ASCII in Inter, which is part of the program; other bytes become a
-/// question mark. (x, y) is the top left corner of the first capital. What lies outside the picture
-/// is clipped.
+/// Draws a line of printable ASCII in the font Inter, which is compiled into the program; other
+/// bytes become question marks. (x, y) is the top left corner of the first capital. What lies
+/// outside the picture is clipped.
 void draw_text(Image& image, int x, int y, std::string_view text, int cap_height,
                std::uint32_t rgb);
 

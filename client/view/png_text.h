@@ -7,14 +7,14 @@
 
 namespace aucast::view {
 
-/// A line of text in a PNG, with facts about the picture.
+/// A fact about a picture, stored in its PNG as text.
 struct PngText {
-  std::string keyword;  ///< 1-79 letters of Latin-1, such as "Software"
+  std::string keyword;  ///< 1-79 characters of Latin-1, such as "Software"
   std::string text;     ///< UTF-8
 };
 
 /// The PNG with these texts in front of its pixels, each an iTXt chunk (PNG, third edition,
-/// 11.3.3.4). `png` begins with the signature and the header, as every PNG does.
+/// 11.3.3.4). `png` must begin with the signature and the header, as every PNG does.
 [[nodiscard]] std::string with_texts(std::string_view png, std::span<const PngText> texts);
 
 /// The check sum of PNG's chunks: CRC-32 of ISO 3309 (PNG, third edition, annex D).

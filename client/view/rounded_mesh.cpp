@@ -12,13 +12,14 @@
 namespace aucast::view {
 namespace {
 
-/// From the middle of an edge to that of the cubic whose inner control points lie a third of the
-/// way along, moved into the planes of the ends.
+/// The vector from the middle of an edge to the middle of the curve: a cubic whose inner control
+/// points lie at one and two thirds of the edge, moved into the tangent planes of its ends.
 glm::vec3 bend(const glm::vec3& way, const glm::vec3& at_a, const glm::vec3& at_b) {
   return (at_b * glm::dot(way, at_b) - at_a * glm::dot(way, at_a)) * 0.125F;
 }
 
-/// The middle of a parabola of normals, which sees when the curve bends one way and then the other.
+/// The normal at the middle, from a parabola of normals, which is right too if the curve bends one
+/// way and then the other.
 glm::vec3 middle_normal(const glm::vec3& way, const glm::vec3& at_a, const glm::vec3& at_b) {
   const glm::vec3 sum = at_a + at_b;
   const float length2 = std::max(glm::dot(way, way), 1e-12F);
@@ -39,7 +40,7 @@ std::vector<glm::vec3> normals_of(std::span<const glm::vec3> positions,
   return normals;
 }
 
-/// In place of a middle: the edge hardly bends.
+/// Takes the place of a middle vertex if the edge hardly bends.
 constexpr std::uint32_t kNone = ~0U;
 
 }  // namespace

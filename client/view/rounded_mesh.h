@@ -9,28 +9,30 @@
 
 namespace aucast::view {
 
-/// Rounds off a mesh for drawing, so that its outline shows no corners: edges that bend get a
-/// vertex in their middle, and their triangles become two to four. It lies where a curve through
-/// both ends at right angles to their normals passes (Vlachos et al., Curved PN Triangles, 2001).
-/// The mesh's own vertices keep their numbers and places; those of the edges follow them. Thread:
-/// one mesh per thread.
+/// Rounds off a mesh for drawing, so that its outline shows no corners. An edge that bends gets a
+/// vertex at its middle, and each of its triangles becomes two to four. The new vertex lies on a
+/// curve through both ends that is at right angles to their normals (Vlachos et al., Curved PN
+/// Triangles, 2001). The mesh's own vertices keep their numbers and places; those of the edges come
+/// after them. Thread: one mesh per thread.
 class RoundedMesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   RoundedMesh() = default;
-  /// Edges bend whose middle would move by `least_bend` or more on the mesh at rest. All of its
-  /// vertices are given, but perhaps not all triangles.
+  /// An edge counts as bent if its middle would move by `least_bend` (mesh units) or more on the
+  /// mesh at rest. `rest` has all vertices of the mesh; `triangles` may be only some of its
+  /// triangles.
   RoundedMesh(std::span<const glm::vec3> rest, std::span<const Triangle> triangles,
               float least_bend);
 
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
-  /// How many triangles the first `count` of those given have become.
+  /// How many triangles the first `count` of the given ones have become.
   [[nodiscard]] std::size_t became(std::size_t count) const { return became_[count]; }
-  /// The mesh's own and those of the edges.
+  /// The number of vertices: the mesh's own and those of the edges.
   [[nodiscard]] std::size_t vertex_count() const { return own_count_ + edges_.size(); }
 
-  /// A value of each of the mesh's own vertices, then those of the edges: the mean of both ends.
+  /// Takes one value per own vertex of the mesh, and adds one per edge vertex: the mean of both
+  /// ends.
   template <typename T>
   [[nodiscard]] std::vector<T> with_edges(std::span<const T> own) const {
     std::vector<T> all(own.begin(), own.end());
@@ -39,9 +41,10 @@ class RoundedMesh {
     return all;
   }
 
-  /// Positions and unit normals of the mesh's own vertices; makes those of the edges.
+  /// Sets the positions and unit normals of the mesh's own vertices, and computes those of the
+  /// edges.
   void place(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
-  /// Of all vertices, as place() found them.
+  /// The positions of all vertices after place().
   [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
   [[nodiscard]] std::span<const glm::vec3> normals() const { return normals_; }
 

@@ -21,8 +21,8 @@ std::span<const glm::vec4> Strands::place(std::span<const glm::vec3> positions) 
   }
   for (const auto& [a, b, c] : triangles_) {
     AUCAST_CHECK(a < positions.size() && b < positions.size() && c < positions.size());
-    // Along it the number, which is linear over the triangle, does not change; the larger the
-    // triangle, the more it counts.
+    // The direction in which the number, linear over the triangle, does not change. Larger
+    // triangles count more.
     const glm::vec3 way = (positions[b] - positions[a]) * (strands_[c].w - strands_[a].w) -
                           (positions[c] - positions[a]) * (strands_[b].w - strands_[a].w);
     for (const std::uint32_t i : {a, b, c}) strands_[i] += glm::vec4(way, 0);

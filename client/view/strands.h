@@ -13,16 +13,16 @@
 
 namespace aucast::view {
 
-/// The directions of strands of hair on a surface: along a strand its number (StaticMesh::strand)
-/// is constant. Seen from outside, with the tips down, it grows to the right.
+/// The directions of strands of hair on a surface. Along a strand the number StaticMesh::strand is
+/// constant; seen from outside, with the tips down, it grows to the right.
 class Strands {
  public:
   Strands() = default;
-  /// For `vertex_count` vertices, of which the mesh's own are the first.
+  /// `vertex_count`: how many vertices place() gets; the mesh's own come first.
   Strands(const StaticMesh& mesh, std::size_t vertex_count);
 
-  /// For every vertex: in xyz the direction of the strands there, not of unit length, 0 where there
-  /// are none; in w their number.
+  /// For every vertex: in xyz the direction of its strand, not of unit length (0: no strand); in w
+  /// its strand number.
   [[nodiscard]] std::span<const glm::vec4> place(std::span<const glm::vec3> positions);
 
  private:

@@ -15,16 +15,16 @@
 
 namespace aucast::view {
 
-/// What is drawn of a face, any combination at once (thesis figure 5.6).
+/// What is drawn of a face, in any combination (thesis figure 5.6).
 struct Layers {
   bool polygons = false;     ///< the surface in one plain colour
-  bool textured = true;      ///< the surface in its own colours; wins over the plain one
-  bool transparent = false;  ///< the surface lets through what is behind it
+  bool textured = true;      ///< the surface in its own colours; takes precedence over `polygons`
+  bool transparent = false;  ///< what is behind the surface shows through it
   bool wireframe = false;
   bool vertices = false;
   bool muscles = false;   ///< with attachment, insertion, zone of influence and fall-off radii
   bool jaw_tags = false;  ///< vertices that the jaw carries, coloured by their weight
-  bool eye_tags = false;  ///< vertices of the lids, coloured by their way
+  bool eye_tags = false;  ///< vertices of the lids, coloured by how far they move
   friend bool operator==(const Layers&, const Layers&) = default;
 
   [[nodiscard]] bool surface() const { return polygons || textured; }
@@ -44,28 +44,29 @@ inline constexpr std::array<LayerName, 8> kLayerNames{{{"polygons", &Layers::pol
                                                        {"jaw-tags", &Layers::jaw_tags},
                                                        {"eye-tags", &Layers::eye_tags}}};
 
-/// "muscles,wireframe": exactly these, except that transparent alone means the textured surface.
-/// Usage error, naming them all, for another word; BadData never.
+/// Reads a list such as "muscles,wireframe": exactly these are drawn, except that transparent
+/// without a surface means the textured surface. Usage error, naming all layers, for another word.
 [[nodiscard]] Result<Layers> parse_layers(std::string_view text);
-/// The other way round.
+/// The list that parse_layers() reads.
 [[nodiscard]] std::string format_layers(const Layers& layers);
 
-/// The key light: towards it, in the head's room, and how strong it is (1 is the studio's).
+/// The key light: the direction towards it, in the coordinates of the mesh, and its strength (1:
+/// the default).
 struct KeyLight {
   glm::vec3 direction{-0.45F, 0.55F, 0.75F};
   float strength = 1;
   friend bool operator==(const KeyLight&, const KeyLight&) = default;
 };
 
-/// The key light that stands `yaw_deg` to the subject's left and `pitch_deg` up, -80 to 80.
+/// The key light at `yaw_deg` to the subject's left and `pitch_deg` up, each -80 to 80.
 [[nodiscard]] KeyLight key_light(float yaw_deg, float pitch_deg, float strength);
 
-/// A straight line in the picture, as wide everywhere; a dot when both ends are the same.
+/// A straight line of constant width in the picture; a dot if both ends are the same.
 struct Segment {
   glm::vec3 from{0};
   glm::vec3 to{0};
-  glm::vec4 colour{1};  ///< as on the screen, alpha
-  float width_px = 1;   ///< of a picture at scale 1; a dot's diameter
+  glm::vec4 colour{1};  ///< sRGB and alpha
+  float width_px = 1;   ///< at scale 1; a dot's diameter
 };
 
 /// How a face is drawn. Spans borrow from the caller.
@@ -73,8 +74,9 @@ struct Style {
   Background background = {};
   Layers layers = {};
   KeyLight light = {};
-  float scale = 1;                        ///< of lines and dots: 2 for a picture twice as fine
-  std::span<const Segment> diagram = {};  ///< shines through the surface, faintly
+  float scale = 1;  ///< factor for the width of lines and dots, such as 2 for a picture of twice
+                    ///< the resolution
+  std::span<const Segment> diagram = {};  ///< shines faintly through the surface
   std::span<const Segment> tags = {};     ///< hidden by the surface
 };
 

@@ -28,7 +28,7 @@ std::optional<Format> format_of(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> format_arguments(Format format, int fps) {
-  // Said in full: without it players guess the colours from the size, and guess differently.
+  // Without this, players guess the colour space from the size, and not all guess alike.
   const std::string colours =
       "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd,format=yuv420p";
   const std::vector<std::string> tags{"-colorspace", "bt709", "-color_primaries", "bt709",
@@ -59,7 +59,7 @@ std::vector<std::string> format_arguments(Format format, int fps) {
 
 std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, int fps,
                                           const std::filesystem::path& file) {
-  // Without -xerror it calls a video done whose last bytes found the disk full.
+  // Without -xerror, ffmpeg reports success even if the disk is full at the end.
   std::vector<std::string> arguments{
       "ffmpeg",       "-nostdin",
       "-hide_banner", "-loglevel",
@@ -81,7 +81,7 @@ std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, 
   return arguments;
 }
 
-/// The pictures of one file and the sound of another, which both begin at 0.
+/// The command that joins the pictures of one file and the sound of another, which both begin at 0.
 std::vector<std::string> muxing_arguments(Format format, const std::filesystem::path& pictures,
                                           const std::filesystem::path& sound,
                                           const std::filesystem::path& file) {
@@ -165,7 +165,7 @@ struct VideoEncoder::State {
   [[nodiscard]] Result<void> add_sound(const std::filesystem::path& sound);
 };
 
-/// Collects what ffmpeg had to say once it stopped reading.
+/// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
   const int code = ffmpeg->wait();
   const std::string words = ffmpeg->last_words();
@@ -180,8 +180,8 @@ Result<void> VideoEncoder::State::give_up() {
   return *failure;
 }
 
-/// By a second ffmpeg, which copies the pictures: one that is fed both through pipes takes them in
-/// turns of its own choosing, and then each waits for the other.
+/// A second ffmpeg adds the sound and copies the pictures. A single one that gets both through
+/// pipes reads them in turns of its own choosing, which can end in a deadlock.
 Result<void> VideoEncoder::State::add_sound(const std::filesystem::path& sound) {
   auto whole = create_temporary_beside(path);
   if (!whole) return whole.error();

@@ -12,11 +12,11 @@ inline constexpr int kVideoSideMax = 8192;
 inline constexpr int kVideoFpsMax = 240;
 
 /// A video file written by ffmpeg as a child process: .mp4 (H.264), .webm (VP9) or .gif by the
-/// name's ending. The file appears under its name when finish() succeeds; what was there before
-/// stays until then, and nothing is left behind otherwise. Same pictures, same bytes.
-/// H.264 and VP9 store colour for pairs of pixels: an odd width or height grows by one, repeating
-/// the last column or row. A GIF is at most 50 pictures a second; ffmpeg keeps all of its pictures
-/// in memory until the end to find one palette for them.
+/// name's ending. The file appears under its name when finish() succeeds; a file that was there
+/// before stays until then. Otherwise nothing is left behind. The same pictures give the same
+/// bytes. H.264 and VP9 store colour for pairs of pixels: an odd width or height grows by one,
+/// repeating the last column or row. A GIF has at most 50 pictures a second; ffmpeg keeps all its
+/// pictures in memory until the end to find one palette for them.
 class VideoEncoder {
  public:
   /// Failed when ffmpeg is missing (the message says what to install) or the place cannot be
@@ -28,12 +28,11 @@ class VideoEncoder {
   VideoEncoder(const VideoEncoder&) = delete;
   VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-  /// The picture must have the size given to open(). Failed, with the end of ffmpeg's messages,
-  /// when it died; every later call then returns the same.
+  /// Adds a picture of the size given to open(). If ffmpeg has died, fails with the end of its
+  /// messages, and every later call fails in the same way.
   [[nodiscard]] Result<void> add(const Image& picture);
-  /// Waits until ffmpeg is done. Without any picture there is no file, which is not an error.
-  /// `sound`: a WAV file that begins with the first picture, except for a GIF, which has no sound;
-  /// empty: none.
+  /// Waits until ffmpeg is done. If no picture was added, there is no file, which is not an error.
+  /// `sound`: a WAV file that begins with the first picture; empty: none. A GIF has no sound.
   [[nodiscard]] Result<void> finish(const std::filesystem::path& sound = {});
 
  private:

@@ -16,7 +16,8 @@ constexpr float kPitchMax_rad = 80.0F * kPi / 180.0F;
 constexpr float kHalfHeightMin = 0.5F;
 constexpr float kHalfHeightMax = 40.0F;
 constexpr float kNarrowestFull = 0.87F;
-/// Half the depth that is drawn, around the target: a head with shoulders from any side.
+/// Half the depth around the target that is drawn, mesh units: enough for a head with shoulders
+/// from any side.
 constexpr float kHalfDepth = 30.0F;
 
 glm::vec3 direction_to_eye(const Viewpoint& viewpoint) {

@@ -11,34 +11,35 @@
 
 namespace aucast::view {
 
-/// What a renderer needs of a viewpoint for a picture of one shape; "eye" is where it stands.
+/// A viewpoint as matrices, for a picture of a given shape. "eye" is where the viewpoint is.
 struct ViewMatrices {
   glm::mat4 view{1};        ///< world to eye, looking down -z
   glm::mat4 projection{1};  ///< eye to OpenGL's clip space, depth -1 to 1
   glm::vec3 eye{0};         ///< world
 };
 
-/// Sizes below 1 count as 1. A picture narrower than 0.87 of its height sees as much in width as
-/// one of that shape, so that a face is never cut at its sides, its head tilted or not.
+/// Sizes below 1 count as 1. A picture whose width is less than 0.87 of its height shows as much in
+/// width as one of 0.87, so that a face, even tilted, is never cut at its sides.
 [[nodiscard]] ViewMatrices view_matrices(const Viewpoint& viewpoint, int width, int height);
 
 enum class ViewpointPreset : std::uint8_t { Front, ThreeQuarter, Profile };
 
-/// "front", "three-quarter", "profile"; nothing for another word.
+/// Reads "front", "three-quarter" or "profile"; nullopt for another word.
 [[nodiscard]] std::optional<ViewpointPreset> viewpoint_preset(std::string_view name);
 
-/// A portrait of the whole head at rest. The side views show the subject's right, where the key
-/// light comes from.
+/// The viewpoint for a portrait of the whole head at rest. The side views show the subject's right,
+/// where the key light comes from.
 [[nodiscard]] Viewpoint portrait_viewpoint(ViewpointPreset preset);
 
-/// Turns about the target by a drag in pixels of a picture of that height; half a turn is one
-/// height. The pitch stays within 80 degrees.
+/// Turns the viewpoint about its target by a drag in pixels. `height`: the picture's; a drag over
+/// all of it is half a turn. The pitch stays within 80 degrees.
 void orbit(Viewpoint& viewpoint, double right_px, double down_px, int height);
 
 /// Moves the target so that what is under the pointer follows a drag in pixels.
 void pan(Viewpoint& viewpoint, double right_px, double down_px, int height);
 
-/// Comes closer by a tenth a step (negative: goes away), between a detail of an eye and a figure.
+/// Comes closer by a tenth per step (negative: goes away), within limits: from a detail of an eye
+/// to a whole figure.
 void zoom(Viewpoint& viewpoint, double steps);
 
 }  // namespace aucast::view

@@ -8,7 +8,7 @@
 // EM_JS makes C functions of JavaScript; Module.browser is given by player_engine.js.
 // clang-format off
 EM_JS(int, aucast_js_context, (), {
-  // Without alpha, or the page would shine through what is translucent.
+  // Without alpha, or the page would show through translucent parts.
   return GL.createContext(Module.canvas, {majorVersion: 2, minorVersion: 0, alpha: false,
                                           antialias: true, depth: true, stencil: false});
 });

@@ -7,13 +7,13 @@
 
 namespace aucast::web {
 
-/// The sound device of the browser, while the page is allowed to play sound: browser.h. Thread: the
-/// page's.
+/// The sound device of the browser (browser.h), for while the page is allowed to play sound.
+/// Thread: the page's.
 class BrowserSound final : public sound::SoundOut {
  public:
   void write(std::span<const float> samples) override;
   [[nodiscard]] std::int64_t heard() override;
-  /// The page takes the device away before that can be.
+  /// Always false: the page removes the device before it could be lost.
   [[nodiscard]] bool lost() override { return false; }
 
  private:

@@ -1,5 +1,5 @@
-// What player_engine.js calls. A text that is returned is valid until the next call of a function
-// that returns one; an empty error means that all went well.
+// The functions that player_engine.js calls. A text that is returned is valid until the next call
+// of a function that returns a text. An error that is empty means success.
 #include <emscripten/emscripten.h>
 
 #include <cstdint>
@@ -56,7 +56,7 @@ std::string in_words(const aucast::AuFrame& frame) {
 
 extern "C" {
 
-/// Once the face's files are in /data.
+/// Call it once the face's files are in /data.
 EMSCRIPTEN_KEEPALIVE const char* aucast_create(const char* face) {
   if (!aucast::web::browser::make_context()) return "this browser has no WebGL 2";
   auto made = Page::create(face);
@@ -65,12 +65,13 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_create(const char* face) {
   return "";
 }
 
-/// After aucast_create() and aucast_renew() until it gives 1: a few milliseconds each.
+/// Call it after aucast_create() and aucast_renew() until it returns 1. Each call takes a few
+/// milliseconds.
 EMSCRIPTEN_KEEPALIVE int aucast_make() {
   return page()->make_more() ? 1 : 0;
 }
 
-/// The canvas has a new context after it had lost the old one.
+/// Call it when the canvas has a new context after having lost the old one.
 EMSCRIPTEN_KEEPALIVE const char* aucast_renew() {
   return error_of(page()->renew());
 }
@@ -96,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE void aucast_pause(int paused) {
   page()->pause(paused != 0);
 }
 
-/// 1: the face is another one than before and wants to be drawn.
+/// Returns 1 if the face has changed and is to be drawn.
 EMSCRIPTEN_KEEPALIVE int aucast_advance() {
   return page()->advance() ? 1 : 0;
 }
@@ -124,14 +125,14 @@ EMSCRIPTEN_KEEPALIVE void aucast_face_front() {
   page()->viewpoint() = aucast::view::portrait_viewpoint(aucast::view::ViewpointPreset::Front);
 }
 
-/// "idle" while no stream is open; else as --stats has it.
+/// "idle" while no stream is open, else the state's name as in --stats.
 EMSCRIPTEN_KEEPALIVE const char* aucast_state() {
   static std::string text;
   const auto state = page()->state();
   return kept(text, state ? std::string(name(*state)) : std::string("idle"));
 }
 
-/// Whether a connection stands.
+/// Whether the page is connected to the server.
 EMSCRIPTEN_KEEPALIVE int aucast_connected() {
   const auto* const playback = page()->playback();
   return playback != nullptr && playback->status().connected ? 1 : 0;
@@ -148,14 +149,14 @@ EMSCRIPTEN_KEEPALIVE int aucast_captions() {
   return playback != nullptr && playback->status().captions ? 1 : 0;
 }
 
-/// Of the stream; empty: it has none, or none has come yet.
+/// The title of the stream; empty: it has none, or none has come yet.
 EMSCRIPTEN_KEEPALIVE const char* aucast_title() {
   static std::string text;
   const auto* const playback = page()->playback();
   return kept(text, playback != nullptr ? playback->status().title : std::string());
 }
 
-/// What is being said.
+/// The caption to be shown.
 EMSCRIPTEN_KEEPALIVE const char* aucast_caption() {
   return page()->caption().c_str();
 }
@@ -165,7 +166,7 @@ EMSCRIPTEN_KEEPALIVE void aucast_sound(int on) {
   page()->set_sound(on != 0);
 }
 
-/// Percent, as loudness is felt.
+/// Percent of perceived loudness.
 EMSCRIPTEN_KEEPALIVE void aucast_volume(int percent) {
   page()->sound().set_volume(percent);
 }
@@ -174,17 +175,17 @@ EMSCRIPTEN_KEEPALIVE void aucast_mute(int muted) {
   page()->sound().set_muted(muted != 0);
 }
 
-/// The browser's sound is the clock.
+/// Whether the browser's sound is the clock.
 EMSCRIPTEN_KEEPALIVE int aucast_sounds() {
   return page()->sound().sounds() ? 1 : 0;
 }
 
-/// The device has been given up since the last call.
+/// Whether the device has been given up since the last call.
 EMSCRIPTEN_KEEPALIVE int aucast_sound_lost() {
   return page()->sound().take_loss() ? 1 : 0;
 }
 
-/// After aucast_draw(): what was drawn is what the last aucast_advance() came to.
+/// Call it after aucast_draw(), which must have drawn the face of the last aucast_advance().
 EMSCRIPTEN_KEEPALIVE void aucast_face_shown() {
   page()->sound().face_shown();
 }
@@ -203,7 +204,7 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_sound_counts() {
   return kept(text, json.str());
 }
 
-/// A sentence about why nothing comes; else empty.
+/// A sentence about why no stream comes; empty: all is well.
 EMSCRIPTEN_KEEPALIVE const char* aucast_detail() {
   static std::string text;
   const auto* const playback = page()->playback();
@@ -221,7 +222,7 @@ EMSCRIPTEN_KEEPALIVE double aucast_reconnects() {
   return playback != nullptr ? static_cast<double>(playback->status().reconnects) : 0;
 }
 
-/// As on the command line: `6,12:80`.
+/// Shows AUs, written as on the command line: `6,12:80`.
 EMSCRIPTEN_KEEPALIVE const char* aucast_aus() {
   static std::string text;
   return kept(text, aucast::protocol::format_au_set(page()->aus()));
@@ -232,7 +233,7 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_aus_in_words() {
   return kept(text, in_words(page()->aus()));
 }
 
-/// The keyframes that began since the last call, one a line: `6,12:80;400`.
+/// The keyframes that began since the last call, one per line: `6,12:80;400`.
 EMSCRIPTEN_KEEPALIVE const char* aucast_begun() {
   static std::string text;
   std::string lines;

@@ -17,10 +17,10 @@ namespace {
 constexpr const char* kData = "/data";
 constexpr Milliseconds kHold{5'000};
 constexpr Duration kAnswerTimeMax = std::chrono::seconds(10);
-/// Nobody may have asked for them for long: a page that does not listen to keyframes.
+/// The most lines that are kept: a page that does not listen to keyframes never takes them.
 constexpr std::size_t kBegunMax = 1'000;
 
-/// Lines keep their share of a large picture and stay lines in a small one.
+/// Lines grow with large pictures, and are no thinner than usual in small ones.
 float scale_of(int height) {
   constexpr float kUsualHeight = 800;
   return std::clamp(static_cast<float>(height) / kUsualHeight, 0.5F, 4.0F);
@@ -127,7 +127,7 @@ void Page::begun(const playback::KeyframeBegun& keyframe, Instant at) {
                         std::to_string(keyframe.duration.count())});
 }
 
-/// Playback is ahead of the sound that is heard, and of the face that belongs to it.
+/// Takes AUs, lines and captions up to what is heard now: playback is ahead of it.
 void Page::show_what_is_heard() {
   for (; !ahead_.empty() && ahead_.front().at <= player_.sound().shown(); ahead_.pop_front()) {
     aus_ = ahead_.front().aus;
@@ -151,7 +151,8 @@ void Page::ask_streams(const std::string& server, const std::string& token) {
   question_->ask(SocketLink::create());
 }
 
-/// Only when it is drawn: sound wants time to be advanced more often than that.
+/// Poses the face. Called only when it is drawn, which is less often than time is advanced for the
+/// sound.
 void Page::pose() {
   if (wanted_ == posed_) return;
   posed_ = wanted_;

@@ -21,56 +21,57 @@
 
 namespace aucast::web {
 
-/// A face on a canvas: what the player is in a window, in a browser. It shows a set of AUs, or
-/// plays a stream of a server over WebSockets. Knows no canvas: it draws into the framebuffer that
-/// is bound, and needs a current WebGL 2 context for all its life.
+/// The player in a browser: a face that shows a set of AUs, or plays a stream of a server over
+/// WebSockets. It does not know the canvas: it draws into the framebuffer that is bound, and needs
+/// a current WebGL 2 context as long as it lives.
 /// Thread: the page's.
 class Page {
  public:
-  /// Reads data/faces/`face_name` and data/rules/facs.toml of the page's file system. Draws the
-  /// face at rest until make_more() has come to its end.
+  /// Reads data/faces/`face_name` and data/rules/facs.toml from the page's file system. The face is
+  /// drawn at rest until make_more() has returned true.
   [[nodiscard]] static Result<std::unique_ptr<Page>> create(const std::string& face_name);
-  /// Makes the next few milliseconds' worth of what the face needs to move, so that a page never
-  /// blocks. True when there is nothing left to make.
+  /// Prepares what the face needs to move, a few milliseconds' worth per call so that the page
+  /// never blocks. Returns true when everything is ready.
   bool make_more() { return view_->make_more(); }
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
-  /// Shows these AUs from now on: `6,12:80`, as on the command line. Ends what plays. Usage error,
+  /// Stops what plays and shows these AUs, written as on the command line: `6,12:80`. Usage error,
   /// with the column, for anything else.
   [[nodiscard]] Result<void> show(std::string_view aus);
-  /// What is drawn of the face, as face-player's --show. Usage error for another word.
+  /// Sets what is drawn of the face, as face-player's --show. Usage error for an unknown word.
   [[nodiscard]] Result<void> set_layers(std::string_view layers);
 
   struct Wanted {
-    std::string server;  ///< what messages call it
+    std::string server;  ///< its name in messages
     std::string stream;  ///< empty: the server's first
     std::string token;   ///< empty: none
-    bool voice = false;  ///< with its voice, which somebody can decode
+    bool voice = false;  ///< ask for its voice; needs a decoder
   };
   void play(const Wanted& wanted);
   void stop();
   void pause(bool paused);
-  /// Null: nothing was played.
+  /// What plays or has played; null: nothing.
   [[nodiscard]] const playback::Playback* playback() const { return playback_.get(); }
-  /// Of what is seen and heard: Ended when the sound has ended, too. Nothing when nothing plays.
+  /// The state as seen and heard: Ended only when the sound has ended too. Nullopt if nothing
+  /// plays.
   [[nodiscard]] std::optional<playback::PlaybackState> state() const;
-  /// Moves face and sound to the present; true when the face differs from the one drawn last. To be
-  /// called about every 20 ms while there is sound.
+  /// Moves face and sound to the present. Returns true if the face differs from the one drawn last.
+  /// Call it about every 20 ms while there is sound.
   bool advance();
-  /// The AUs of the face as they came, before the rules.
+  /// The AUs that the face shows, as they came, before the rules.
   [[nodiscard]] const AuFrame& aus() const { return aus_; }
   /// The keyframes that the face began since the last call, as lines of a stream file.
   [[nodiscard]] std::vector<std::string> take_begun();
-  /// What is being said, in UTF-8; empty: nothing.
+  /// The caption to be shown now, UTF-8; empty: none.
   [[nodiscard]] const std::string& caption() const { return captions_.text(); }
 
-  /// Whether the browser allows the page to play sound; at first it does not.
+  /// Says whether the browser allows the page to play sound. Initially it does not.
   void set_sound(bool on);
   [[nodiscard]] sound::SoundPlayer& sound() { return player_.sound(); }
 
-  /// Asks the server for its streams; streams() has the answer once there is one.
+  /// Asks the server for its streams. The answer appears in streams().
   void ask_streams(const std::string& server, const std::string& token);
   [[nodiscard]] const std::optional<Result<protocol::StreamList>>& streams() const {
     return streams_;
@@ -78,11 +79,11 @@ class Page {
 
   [[nodiscard]] view::Viewpoint& viewpoint() { return viewpoint_; }
   void draw(int width, int height);
-  /// The face as `face-player pose --png` draws it, byte for byte on the same graphics driver.
-  /// Unbinds its framebuffer.
+  /// The face as `face-player pose --png` draws it; with the same graphics driver the bytes are the
+  /// same. Afterwards the canvas's framebuffer is bound.
   [[nodiscard]] Result<view::Image> picture(int width, int height);
-  /// Call after the canvas has lost its context and got a new one: makes all that was in it again,
-  /// as after create().
+  /// Call it after the canvas has lost its context and got a new one. Makes everything in it again;
+  /// as after create(), make_more() must follow.
   [[nodiscard]] Result<void> renew();
 
  private:
@@ -92,7 +93,7 @@ class Page {
   void show_what_is_heard();
   void pose();
 
-  /// A keyframe that playback has begun, and when.
+  /// A keyframe that playback has begun, and when it did.
   struct Begun {
     Instant at;
     AuFrame aus;
@@ -105,10 +106,10 @@ class Page {
   sound::HeardPlayer player_;
   std::unique_ptr<playback::Playback> playback_;
   playback::CaptionLine captions_;
-  std::deque<Begun> ahead_;  ///< what is begun, but neither heard nor seen yet
+  std::deque<Begun> ahead_;  ///< keyframes that have begun but are not heard and seen yet
   AuFrame aus_;
   std::vector<float> wanted_;  ///< the activations to be drawn
-  std::vector<float> posed_;   ///< those that the view has
+  std::vector<float> posed_;   ///< the activations that the view has
   std::vector<std::string> begun_;
   std::unique_ptr<net::StreamQuestion> question_;
   std::optional<Result<protocol::StreamList>> streams_;

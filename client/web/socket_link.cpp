@@ -10,7 +10,7 @@ namespace {
 
 using Why = link::Ending::Why;
 
-/// Those whose socket the browser still has.
+/// The links whose sockets the browser still has.
 std::map<std::uint32_t, SocketLink*>& sockets() {
   static std::map<std::uint32_t, SocketLink*> all;
   return all;
@@ -104,7 +104,7 @@ void SocketLink::closed(std::uint32_t socket) {
   }
 }
 
-/// Everything, as long as somebody reads.
+/// Hands out everything as long as reading is on.
 void SocketLink::hand_out() {
   const auto self = shared_from_this();
   if (reading_ && user_ != nullptr && !held_.empty()) {

@@ -10,9 +10,9 @@
 
 namespace aucast::web {
 
-/// A link over a WebSocket of the browser, to the one server of the page. The browser reads a
-/// WebSocket whether we want it or not: what comes while nobody reads is kept, up to kHeldMax, and
-/// so is the socket's end. Thread: the page's.
+/// A link over a WebSocket of the browser, to the page's only server. The browser cannot be kept
+/// from reading a WebSocket: what comes while reading is off is kept, up to kHeldMax bytes, and so
+/// is the socket's end. Thread: the page's.
 class SocketLink final : public link::Link, public std::enable_shared_from_this<SocketLink> {
  public:
   static constexpr std::size_t kHeldMax = std::size_t{1} << 20U;
@@ -34,7 +34,7 @@ class SocketLink final : public link::Link, public std::enable_shared_from_this<
   [[nodiscard]] std::size_t unsent_bytes() const override { return 0; }
   [[nodiscard]] std::uint64_t wire_bytes() const override { return wire_bytes_; }
 
-  // The browser's calls, for the link with that number, if there still is one.
+  // Called by the browser, for the link with that number; ignored if there is none any more.
   static void opened(std::uint32_t socket);
   static void received(std::uint32_t socket, std::string_view bytes);
   static void closed(std::uint32_t socket);
@@ -47,7 +47,8 @@ class SocketLink final : public link::Link, public std::enable_shared_from_this<
   const std::uint32_t id_;
   link::LinkUser* user_ = nullptr;
   Timer timer_;
-  Timer later_;  ///< what was held is told outside of the user's own calls
+  Timer later_;  ///< hands out what was kept, so that it does not happen within the user's own
+                 ///< calls
   std::string held_;
   bool open_ = false;
   bool reading_ = true;

@@ -8,11 +8,11 @@
 
 namespace aucast::web {
 
-/// The keyframes of the page's server: net::RemoteSource without a thread, over WebSockets.
-/// Connects at once, and again when the connection is lost. Thread: the page's.
+/// The keyframes of the page's server: what net::RemoteSource is, over WebSockets and without a
+/// thread. Connects at once, and again when the connection is lost. Thread: the page's.
 class SocketSource final : public net::ConnectedSource {
  public:
-  /// `voice`: the stream's voice is asked for. Its captions are always.
+  /// `voice`: whether to ask for the stream's voice. Captions are always asked for.
   SocketSource(std::string server, std::string stream, std::string token, bool voice);
 
   bool wait_until(Instant until) override;

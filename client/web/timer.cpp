@@ -10,7 +10,7 @@
 namespace aucast::web {
 namespace {
 
-/// By their ids, which are never used again.
+/// All timers by their ids, which are never reused.
 std::map<std::uint32_t, const std::function<void()>*>& timers() {
   static std::map<std::uint32_t, const std::function<void()>*> all;
   return all;
@@ -44,7 +44,7 @@ void Timer::set(std::optional<Instant> when) {
 void Timer::ring(std::uint32_t id) {
   const auto found = timers().find(id);
   if (found == timers().end()) return;
-  const auto rang = *found->second;  // its owner may go away in it
+  const auto rang = *found->second;  // a copy, because the call may destroy the timer
   rang();
 }
 

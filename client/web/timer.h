@@ -10,7 +10,8 @@ namespace aucast::web {
 
 [[nodiscard]] Instant now();
 
-/// One timer of the browser. Never rings from within one of its own calls, nor after its end.
+/// One timer of the browser. It never rings from within its own functions, nor after it is
+/// destroyed.
 /// Thread: the page's.
 class Timer {
  public:
@@ -19,10 +20,10 @@ class Timer {
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
 
-  /// Rings once at `when` instead of when it was to ring before; nullopt: not at all.
+  /// Rings once at `when`, in place of the time set before; nullopt: not at all.
   void set(std::optional<Instant> when);
 
-  /// The browser's call.
+  /// Called by the browser.
   static void ring(std::uint32_t id);
 
  private:

@@ -14,16 +14,18 @@
 namespace aucast::app {
 namespace {
 
-/// Longest sleep, so that a signal is noticed soon.
+/// The longest wait, so that a signal is noticed soon.
 constexpr Milliseconds kSleepMax{50};
 /// The same while there is sound to be written.
 constexpr Milliseconds kSoundEvery{10};
 
-/// Until `next`, which is on the clock of `now`, but not for longer than it may be.
+/// Waits until `next`, which is on the clock of `now`, but at most kSleepMax, or kSoundEvery if
+/// `sounds`.
 void wait(playback::Playback& playback, std::optional<Instant> next, Instant now, bool sounds) {
   const Duration most = sounds ? kSoundEvery : kSleepMax;
   if (next || playback.over()) {
-    // Not on the source: one that has the next keyframe already would end the wait at once.
+    // Does not wait for the source: if that has the next keyframe already, the wait would end at
+    // once.
     const Duration time = next ? *next - now : most;
     std::this_thread::sleep_for(std::clamp(time, Duration::zero(), most));
   } else {

@@ -12,9 +12,9 @@
 
 namespace aucast::app {
 
-/// Plays to the end in real time without drawing: a timer drives the 50 positions of every
-/// keyframe, activations are computed at each. `stop` is asked at least every 50 ms. `out`, which
-/// may be null, plays `track` or, if that is null, the voice of what is played.
+/// Plays to the end in real time without drawing: activations are computed at each of the 50
+/// positions of every keyframe, when it is due. `stop` is asked at least every 50 ms. `out` plays
+/// `track` or, if that is null, the voice of what is played; `out` may be null too.
 void run_clocked(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
                  std::unique_ptr<sound::SoundOut> out, sound::SoundTrack* track,
                  const std::function<bool()>& stop, PlayerStats& stats);

@@ -49,7 +49,7 @@ void print_activations(const Assets& assets, std::span<const float> activations)
   if (!any) std::printf("nothing is activated: the face at rest\n");
 }
 
-/// --muscle NAME=VALUE: known name, value in the channel's range.
+/// Checks --muscle NAME=VALUE: the name must be known and the value in the channel's range.
 Result<void> set_channel(const face::Face& face, const std::string& name, float value,
                          std::span<float> activations) {
   const auto index = face.channel_index(name);

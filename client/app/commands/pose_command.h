@@ -5,10 +5,10 @@
 
 namespace aucast::app {
 
-/// face-player pose: one still as picture, mesh or numbers.
+/// Runs face-player pose: makes one still as a picture, a mesh or numbers.
 [[nodiscard]] Result<void> run_pose(const PlayerOptions& options);
 
-/// face-player rules: the set after the rules on stdout.
+/// Runs face-player rules: prints the set after the rules to stdout.
 [[nodiscard]] Result<void> run_rules(const PlayerOptions& options);
 
 }  // namespace aucast::app

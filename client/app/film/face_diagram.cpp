@@ -24,8 +24,8 @@ struct Stroke {
     Body,        ///< from attachment to insertion
     Attachment,  ///< a dot
     Insertion,   ///< a dot
-    Zone,        ///< the border of what it moves
-    Inner,       ///< where the fall-off begins, where it is strongest
+    Zone,        ///< the border of its zone of influence
+    Inner,       ///< where the fall-off begins or the pull is strongest
   };
   std::size_t muscle = 0;
   Kind kind = Kind::Zone;

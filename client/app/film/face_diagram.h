@@ -10,9 +10,9 @@
 
 namespace aucast::app {
 
-/// A drawing of what drives a face: muscles with attachment, insertion, zone of influence and
-/// fall-off radii; the vertices that the jaw and the lids carry.
-/// The face must outlive it. Thread: one at a time.
+/// Draws what drives a face: muscles with attachment, insertion, zone of influence and fall-off
+/// radii, and the vertices that the jaw and the lids move. The face must outlive it. Thread: one at
+/// a time.
 class FaceDiagram {
  public:
   explicit FaceDiagram(const face::Face& face);
@@ -24,7 +24,7 @@ class FaceDiagram {
   void update(const view::Layers& layers, std::span<const float> activations,
               const face::DeformedFace& deformed);
 
-  /// The muscles: they follow head and jaw but not the skin. Active ones are coloured by their
+  /// The muscles. They follow head and jaw but not the skin. Active ones are coloured by their
   /// activation.
   [[nodiscard]] std::span<const view::Segment> muscles() const;
   /// Jaw and lids: dots on the vertices, from blue (a little) to red (all the way).

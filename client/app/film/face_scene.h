@@ -11,7 +11,7 @@ namespace aucast::app {
 /// How the renderer draws a material.
 [[nodiscard]] view::Material look_of(face::Material material);
 
-/// A face as the renderer wants to see it. Borrows from the face, which must outlive it.
+/// A face in the form that the renderer needs. The face must outlive it.
 class FaceScene {
  public:
   explicit FaceScene(const face::Face& face);

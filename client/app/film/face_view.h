@@ -12,35 +12,37 @@
 
 namespace aucast::app {
 
-/// Film is for many pictures. A Still is drawn with four times the pixels, if the driver can make
-/// so large a picture, and scaled down, so that strands of hair and lashes do not flicker.
+/// Film is for many pictures. A Still is drawn with four times the pixels and scaled down, so that
+/// strands of hair and lashes are smooth, unless the driver cannot make so large a picture.
 enum class Sharpness : std::uint8_t { Film, Still };
 
-/// A face with all that turns activations into a picture: deformer, drawing of the muscles,
-/// renderer. The face must outlive it. Needs a current OpenGL context for all its life.
+/// A face with everything that turns activations into a picture: deformer, drawing of the muscles,
+/// renderer. The face must outlive it. Needs a current OpenGL context as long as it lives.
 /// Thread: the one the context is current on.
 class FaceView {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face);
-  /// The same in portions: at first it draws the face at rest, whatever its pose.
+  /// The same, made in portions: it draws the face at rest, whatever its pose, until make_more()
+  /// has returned true.
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_at_rest(const face::Face& face);
-  /// The next portion, of a few milliseconds. True when there is nothing left to do.
+  /// Makes the next portion, which takes a few milliseconds. Returns true when nothing is left to
+  /// do.
   bool make_more();
   ~FaceView();
   FaceView(const FaceView&) = delete;
   FaceView& operator=(const FaceView&) = delete;
 
-  /// Sets what is drawn from here on; at first the face at rest. One activation per channel.
+  /// Sets the pose that is drawn; initially it is the face at rest. `activations`: one per channel.
   void pose(std::span<const float> activations);
 
-  /// Clears and draws into the bound framebuffer. `style` without its diagram and tags, which this
-  /// makes as its layers ask for them.
+  /// Clears and draws into the bound framebuffer. The diagram and tags of `style` are replaced by
+  /// those that its layers ask for.
   void draw(const view::Viewpoint& viewpoint, view::Style style, int width, int height);
 
-  /// Makes room for pictures of one size. Failed when the driver cannot draw them.
+  /// Prepares picture() for pictures of one size. Fails if the driver cannot draw them.
   [[nodiscard]] Result<void> prepare(int width, int height, Sharpness sharpness);
-  /// A picture of the size prepared last; with a transparent background it is drawn twice. Leaves a
-  /// framebuffer of its own bound. Same pose, viewpoint and style, same bytes.
+  /// A picture of the size prepared last; with a transparent background the face is drawn twice.
+  /// Leaves a framebuffer of its own bound. The same pose, viewpoint and style give the same bytes.
   [[nodiscard]] view::Image picture(const view::Viewpoint& viewpoint, view::Style style);
 
  private:

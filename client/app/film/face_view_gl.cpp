@@ -25,7 +25,7 @@ struct FaceView::State {
   }
 
   std::optional<face::FaceDeformer::Making> making;
-  std::optional<face::FaceDeformer> deformer;  ///< nothing while it is being made
+  std::optional<face::FaceDeformer> deformer;  ///< nullopt while it is being made
   face::DeformedFace rest;
   FaceDiagram diagram;
   std::unique_ptr<render::FaceRenderer> renderer;

@@ -22,7 +22,7 @@ using playback::kPositionsPerKeyframe;
 
 constexpr int kRecordFps = 30;
 
-/// The last line: how many pictures there are and where they went.
+/// The last line of output: how many pictures there are and where they were written.
 std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) {
   std::string places;
   for (const auto& place : {output.frames, output.record, output.sheet}) {
@@ -38,7 +38,7 @@ std::string how_far(std::uint64_t pictures, double film_ms) {
   return text.data();
 }
 
-/// Everything that pictures go to.
+/// Everything that gets the film's pictures.
 struct Sinks {
   std::optional<FrameFolder> frames;
   std::unique_ptr<view::VideoEncoder> video;
@@ -68,7 +68,7 @@ Result<Sinks> open_sinks(const OutputOptions& output) {
   return sinks;
 }
 
-/// One run: holds what a keyframe's drawing needs.
+/// One run, with what drawing a keyframe needs.
 class Film {
  public:
   Film(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,

@@ -7,7 +7,7 @@
 namespace aucast::app {
 namespace {
 
-/// Written at once.
+/// Samples that are written at once.
 constexpr std::int64_t kPortion = sound::kRate;
 
 }  // namespace
@@ -52,7 +52,7 @@ void FilmSound::tail(std::int64_t end_ms) {
   write(playback::Passing{Milliseconds(place_ms_), 1}, end_ms);
 }
 
-/// A film that turns out to be a silent one has no file of silence.
+/// If the film has no sound at all, no silence is written for its videos.
 void FilmSound::write(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
   const std::int64_t begin_ms = std::exchange(end_ms_, end_ms);
   if (wav_ == nullptr || (!keep_ && track_.end() == 0)) return;

@@ -12,23 +12,23 @@
 
 namespace aucast::app {
 
-/// The sound of a film, in step with its pictures to the sample: what --sound writes and the videos
-/// of --record have.
+/// The sound of a film, in step with its pictures to the sample, for the file of --sound and the
+/// videos of --record.
 class FilmSound {
  public:
-  /// `track`: of what is played, if it brings one; else its voice. It must outlive this.
+  /// `track`: the sound of what is played, which must outlive this object; null: its voice.
   FilmSound(playback::Playback& playback, sound::SoundTrack* track);
 
-  /// Failed when a place cannot be written.
+  /// Fails if a file cannot be written where it is wanted.
   [[nodiscard]] Result<void> open(const SoundOptions& sound, const OutputOptions& output);
-  /// A keyframe has begun that is over at `end_ms` of the film: takes what came with it and writes
-  /// the sound of its time.
+  /// Call it for each keyframe that begins. `end_ms`: when it ends, in the film's time. Takes the
+  /// voice that has come and writes the sound up to there.
   void keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms);
   /// How much sound is left after the last keyframe.
   [[nodiscard]] std::int64_t tail_ms() const;
   /// Writes the sound after the last keyframe, up to `end_ms` of the film.
   void tail(std::int64_t end_ms);
-  /// The WAV file with all of it, for the videos; empty: nothing has sounded.
+  /// The WAV file with all of the sound, for the videos; empty: there was none.
   [[nodiscard]] Result<std::filesystem::path> file();
   [[nodiscard]] Result<void> finish();
   [[nodiscard]] const sound::VoiceTrack::Counts& counts() const { return voice_.counts(); }
@@ -42,10 +42,10 @@ class FilmSound {
   sound::VoiceTrack voice_;
   sound::SoundTrack& track_;
   sound::SoundMixer mixer_;
-  std::unique_ptr<sound::WavFile> wav_;  ///< null: nobody wants sound
-  bool keep_ = false;                    ///< it is what --sound asked for
-  std::int64_t place_ms_ = 0;            ///< of the stream, that the film has come to
-  std::int64_t end_ms_ = 0;              ///< of the film
+  std::unique_ptr<sound::WavFile> wav_;  ///< null: no sound is wanted
+  bool keep_ = false;                    ///< the file is the one of --sound and stays
+  std::int64_t place_ms_ = 0;            ///< the place in the stream that the film has reached
+  std::int64_t end_ms_ = 0;  ///< the time of the film up to which sound has been written
   std::int64_t written_ = 0;
   std::vector<float> samples_;
 };

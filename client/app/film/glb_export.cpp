@@ -17,9 +17,9 @@ namespace aucast::app {
 namespace {
 
 constexpr int kFps = 30;
-/// Nine hours at 30 a second: 110 MB of weights.
+/// The most samples: nine hours at 30 a second, with 110 MB of weights.
 constexpr std::size_t kSamplesMax = 1'000'000;
-/// Samples, or faces without a stream, of which the error is measured.
+/// For how many samples (without a stream, random faces) the error is measured.
 constexpr std::size_t kMeasuredMax = 2000;
 constexpr std::size_t kRandomFaces = 200;
 constexpr std::uint64_t kRandomSeed = 1;
@@ -31,7 +31,7 @@ glb::Sampling sampling_of(const PlayerOptions& options) {
           .idle = {options.playback.idle_seed, options.playback.blink}};
 }
 
-/// What the stream asks for and the face cannot show, once.
+/// Logs once what the stream asks for and the face cannot show.
 void warn_of_missing(const face::Face& face, const std::vector<playback::Keyframe>& keyframes) {
   AuFrame all;
   for (const playback::Keyframe& keyframe : keyframes) all = stronger(all, keyframe.aus);
@@ -40,7 +40,7 @@ void warn_of_missing(const face::Face& face, const std::vector<playback::Keyfram
   }
 }
 
-/// Those of data/ are the project's own.
+/// The licence of a face. Faces in data/ have the project's own.
 std::string licence_of(const Assets& assets) {
   return assets.face_folder.parent_path() == assets.data_folder / "faces" ? "MIT licence, AUcast"
                                                                           : "";
@@ -67,7 +67,7 @@ std::string glb_summary(const ExportOptions& given, std::size_t bytes,
   return lines + text.data();
 }
 
-/// The stream as an animation; what it looks at is measured too. Nothing when it was stopped.
+/// The stream as an animation, whose samples are added to the drift; nullopt if it was stopped.
 std::optional<glb::Motion> motion_of(const pipeline::AuMapping& mapping,
                                      const std::vector<playback::Keyframe>& keyframes,
                                      const glb::Sampling& sampling,

@@ -9,8 +9,8 @@
 
 namespace aucast::app {
 
-/// The skin of a face as Wavefront OBJ: the vertices of the part `skin` in the face file's own
-/// order, nine decimals (a float read back is the same float), and its triangles. `positions` are
+/// The skin of a face as Wavefront OBJ: the vertices of the part `skin` in the order of the face's
+/// file, with nine decimals so that the same floats are read back, and its triangles. `positions`:
 /// those of the whole mesh.
 [[nodiscard]] std::string format_obj(const face::FaceMesh& mesh,
                                      std::span<const glm::vec3> positions);

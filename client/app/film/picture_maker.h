@@ -12,9 +12,8 @@
 
 namespace aucast::app {
 
-/// Activations in, picture out, without a display. In a build without OpenGL create() fails and
-/// says so.
-/// The face must outlive it. Thread: the one that made it.
+/// Makes pictures from activations, without a display. In a build without OpenGL create() fails and
+/// says so. The face must outlive it. Thread: the one that made it.
 class PictureMaker {
  public:
   /// Size, background and layers are those of `output`; `viewpoint`: a name that viewpoint_preset()
@@ -27,7 +26,7 @@ class PictureMaker {
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
-  /// Same activations, same bytes.
+  /// The same activations give the same bytes.
   [[nodiscard]] view::Image picture(std::span<const float> activations);
 
  private:

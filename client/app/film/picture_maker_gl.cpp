@@ -8,7 +8,7 @@
 namespace aucast::app {
 namespace {
 
-/// Lines keep their share of a large picture and stay lines in a small one.
+/// Lines grow with large pictures, and are no thinner than usual in small ones.
 float scale_of(int height) {
   constexpr float kUsualHeight = 800;
   return std::clamp(static_cast<float>(height) / kUsualHeight, 0.5F, 4.0F);
@@ -19,7 +19,7 @@ float scale_of(int height) {
 struct PictureMaker::State {
   view::Viewpoint viewpoint;
   view::Style style;
-  // The view needs the context, so it goes first.
+  // The view needs the context, so it is destroyed first.
   std::unique_ptr<render::OffscreenContext> context;
   std::unique_ptr<FaceView> view;
 };

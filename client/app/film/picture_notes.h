@@ -17,18 +17,19 @@ namespace aucast::app {
 /// What a picture shows and how it was made.
 struct PictureNotes {
   const face::Face& face;
-  std::optional<AuFrame> aus;  ///< as the face shows them, rules applied; nothing: muscles alone
+  std::optional<AuFrame> aus;  ///< as the face shows them, after the rules; nullopt: it is made of
+                               ///< muscles alone
   std::string_view rules{};
   face::Mixer mixer = face::Mixer::Maximum;
   view::Layers layers = {};
   std::string_view viewpoint{};  ///< of --camera; empty: turned by hand
   std::span<const float> activations{};
-  std::string_view edited{};  ///< of no AUs: what was edited in the window; empty: nothing
+  std::string_view edited{};  ///< without AUs: what was edited in the window; empty: nothing
 };
 
-/// The same as the text of a PNG, so that the picture explains itself and can be made again:
-/// Software, Face, AUs as in a packet or Edited, Rules, Mixer, Camera, Layers, and as Activations
-/// what `pose --muscle` takes. Entries without a value are left out.
+/// The notes as texts of a PNG, so that the picture explains itself and can be made again. Their
+/// keywords are Software, Face, AUs (as in a packet) or Edited, Rules, Mixer, Camera, Layers, and
+/// Activations (as for `pose --muscle`). Entries without a value are left out.
 [[nodiscard]] std::vector<view::PngText> texts_of(const PictureNotes& notes);
 
 }  // namespace aucast::app

@@ -15,7 +15,7 @@
 namespace aucast::app {
 namespace {
 
-/// Columns that make the page a little wider than high.
+/// The number of columns that makes the page a little wider than high.
 int columns_for(std::size_t pictures) {
   const auto count = static_cast<double>(pictures);
   return static_cast<int>(std::ceil(std::sqrt(count * 1.4)));

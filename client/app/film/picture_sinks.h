@@ -13,12 +13,12 @@
 
 namespace aucast::app {
 
-/// Makes `folder`, with what is missing above it. Failed, with the reason and `asked_by` (the
-/// option or command that named it), when it is not there afterwards or cannot be written.
+/// Makes `folder` and its parents. If it cannot be made or written to, fails with the reason and
+/// `asked_by`, the option or command that named the folder.
 [[nodiscard]] Result<void> make_output_folder(std::string_view asked_by,
                                               const std::filesystem::path& folder);
 
-/// Pictures as frame_000001.png ... in a folder, which is made when it is missing.
+/// Writes pictures as frame_000001.png and so on into a folder, which is made if it is missing.
 class FrameFolder {
  public:
   [[nodiscard]] static Result<FrameFolder> open(const std::filesystem::path& folder);
@@ -31,23 +31,24 @@ class FrameFolder {
   std::uint64_t count_ = 0;
 };
 
-/// The faces that keyframes reach, with a caption each, on one page. Of a stream of more keyframes
-/// than kPicturesMax every second, fourth, ... one, so that the page shows all of it.
+/// The faces that keyframes reach, on one page, each with a caption. Of a stream with more than
+/// kPicturesMax keyframes it shows every second, fourth and so on, so that the page covers the
+/// whole stream.
 class Sheet {
  public:
   static constexpr std::size_t kPicturesMax = 60;
 
   explicit Sheet(std::filesystem::path file) : file_(std::move(file)) {}
-  /// To be asked once for each keyframe: whether a picture of it is to be added.
+  /// Call it once for each keyframe. Returns whether its picture is to be added.
   [[nodiscard]] bool wants_next() { return keyframes_++ % every_ == 0; }
   void add(const view::Image& picture, std::string caption);
-  /// Writes the page; nothing when no picture came.
+  /// Writes the page, unless no picture was added.
   [[nodiscard]] Result<void> finish() const;
 
  private:
   std::filesystem::path file_;
   std::uint64_t keyframes_ = 0;
-  std::uint64_t every_ = 1;  ///< keyframe has its picture
+  std::uint64_t every_ = 1;  ///< one of so many keyframes gets a picture
   std::vector<view::Image> pictures_;
   std::vector<std::string> captions_;
 };

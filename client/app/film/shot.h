@@ -12,7 +12,7 @@ namespace aucast::app {
 /// The viewpoint of --camera: front, three-quarter or profile.
 [[nodiscard]] view::Viewpoint viewpoint_preset(std::string_view name, const face::Face& face);
 
-/// The plain ground of --background (sRGB, 0xRRGGBB); nothing: the usual one, lit from behind.
+/// The plain background of --background (sRGB, 0xRRGGBB); nullopt: the default one, the studio.
 [[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb, bool transparent = false);
 
 }  // namespace aucast::app

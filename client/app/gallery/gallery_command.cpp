@@ -51,7 +51,7 @@ Result<void> make_folders(const std::filesystem::path& root, const gallery::Gall
   return {};
 }
 
-/// Videos are a bonus: without the program that makes them the frames are enough.
+/// Videos are optional: without the program that makes them, frames are enough.
 bool ffmpeg_is_there() {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
@@ -78,7 +78,7 @@ class GalleryWriter {
         progress_(!options.quiet),
         activations_(assets.face.channels.size()) {}
 
-  /// When it was stopped that is the reason, whatever broke because of it.
+  /// If it was stopped, the error says so, whatever else failed because of it.
   Result<void> write() {
     auto written = draw_all();
     if (written) return write_texts();
@@ -88,7 +88,7 @@ class GalleryWriter {
                                         "again for all"};
   }
 
-  /// Of the sweeps, because ffmpeg is.
+  /// Whether videos of sweeps are missing, because ffmpeg is.
   [[nodiscard]] bool videos_missing() const { return videos_missing_; }
 
  private:
@@ -145,7 +145,7 @@ class GalleryWriter {
     return {};
   }
 
-  /// Told once it is worth telling.
+  /// The time that is left, in words; empty until it can be estimated.
   [[nodiscard]] std::string time_left() const {
     const auto passed = seconds(steady_now() - begin_);
     const auto drawn = static_cast<double>(drawn_);
@@ -221,7 +221,7 @@ Result<gallery::GalleryPlan> plan_of(const Assets& assets, const PlayerOptions& 
   return gallery::plan_gallery(input);
 }
 
-/// What there is now, and which AUs the face lacks or cannot show well.
+/// A sentence about what was made, and which AUs the face lacks or cannot show well.
 std::string summary(const std::filesystem::path& folder, const gallery::GalleryPlan& plan) {
   std::size_t recorded = 0;
   std::string missing;

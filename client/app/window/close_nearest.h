@@ -6,13 +6,13 @@
 
 namespace aucast::app {
 
-/// What Esc does besides what close_nearest() did.
+/// What remains to be done for Esc after close_nearest().
 struct Escaped {
   gui::GuiCommands commands;
   bool ends_full_screen = false;
 };
-/// Closes one thing, the nearest to the user; only q and the window's cross leave. Whoever ends
-/// full screen does not wait for a sentence to go, nor is it left behind.
+/// Closes one thing, the one on top. It never leaves the player: only q and the window's close
+/// button do. When it ends full screen, it also closes a notice.
 [[nodiscard]] Escaped close_nearest(gui::Gui& gui, const gui::GuiModel& shown, bool full_screen);
 
 }  // namespace aucast::app

@@ -10,21 +10,21 @@ namespace aucast::app {
 
 /// How long the stages of a frame took.
 struct FrameTimes {
-  Duration mix{};  ///< AUs to activations, in between frames
+  Duration mix{};  ///< AUs to activations, and in-between frames
   Duration deform{};
   Duration face{};    ///< handing the face to OpenGL
-  Duration panels{};  ///< panels, and waiting until all is on the screen
+  Duration panels{};  ///< panels, and waiting until everything is on the screen
 };
 
-/// The pace of drawing, as the panel shows it: means over some frames.
+/// The speed of drawing as the panel shows it: means over kFrames frames.
 class PaceMeter {
  public:
   static constexpr int kFrames = 20;
 
   explicit PaceMeter(Instant begin) : begin_(begin) {}
 
-  /// A frame that was on the screen at `now`; the pace of the last kFrames of them when these are
-  /// full.
+  /// Adds a frame that was on the screen at `now`. After every kFrames frames returns their pace,
+  /// else nullopt.
   [[nodiscard]] std::optional<std::vector<gui::PaceRow>> add(const FrameTimes& times, Instant now);
 
  private:

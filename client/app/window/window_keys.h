@@ -12,20 +12,20 @@ namespace aucast::app {
 /// What a key does to the window itself.
 enum class WindowAct : std::uint8_t {
   Leave,
-  CloseNearest,  ///< what is open on top, or full screen
+  CloseNearest,  ///< closes what is open on top, or ends full screen
   ToggleFullScreen,
   ToggleBare,
   TogglePanel,
   ToggleKeys
 };
-/// What a key does to whichever face is shown.
+/// What a key does in the session whose face is shown.
 using SessionAct = void (WindowSession::*)(Instant now);
 struct ChangeVolume {
-  int percent = 0;  ///< more; below 0: less
+  int percent = 0;  ///< by how much; below 0: quieter
 };
 using KeyMeaning = std::variant<gui::GuiCommand, WindowAct, SessionAct, ChangeVolume>;
 
-/// What a key is for, where possible as in mpv; null for Key::None.
+/// What a key does, where possible as in mpv; null: nothing (Key::None).
 [[nodiscard]] const KeyMeaning* meaning_of(render::Key key);
 
 }  // namespace aucast::app

@@ -13,7 +13,7 @@
 
 namespace aucast::app {
 
-/// The panels in a window: joins gui::Gui with ImGui's backends for GLFW and OpenGL. The window
+/// The panels in a window: connects gui::Gui with ImGui's backends for GLFW and OpenGL. The window
 /// must outlive it, and its context must be current.
 class WindowOverlay {
  public:
@@ -22,27 +22,28 @@ class WindowOverlay {
   WindowOverlay(const WindowOverlay&) = delete;
   WindowOverlay& operator=(const WindowOverlay&) = delete;
 
-  /// Draws over what the window shows; what was asked for goes to the end of `commands`. What is
-  /// not done on a panel moves the viewpoint: left drag turns, right drag moves, the wheel zooms.
+  /// Draws over what the window shows, and appends what the user asks for to `commands`. The mouse
+  /// outside the panels moves the viewpoint: a drag with the left button turns, with the right
+  /// button moves, the wheel zooms.
   void draw(const gui::GuiModel& model, gui::GuiCommands& commands);
-  /// Keys pressed and not typed into something, in order; Key::None when there are no more.
+  /// The next key that was pressed and not typed into something; Key::None: there are no more.
   [[nodiscard]] render::Key next_key();
   void set_full_screen(bool full_screen, Instant now);
-  /// Lets panels go or come back as the mouse is still or moves; true when they did. Call it before
-  /// draw().
+  /// Hides panels while the mouse is still, and shows them when it moves; returns whether that
+  /// changed. Call it before draw().
   [[nodiscard]] bool move_curtain(Instant now);
-  /// When move_curtain() is to be called again if nothing happens until then.
+  /// When to call move_curtain() next if nothing happens before; nullopt: no need to.
   [[nodiscard]] std::optional<Instant> curtain_falls_at(Instant now) const {
     return curtain_.falls_at(now);
   }
-  /// There is input that only the next frame may see.
+  /// Whether there is input that only the next frame may see.
   [[nodiscard]] bool input_waits() const;
-  /// Pixels of the framebuffer that the panel leaves free, from the left.
+  /// How many pixels of the framebuffer the panel leaves free, from the left.
   [[nodiscard]] int free_width(int framebuffer_width) const;
   [[nodiscard]] gui::Gui& gui() { return gui_; }
 
  private:
-  /// Where a pointer is that left the window.
+  /// The position of a pointer that has left the window.
   static constexpr float kNowhere = -1e6F;
 
   void feed();

@@ -13,7 +13,7 @@ namespace aucast::app {
 
 namespace {
 
-/// Keys of playback that are the panels' while the focus is shown there.
+/// Keys of playback that belong to the panels while the keyboard focus is shown.
 bool is_of_focus(render::Key key) {
   using render::Key;
   return key == Key::Space || key == Key::Left || key == Key::Right || key == Key::Home ||
@@ -23,7 +23,7 @@ bool is_of_focus(render::Key key) {
 }  // namespace
 
 WindowOverlay::WindowOverlay(render::Window& window) : window_(window), gui_(window.scale()) {
-  ImGui_ImplGlfw_InitForOpenGL(window.native(), false);  // feed() hands on what happens
+  ImGui_ImplGlfw_InitForOpenGL(window.native(), false);  // feed() passes on the input
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -38,7 +38,8 @@ void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands)
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
   }
-  // What only input needs is not put on the screen: there it would take the time of a picture each.
+  // Frames that are made only for pending input are not put on the screen, where each would take
+  // the time of a picture.
   do {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -48,7 +49,7 @@ void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands)
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// What the camera sees goes to the graphics card, where it is not yet.
+/// Uploads the camera's newest picture if that has not been done.
 void WindowOverlay::upload_picture(const gui::MirrorView& mirror) {
   if (mirror.seen == in_texture_) return;
   in_texture_ = mirror.seen;

@@ -52,7 +52,7 @@ const char* name_of(gui::Facing view) {
   return "front";
 }
 
-/// The window with everything that a frame of it needs. tick() is the table of contents.
+/// The window with everything that a frame needs. tick() gives an overview.
 class WindowRun {
  public:
   WindowRun(Assets& assets, const PlayerOptions& options,
@@ -65,7 +65,7 @@ class WindowRun {
         session_(assets, options, std::move(playback), stats) {
     const bool heard = out != nullptr;
     session_.set_sound(std::move(out), steady_now());
-    // What there is shows that something could be heard.
+    // The list of devices shows the user that sound would be possible.
     if (!heard) session_.apply(gui::SoundCommand(gui::ListDevices{}), steady_now());
     session_.begin_with(settings.in_force(), settings.complaint(), steady_now());
     kept_addresses_ = session_.recent();
@@ -128,7 +128,8 @@ class WindowRun {
     return failed_ || leaving_ || session_.leaving() || (options_.exit_at_end && session_.over());
   }
 
-  /// Why it cannot go on, or what became of the table of onsets, which is kept either way.
+  /// The reason why it cannot go on, else the result of finishing the table of onsets, which is
+  /// kept in both cases.
   [[nodiscard]] Result<void> outcome() {
     if (failed_) return *failed_;
     return session_.end_onsets();
@@ -212,8 +213,8 @@ class WindowRun {
     if (session_.face_changes() != faces) show_new_face(usual);
   }
 
-  /// The face of the assets is another one; it is looked at as the one before was, whose usual
-  /// viewpoint is `usual`.
+  /// Call it when the assets have another face. It is seen as the previous one was. `usual`: the
+  /// default viewpoint of the previous face.
   void show_new_face(const view::Viewpoint& usual) {
     auto view = FaceView::create(assets_.face);
     if (!view) {
@@ -270,7 +271,8 @@ class WindowRun {
     frames_due_ = gui::kFramesAfterChange;
   }
 
-  /// Drawn into a framebuffer of its own, so that it does not depend on what lies over the window.
+  /// Draws into a separate framebuffer, so that the picture does not depend on what lies over the
+  /// window.
   Result<view::Image> picture(int width, int height, Sharpness sharpness) {
     if (auto prepared = view_->prepare(width, height, sharpness); !prepared) {
       return prepared.error();
@@ -280,7 +282,8 @@ class WindowRun {
     return image;
   }
 
-  /// Of pictures and videos: as it is set, else the part of the window that the panel leaves free.
+  /// The size of pictures and videos: that of the settings, else the part of the window that the
+  /// panel leaves free.
   void picture_size(int& width, int& height) {
     window_->framebuffer_size(width, height);
     width = overlay_->free_width(width);
@@ -362,7 +365,7 @@ class WindowRun {
     window_->set_title(title_);
   }
 
-  /// Draws when something is different from what is shown.
+  /// Draws if something differs from what is shown.
   void draw() {
     FrameTimes times;
     const Instant begin = steady_now();

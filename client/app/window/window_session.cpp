@@ -22,7 +22,7 @@ Result<std::string> gallery_of(const PlayerOptions& options, BackgroundWork::Cou
       [&course](std::size_t drawn, std::size_t total) { course.reached(drawn, total); });
 }
 
-/// With a face of its own, because the window's may become another one meanwhile.
+/// With its own copy of the face, because the window's may be replaced meanwhile.
 Result<std::string> glb_of(const PlayerOptions& options,
                            const std::vector<playback::Keyframe>& keyframes,
                            const std::string& name, BackgroundWork::Course& course) {
@@ -198,7 +198,7 @@ void WindowSession::show(Shown shown) {
   shown_ = shown;
 }
 
-/// What is made takes the face; what plays waits.
+/// Shows the face of the editor or the composer, and pauses what plays.
 void WindowSession::show_edited(Shown shown, Instant now) {
   playback_.apply(gui::Pause{}, now);
   show(shown);
@@ -290,15 +290,15 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
   if (std::holds_alternative<gui::SaveComposition>(command)) files_.save_composition(now);
 }
 
-/// What was saved is what is shown, and what the next start shows. A copy that was there may have
-/// more changes than the one that was just made.
+/// Shows the face that was saved to, also at the next start. It is read anew because the user's
+/// copy may have other changes than the one just made.
 void WindowSession::show_saved_face(Instant now) {
   const std::string& saved = editor_.saved_face();
   if (saved == faces_.view().shown) return;
   if (const auto shown = show_face(saved, now); !shown) say(shown.error().message, true, now);
 }
 
-/// What plays goes on, and what is edited or composed stays.
+/// Replaces the face. What plays goes on, and what is edited or composed stays.
 Result<void> WindowSession::show_face(const std::filesystem::path& folder, Instant now) {
   const auto before = faces_.show(folder);
   if (!before) return before.error();
@@ -345,7 +345,7 @@ std::unique_ptr<playback::Playback> WindowSession::finish(Instant now) {
   return playback_.finish(now);
 }
 
-/// What the command line would have to say for pictures as the window's.
+/// The options with which the command line would make pictures like the window's.
 PlayerOptions WindowSession::options_as_shown() const {
   PlayerOptions options = settings_.applied(options_);
   options.face.data = assets_.data_folder;

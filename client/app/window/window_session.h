@@ -31,93 +31,94 @@
 
 namespace aucast::app {
 
-/// What happens in the window, without the window. Hands each command to the session that it is
-/// about, decides whose face is shown, and owns what the sessions have in common: the mapping of
-/// AUs to a face, notices, leaving. Time is handed in. Assets, options and stats must outlive it;
-/// the user may have another face take the place of the one in `assets`. Thread: the player's.
+/// What happens in the window, without the window itself. Passes each command to its session,
+/// decides which session's face is shown, and owns what the sessions share: the mapping of AUs to a
+/// face, notices, leaving. Time is handed in. Assets, options and stats must outlive it. The user
+/// may replace the face in `assets`. Thread: the player's.
 class WindowSession {
  public:
-  /// `playback` may be null: the neutral face.
+  /// `playback`: null: shows the neutral face.
   WindowSession(Assets& assets, const PlayerOptions& options,
                 std::unique_ptr<playback::Playback> playback, PlayerStats& stats);
-  /// Begins with the settings that the window remembered; call it first. `complaint`, about reading
-  /// them, is shown; empty: none.
+  /// Begins with the settings that the window remembered; call it first. `complaint`: what to show
+  /// the user about reading them; empty: nothing.
   void begin_with(const gui::KeptSettings& settings, const std::string& complaint, Instant now);
-  /// What it should remember now.
+  /// The settings that the window should remember now.
   [[nodiscard]] gui::KeptSettings kept() const;
   WindowSession(const WindowSession&) = delete;
   WindowSession& operator=(const WindowSession&) = delete;
 
-  /// What plays is heard there from now on; null: nowhere.
+  /// Sets the sound device for what plays; null: none.
   void set_sound(std::unique_ptr<sound::SoundOut> out, Instant now);
   void set_sound_tap(sound::SoundPlayer::Tap tap) { playback_.sound().set_tap(std::move(tap)); }
-  /// By so many percent.
+  /// Changes the volume by `by` percent.
   void change_volume(int by, Instant now) { playback_.sound().change_volume(by, now); }
-  /// When each face was shown goes into this file from now on.
+  /// Logs in this file when each face is shown, from now on.
   [[nodiscard]] Result<void> log_onsets(const std::filesystem::path& file) {
     return onsets_.begin(file);
   }
   [[nodiscard]] Result<void> end_onsets() { return onsets_.end(); }
-  /// The face of activations() is on the display since `at`; `moved`: it is another than before.
+  /// The face of activations() has been on the display since `at`. `moved`: it differs from the
+  /// last one.
   void face_shown(Instant at, bool moved);
 
   /// Moves playback to `now`.
   void advance(Instant now);
-  /// Carries out what a panel asked for. LookFrom, TakePicture and ToggleVideo are the window's.
+  /// Carries out what a panel asked for, except LookFrom, TakePicture and ToggleVideo, which the
+  /// window does.
   void apply(const gui::GuiCommand& command, Instant now);
   void toggle_pause(Instant now);
 
-  // These act on the editor or the composer, whichever face is shown, and do nothing while it is
-  // playback's.
+  // These act on the editor or the composer, whichever's face is shown. They do nothing while the
+  // face is playback's.
   void undo(Instant now);
   void redo(Instant now);
   void save(Instant now);
 
-  /// The face of this moment; one activation per channel. Overwritten by the next call.
+  /// The face at `now`, one activation per channel. Overwritten by the next call.
   [[nodiscard]] const std::vector<float>& activations(Instant now);
-  /// The face of these AUs as in a packet, one activation per channel.
+  /// The face for these AUs, written as in a packet; one activation per channel.
   [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
-  /// The AUs that the face of this moment is made of, rules applied; nothing when it is made of
-  /// muscles.
+  /// The AUs of which the face is made now, after the rules; nullopt if it is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
-  /// What the face is when it is made of no AUs, as part of a name; else empty.
+  /// What a face made of muscles shows, as part of a name; else empty.
   [[nodiscard]] std::string edited_shown() const {
     return shown_ == Shown::Editor && !aus_shown() ? editor_.made_of() : std::string();
   }
-  /// The keyframe of the face that is shown, from 1; 0: it is not of what plays.
+  /// The keyframe of the face that is shown, from 1; 0: the face is not playback's.
   [[nodiscard]] std::uint64_t keyframe_shown() const {
     return shown_ == Shown::Playback ? playback_.keyframe() : 0;
   }
-  /// How often the face of the assets has become another one: what was made of it is to be made
-  /// anew then.
+  /// How often the face in the assets has been replaced; each time, what was made from it must be
+  /// made anew.
   [[nodiscard]] std::uint64_t face_changes() const { return faces_.changes(); }
   [[nodiscard]] gui::GuiModel model() const;
   /// "AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
-  /// Addresses that answered, the latest first.
+  /// Addresses that answered, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const {
     return playback_.servers().recent();
   }
   [[nodiscard]] const std::vector<std::string>& recent_files() const { return files_.recent(); }
-  /// How long the window may wait before it should look again.
+  /// How long the window may wait before it calls advance() again.
   [[nodiscard]] Duration idle_time(Instant now) const;
 
-  /// Playing has come to its end; false while nothing was ever opened.
+  /// Whether playing has come to its end; false if nothing has been opened.
   [[nodiscard]] bool over() const { return playback_.over(); }
-  /// The user wants to leave: leaving() becomes true, unless something is unsaved. Then the panels
-  /// ask first; a second call leaves all the same.
+  /// The user wants to leave: leaving() becomes true, unless something is unsaved. In that case the
+  /// panels ask first, and a second call leaves.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return settings_.rendering(); }
   [[nodiscard]] const gui::DisplaySettings& display() const { return settings_.display().settings; }
   [[nodiscard]] const gui::PictureSettings& pictures() const { return settings_.pictures(); }
-  /// A new file for a picture or a video of what is shown.
+  /// The path of a new file for a picture or a video of what is shown.
   [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
-  /// A sentence for the user, for a while.
+  /// Shows a sentence to the user for a while.
   void say(const std::string& text, bool bad, Instant now) { notices_.say(text, bad, now); }
-  /// For the panel.
+  /// Sets what the panel says about the video.
   void set_video(gui::VideoView video) { video_ = std::move(video); }
-  /// The pace of drawing, for the panel.
+  /// Sets what the panel says about the speed of drawing.
   void set_pace(std::vector<gui::PaceRow> pace) { pace_ = std::move(pace); }
 
   /// Stops what plays, completes the statistics and hands out what played last; may be null.
@@ -141,7 +142,7 @@ class WindowSession {
   const PlayerOptions& options_;
   pipeline::AuMapping mapping_;
   Notices notices_;
-  std::vector<float> face_;         ///< as shown, idle life left out
+  std::vector<float> face_;         ///< as shown, but without idle movements
   std::vector<float> activations_;  ///< as shown
   PlaybackSession playback_;
   EditorSession editor_;

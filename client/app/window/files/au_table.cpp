@@ -11,7 +11,7 @@ namespace {
 
 struct Column {
   std::size_t number;
-  Side side;  ///< Both: they are the same throughout
+  Side side;  ///< Both: the sides are equal in all keyframes
 };
 
 std::vector<Column> columns_of(std::span<const playback::Keyframe> keyframes) {

@@ -8,10 +8,10 @@
 
 namespace aucast::app {
 
-/// The AUs of keyframes as a table (CSV) with a row for each: time_s, when it is reached from the
-/// beginning; duration_s; then a column for each AU that occurs, AU12, or AU12_left and AU12_right
-/// where its sides differ somewhere, in percent. `untimed`: of keyframes without a time of their
-/// own.
+/// The AUs of keyframes as a table (CSV) with a row for each keyframe. Its columns: time_s, when
+/// the keyframe is reached, counted from the beginning; duration_s; and for each AU that occurs its
+/// intensity in percent, as AU12, or as AU12_left and AU12_right if its sides differ anywhere.
+/// `untimed`: the time of keyframes that have none of their own.
 [[nodiscard]] std::string format_au_table(std::span<const playback::Keyframe> keyframes,
                                           Milliseconds untimed);
 

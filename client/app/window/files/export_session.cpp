@@ -13,7 +13,7 @@
 namespace aucast::app {
 namespace {
 
-/// A second line where keyframes are missing.
+/// A second line if keyframes are missing.
 std::string missing(const Played& played) {
   const std::size_t kept = played.keyframes.size();
   return kept == played.begun ? "" : "\n" + gui::tr("said.exported_first", kept, played.begun);
@@ -60,7 +60,7 @@ Result<std::string> ExportSession::glb(PlayerOptions options, Played played,
                                        const std::string& name, const std::filesystem::path& file) {
   if (work_.running()) return Error{ErrorKind::Failed, gui::tr("said.glb_before")};
   options.exported.files = {file};
-  // The words are those of now: the thread must not read them while the language changes.
+  // The texts are taken now: the thread must not read them while the language changes.
   const auto begun =
       work_.begin([make = make_, options = std::move(options), missing = missing(played),
                    keyframes = std::move(played.keyframes), name](BackgroundWork::Course& course) {

@@ -17,40 +17,40 @@
 
 namespace aucast::app {
 
-/// Files of what the window shows and plays, for other programs. Each sentence says where one went,
-/// and that it is not all if it is not.
+/// Writes what the window shows and plays to files for other programs. The sentences that are
+/// returned say where a file was saved, and if something is missing in it.
 /// Thread: the player's.
 class ExportSession {
  public:
-  /// Writes a GLB file (film/glb_export.h), on another thread.
+  /// Writes a GLB file (film/glb_export.h); called on another thread.
   using MakeGlb = std::function<Result<std::string>(
       const PlayerOptions& options, const std::vector<playback::Keyframe>& keyframes,
       const std::string& name, BackgroundWork::Course& course)>;
   explicit ExportSession(MakeGlb make) : make_(std::move(make)) {}
 
-  /// What was played as a stream file (save_stream()). Failed without a keyframe.
+  /// Writes what was played as a stream file (save_stream()). Fails if there is no keyframe.
   [[nodiscard]] static Result<std::string> stream(const Played& played,
                                                   const std::filesystem::path& file);
-  /// Its AUs as a table (au_table.h). Failed without a keyframe.
+  /// Writes its AUs as a table (au_table.h). Fails if there is no keyframe.
   [[nodiscard]] static Result<std::string> table(const Played& played,
                                                  const std::filesystem::path& file);
-  /// The skin of a face with these activations, as Wavefront OBJ.
+  /// Writes the skin of a face with these activations as Wavefront OBJ.
   [[nodiscard]] static Result<std::string> mesh(const face::Face& face,
                                                 std::span<const float> activations,
                                                 const std::filesystem::path& file);
-  /// The face of the options, and what was played as its animation, if there is any, begins to be
-  /// written. Failed while another one is.
+  /// Begins to write the face of the options as a GLB file, with what was played (if anything) as
+  /// its animation. Fails while another one is being written.
   [[nodiscard]] Result<std::string> glb(PlayerOptions options, Played played,
                                         const std::string& name, const std::filesystem::path& file);
-  /// The GLB file is not wanted any more.
+  /// Cancels the GLB file.
   void cancel() { work_.cancel(); }
-  /// What became of the GLB file, once.
+  /// The result of the GLB file, once it has ended.
   [[nodiscard]] std::optional<Result<std::string>> advance();
   [[nodiscard]] gui::ExportView view() const;
 
  private:
   MakeGlb make_;
-  std::string file_;  ///< of the GLB file that is or was written
+  std::string file_;  ///< the GLB file that is being written, or was last
   BackgroundWork work_;
 };
 

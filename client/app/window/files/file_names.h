@@ -14,21 +14,21 @@ namespace aucast::app {
 
 inline constexpr const char* kComposedName = "composed.txt";
 
-/// What the window shows, as far as files are named after it.
+/// What the window shows, as far as it is used in names of files.
 struct Named {
   std::string face;
-  std::string stream;                 ///< what plays, without an ending; empty: it has no name
-  std::uint64_t keyframe = 0;         ///< that is shown, from 1; 0: none
-  std::optional<AuFrame> aus;         ///< that the face is made of
-  std::string edited;                 ///< what the face is when it is made of no AUs
+  std::string stream;                 ///< name of what plays, without an ending; empty: it has none
+  std::uint64_t keyframe = 0;         ///< the one that is shown, counted from 1; 0: none
+  std::optional<AuFrame> aus;         ///< the AUs of which the face is made; nullopt: muscles
+  std::string edited;                 ///< what a face made of muscles shows, as part of a name
   std::filesystem::path composition;  ///< the composer's file; empty: none
-  int au = 0;                         ///< that is edited; 0: none
+  int au = 0;                         ///< the AU being edited; 0: none
 };
 
-/// What a new file is called at first.
+/// The name that is suggested for a new file.
 [[nodiscard]] std::string new_file_name(gui::Purpose purpose, const Named& shown);
 
-/// A new file for a picture or a video, with today's date. See gui::picture_file().
+/// The path of a new file for a picture or a video, with today's date. See gui::picture_file().
 [[nodiscard]] Result<std::filesystem::path> new_picture_file(const gui::PictureSettings& settings,
                                                              const Named& shown,
                                                              const std::string& ending);

@@ -17,7 +17,7 @@ void FileSession::opened(const std::filesystem::path& file) {
   gui::remember_file(recent_, whole_path(file).string());
 }
 
-/// The folder that such a file was in last.
+/// The folder in which a file of this purpose was last.
 std::filesystem::path& FileSession::folder_for(gui::Purpose purpose) {
   const bool stream = purpose == gui::Purpose::PlayStream || purpose == gui::Purpose::ComposeStream;
   return stream ? last_folder_ : own_folder_;

@@ -10,34 +10,34 @@
 
 namespace aucast::app {
 
-/// The file dialog, which begins where the user was last. Thread: the player's.
+/// The file dialog. It begins in the folder in which the user was last. Thread: the player's.
 class FileSession {
  public:
-  /// Takes the file that was chosen; returns a sentence for the user, or nothing.
+  /// Uses the file that was chosen; returns a sentence for the user, which may be empty.
   using Use =
       std::function<Result<std::string>(gui::Purpose purpose, const std::filesystem::path& file)>;
 
-  /// `streams`: where stream files are looked for at first.
+  /// `streams`: the folder in which stream files are looked for at first.
   explicit FileSession(std::filesystem::path streams) : last_folder_(std::move(streams)) {}
 
   void set_recent(std::vector<std::string> files) { recent_ = std::move(files); }
-  /// Streams that were opened, the latest first.
+  /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
-  /// This stream was opened.
+  /// Call it when this stream was opened.
   void opened(const std::filesystem::path& file);
 
-  /// `name`: of a new file, at first.
+  /// Opens the dialog. `name`: suggested for a new file.
   void browse(gui::Purpose purpose, std::string name);
   void look_for_faces(const std::filesystem::path& folder) {
     browser_.open(gui::Purpose::LookForFaces, folder);
   }
   void enter(const std::filesystem::path& folder) { browser_.enter(folder); }
-  /// Has `use` take what is meant by `name`, unless something is to be asked first: what `use`
-  /// said. What it fails with is said in the dialog, which stays.
+  /// The user has chosen `name`. Calls `use` for that file and returns its sentence, unless the
+  /// user must be asked something first. If `use` fails, the dialog stays open and says why.
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
-  /// Says in the dialog why a file cannot be used; false when it is not open.
+  /// Says in the dialog why a file cannot be used. Returns false if the dialog is not open.
   [[nodiscard]] bool refuse(std::string problem);
-  /// The next dialog begins in the folder that this one has shown.
+  /// Closes the dialog. The next one begins in the folder that this one has shown.
   void close();
   [[nodiscard]] const gui::BrowserView& view() const { return browser_.view(); }
 
@@ -50,7 +50,7 @@ class FileSession {
   std::vector<std::string> recent_;
 };
 
-/// "." of a file without one.
+/// The folder of a file; "." if its path has none.
 [[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
 
 }  // namespace aucast::app

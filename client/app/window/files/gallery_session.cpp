@@ -30,7 +30,7 @@ void GallerySession::apply(const gui::GalleryCommand& command, const PlayerOptio
   std::visit(carry_out, command);
 }
 
-/// What the command line would say for this gallery.
+/// The options that the command line would have for this gallery.
 PlayerOptions GallerySession::options_under(PlayerOptions options) const {
   const gui::GallerySettings& settings = view_.settings;
   options.command = Command::Gallery;

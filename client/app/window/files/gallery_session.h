@@ -8,21 +8,21 @@
 
 namespace aucast::app {
 
-/// The gallery that the window makes in the background. Thread: the player's.
+/// Makes a gallery in the background, for the window. Thread: the player's.
 class GallerySession {
  public:
-  /// Makes a gallery as the command does (make_gallery()), on another thread.
+  /// Makes a gallery as the command does (make_gallery()); called on another thread.
   using Make =
       std::function<Result<std::string>(const PlayerOptions& options, BackgroundWork::Course&)>;
-  /// How many pictures a gallery has (gallery_size()).
+  /// Returns how many pictures a gallery has (gallery_size()).
   using Count = std::function<Result<std::size_t>(const PlayerOptions& options)>;
   GallerySession(Make make, Count count) : make_(std::move(make)), count_(std::move(count)) {}
 
-  /// `shown`: options under which the command would draw the face as the window does.
+  /// `shown`: the options with which the command would draw the face as the window does.
   void apply(const gui::GalleryCommand& command, const PlayerOptions& shown);
-  /// The pictures go to this folder.
+  /// Sets the folder for the pictures.
   void set_folder(const std::filesystem::path& folder) { view_.settings.folder = folder.string(); }
-  /// Takes over how far it is.
+  /// Updates view() with how far the work is.
   void advance();
   [[nodiscard]] const gui::GalleryView& view() const { return view_; }
 

@@ -4,7 +4,7 @@
 
 namespace aucast::app {
 
-/// Whose face the window shows.
+/// Which session's face the window shows.
 enum class Shown : std::uint8_t { Playback, Editor, Composer };
 
 }  // namespace aucast::app

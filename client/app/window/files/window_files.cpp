@@ -69,7 +69,7 @@ void WindowFiles::browse(gui::Purpose purpose) {
   files_.browse(purpose, new_file_name(purpose, hooks_.named()));
 }
 
-/// What the dialog was opened for; a sentence about what was saved.
+/// Does what the dialog was opened for. Returns a sentence about what was saved, or an empty one.
 Result<std::string> WindowFiles::use(gui::Purpose purpose, const fs::path& file, Instant now) {
   switch (purpose) {
     case gui::Purpose::PlayStream: {
@@ -123,7 +123,7 @@ Result<std::string> WindowFiles::import_aus(const fs::path& file, Instant now) {
   return imported;
 }
 
-/// A folder that is a face is shown, else the faces in it are listed.
+/// Shows the face in this folder, or lists the faces in it.
 Result<std::string> WindowFiles::look_for_faces(const fs::path& folder, Instant now) {
   if (gui::is_face(folder)) {
     if (auto shown = hooks_.show_face(folder, now); !shown) return shown.error();
@@ -145,12 +145,12 @@ void WindowFiles::open_recent(const fs::path& file, Instant now) {
   if (!files_.refuse(why)) users_.notices.say(why, true, now);
 }
 
-/// A face, or what can be played.
+/// Shows a face, or plays a file.
 Result<void> WindowFiles::open(const fs::path& file, Instant now) {
   return gui::is_face_file(file) ? hooks_.show_face(folder_of(file), now) : play(file, now);
 }
 
-/// A sound is heard with what plays, as if it had the name of its file.
+/// Plays a sound file with the stream that plays, as if it lay beside it.
 Result<void> WindowFiles::play_sound(const fs::path& file, Instant now) {
   const gui::LocalView local = users_.playback.local_view();
   if (local.open) return users_.playback.sound().play_file(file, local.name, now);

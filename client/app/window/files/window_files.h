@@ -24,11 +24,11 @@
 
 namespace aucast::app {
 
-/// Files in the window: what the file that was chosen is used for, streams and how tables are read.
-/// What the constructor takes must outlive it. Thread: the player's.
+/// Files in the window: uses the file that was chosen in the dialog, opens streams, and remembers
+/// how tables are read. The constructor's arguments must outlive it. Thread: the player's.
 class WindowFiles {
  public:
-  /// Who uses the files.
+  /// The sessions that use the files.
   struct Users {
     PlaybackSession& playback;
     EditorSession& editor;
@@ -41,39 +41,41 @@ class WindowFiles {
     Notices& notices;
   };
   struct Hooks {
-    /// The face of this folder takes the place of the one that is shown.
+    /// Replaces the face that is shown by the one in this folder.
     std::function<Result<void>(const std::filesystem::path& folder, Instant now)> show_face;
-    /// This session's face is shown; what is made takes it from what plays.
+    /// Shows the face of this session. For the editor and the composer, also pauses what plays.
     std::function<void(Shown shown, Instant now)> show;
-    /// AUs were saved: the face that has them is shown.
+    /// Call it when AUs were saved: shows the face that has them.
     std::function<void(Instant now)> show_saved_face;
-    /// Pictures go to this folder from now on.
+    /// Sets the folder for pictures.
     std::function<void(const std::filesystem::path& folder)> put_pictures_in;
-    /// What the window shows: for names, as options of the command line, and as it stands.
+    /// What the window shows: in words for file names, as options of the command line, and as
+    /// activations.
     std::function<Named()> named;
     std::function<PlayerOptions()> options_as_shown;
     std::function<const std::vector<float>&()> activations;
   };
-  /// `played`: the file that the command line names; empty: none.
+  /// `played`: the file to be played that the command line names; empty: none.
   WindowFiles(const Assets& assets, const std::filesystem::path& played, const Users& users,
               Hooks hooks);
 
   /// Begins with what the window remembered.
   void begin_with(const gui::KeptSettings& kept);
-  /// Adds what it should remember.
+  /// Adds what the window should remember.
   void keep(gui::KeptSettings& kept) const;
 
   void apply(const gui::FileCommand& command, Instant now);
-  /// Saves what is composed where it came from, or asks where to.
+  /// Saves the composed stream in the file that it came from, or asks for one.
   void save_composition(Instant now);
 
-  /// What plays, without an ending; empty: it has no name. `shows`: its face is shown.
+  /// The name of what plays, without an ending; empty: it has none. `shows`: whether its face is
+  /// shown.
   [[nodiscard]] std::string name_of_stream(bool shows) const;
-  /// Streams that were opened, the latest first.
+  /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return files_.recent(); }
   [[nodiscard]] const gui::BrowserView& browser() const { return files_.view(); }
   [[nodiscard]] const gui::TablesView& tables() const { return tables_; }
-  /// A stream that came with the player; empty: none did.
+  /// A stream file that came with the player; empty: none did.
   [[nodiscard]] const std::string& sample() const { return sample_; }
 
  private:

@@ -16,37 +16,38 @@
 
 namespace aucast::app {
 
-/// The composer in the window: the stream that is being made, and the face of its keyframe.
+/// The composer in the window: the stream that is being made, and the face of its current keyframe.
 /// Assets and mapping must outlive it. Thread: the player's.
 class ComposerSession {
  public:
   ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping);
 
-  /// True when the composer's face is to be shown. ComposeShown, PlayComposition and
-  /// SaveComposition are not carried out here: they need another face, a player and a file.
+  /// Returns true if the composer's face is to be shown. ComposeShown, PlayComposition and
+  /// SaveComposition are not carried out here: they need the face that is shown, a player and a
+  /// file.
   bool apply(const gui::ComposerCommand& command);
-  /// These are the AUs of the keyframe from now on.
+  /// Sets the AUs of the current keyframe.
   void take(const AuFrame& aus);
-  /// The mapping has changed, or its face.
+  /// Call it when the mapping or its face has changed.
   void remake();
-  /// What it says is to be in the language that is used now.
+  /// Call it when the language has changed: makes all texts anew.
   void change_language() {
     rows_ = nullptr;
     list_keyframes();
   }
-  /// Reads a stream file in place of what is there, which undo brings back.
+  /// Replaces the stream by that of a file. Undo brings the previous one back.
   [[nodiscard]] Result<void> load(const std::filesystem::path& file);
-  /// Returns a sentence about where it went.
+  /// Saves the stream and returns a sentence about where it was saved.
   [[nodiscard]] Result<std::string> save(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<float>& activations() const { return activations_; }
-  /// Of the keyframe being composed.
+  /// The AUs of the current keyframe.
   [[nodiscard]] const AuFrame& aus() const { return composer_.current().aus; }
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
-  /// Where it came from or went to; empty: nowhere yet.
+  /// The file that the stream was loaded from or saved to; empty: none yet.
   [[nodiscard]] std::filesystem::path file() const { return composer_.file(); }
   [[nodiscard]] std::vector<playback::Keyframe> keyframes() const;
-  /// `active` is the caller's to set.
+  /// The view without `active`, which the caller sets.
   [[nodiscard]] gui::ComposerView view() const;
 
  private:
@@ -55,7 +56,7 @@ class ComposerSession {
   const pipeline::AuMapping& mapping_;
   gui::Composer composer_;
   std::vector<float> activations_;
-  std::uint64_t listed_revision_ = 0;  ///< that rows_ and total_ are of
+  std::uint64_t listed_revision_ = 0;  ///< the composer's revision that rows_ and total_ show
   std::shared_ptr<const std::vector<gui::TimelineRow>> rows_;
   std::string total_;
   std::shared_ptr<const std::vector<gui::PadPoint>> pad_;

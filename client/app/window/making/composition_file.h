@@ -9,15 +9,16 @@
 
 namespace aucast::app {
 
-/// A keyframe that was read or received, as the composer has them.
+/// Turns a keyframe that was read or received into one of the composer.
 [[nodiscard]] gui::ComposedKeyframe composed(const playback::Keyframe& keyframe);
 
-/// The text of a stream file with these keyframes, read back by the same reader before it is handed
-/// out. Failed when there is none.
+/// The text of a stream file with these keyframes. It is checked by reading it back. Fails if there
+/// is no keyframe.
 [[nodiscard]] Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes);
 
-/// Writes that text whole or not at all and returns a sentence about where it went. A file that
-/// says something else stays beside it with a ~ at its end, because it may have comments.
+/// Writes that text, completely or not at all, and returns a sentence about where it was saved. If
+/// the file had other text, which may have comments, that is kept beside it with a ~ at the end of
+/// its name.
 [[nodiscard]] Result<std::string> save_stream(const gui::Composer::Keyframes& keyframes,
                                               const std::filesystem::path& file);
 

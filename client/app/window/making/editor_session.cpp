@@ -60,7 +60,7 @@ void EditorSession::begin_with_shown() {
 }
 
 bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
-  // What is edited is shown at once, and is no longer what was put together.
+  // What is edited is shown at once, and is no longer the expression or the combined AUs.
   const auto edit = [&](auto change) {
     transition_.reset();
     show_none_of_them();
@@ -151,7 +151,8 @@ std::vector<float> EditorSession::put_together(const AuFrame& aus) {
   return target;
 }
 
-/// Puts what was asked together, and says what became of it.
+/// Sets `target` to the activations for asked_ and notes what rules changed. Returns the AUs after
+/// the rules.
 AuFrame EditorSession::explained(std::span<float> target) {
   std::vector<face::RuleFired> fired;
   const AuFrame blended = mapping_.apply(asked_, target, &fired);
@@ -165,7 +166,7 @@ void EditorSession::change_language() {
   static_cast<void>(explained(unused));
 }
 
-/// The face is no longer an expression or AUs that were put together.
+/// Notes that the face is no longer an expression or combined AUs.
 void EditorSession::show_none_of_them() {
   aus_.reset();
   compound_.clear();
@@ -173,7 +174,7 @@ void EditorSession::show_none_of_them() {
   expressions_.aus.clear();
 }
 
-/// The editor takes a face, on the way from the one that is shown.
+/// The editor takes `target`; the face goes there from the one that is shown.
 void EditorSession::go_to(std::vector<float> target, bool continued, Instant now) {
   editor_.take(target, continued);
   transition_.emplace(shown_, std::move(target), transition_settings_, now);
@@ -212,7 +213,7 @@ bool EditorSession::has_name(int number, const std::string& given) const {
          (before != mapping_.recordings.end() && !before->second.note.empty());
 }
 
-/// Returns a sentence about where it went.
+/// Returns a sentence about where it was saved.
 Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
   // Saved by a key there is no name but the one that was typed.
   const auto typed = names_.find(wanted.number);

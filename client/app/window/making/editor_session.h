@@ -17,60 +17,62 @@
 
 namespace aucast::app {
 
-/// The expression panel and the expression editor in the window: named expressions, AUs put
-/// together, and the recording of one AU. What is saved goes into the mapping's recordings too.
-/// What the constructor takes must outlive it. Thread: the player's.
+/// The expression panel and the expression editor in the window: named expressions, combined AUs,
+/// and the recording of one AU. What is saved also goes into the mapping's recordings. The
+/// constructor's arguments must outlive it. Thread: the player's.
 class EditorSession {
  public:
-  /// `shown`: the activations of the face in the window, whichever session they are from; an
-  /// expression is reached from there.
+  /// `shown`: the activations of the face in the window, whichever session they come from.
+  /// Expressions are reached from there.
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
-  /// Begins with the face that is shown, which is not the editor's, as a free expression; changes
-  /// that are not saved go on instead.
+  /// Takes the face that is shown (another session's) as a free expression. If there are unsaved
+  /// changes, goes on with those instead.
   void begin_with_shown();
-  /// True when the editor's face is to be shown.
+  /// Returns true if the editor's face is to be shown.
   bool apply(const gui::EditorCommand& command, Instant now);
   void set_transition(const gui::TransitionSettings& settings) { transition_settings_ = settings; }
   [[nodiscard]] const gui::TransitionSettings& transition() const { return transition_settings_; }
 
-  /// The face of the mapping has become another one; `before`: the names of the channels it had.
+  /// Call it when the mapping has another face. `before`: the names of the previous face's
+  /// channels.
   void change_face(const std::vector<std::string>& before);
 
-  /// Another face is shown than the editor's: no expression is chosen any more. What was edited
-  /// stays.
+  /// Call it when another face than the editor's is shown: no expression is chosen any more. What
+  /// was edited stays.
   void put_away() { show_none_of_them(); }
 
-  /// What is in words is said anew.
+  /// Call it when the language has changed: makes all texts anew.
   void change_language();
 
-  /// Writes the AU that is being edited to a file, as it is saved. Returns a sentence about it.
+  /// Writes the AU that is being edited to a file, as it was last saved. Returns a sentence about
+  /// it.
   [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
 
-  /// Takes the AUs of a file of AUs over as one's own, and shows the first. Returns a sentence
-  /// about where they went.
+  /// Imports the AUs of an AU file as the user's own, and shows the first. Returns a sentence about
+  /// where they were saved.
   [[nodiscard]] Result<std::string> import_aus(const std::filesystem::path& file);
 
-  /// The expression on its way, or what is being edited.
+  /// The face on its way to an expression, or what is being edited.
   [[nodiscard]] std::vector<float> activations(Instant now) const;
-  /// When activations() change next; nullopt while they stay the same.
+  /// When activations() change next; nullopt: they stay the same.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
-  /// The AUs that the face is made of, an AU that is edited and not changed yet among them; nothing
-  /// when it is made of muscles.
+  /// The AUs of which the face is made, also an AU that is being edited and has not been changed
+  /// yet; nullopt if it is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus() const;
-  /// What the face is where it is not made of AUs, as part of a name: an AU that was changed, an
-  /// expression of muscles, or "edited".
+  /// What the face shows if it is not made of AUs, as part of a name: an AU that was changed, an
+  /// expression made of muscles, or "edited".
   [[nodiscard]] std::string made_of() const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || !names_.empty(); }
-  /// The last saving of an AU.
+  /// Whether the last attempt to save an AU failed.
   [[nodiscard]] bool save_failed() const { return save_failed_; }
-  /// The folder of the face that was saved to; empty: nothing was saved.
+  /// The folder of the face into which AUs were saved; empty: none were.
   [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
-  /// `active`: the editor's face is shown.
+  /// `active`: whether the editor's face is shown.
   [[nodiscard]] gui::EditorView view(bool active) const;
-  /// The buttons are one for each expression, in their order.
+  /// Has one button for each expression of the assets, in their order.
   [[nodiscard]] const gui::ExpressionsView& expressions() const { return expressions_; }
   /// The AUs of the face with what they drive.
   [[nodiscard]] const std::shared_ptr<const std::vector<gui::AuEntry>>& known_aus() const {
@@ -81,13 +83,13 @@ class EditorSession {
   bool show_expression(std::size_t index, bool continued, Instant now);
   bool change_strength(const gui::ChangeStrength& change, Instant now);
   bool show_aus(const std::string& text, Instant now);
-  /// The face of these AUs, with what became of each of them.
+  /// The activations for these AUs. Also notes what rules did to each of them.
   [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
   AuFrame explained(std::span<float> target);
   void show_none_of_them();
   void save_au(const gui::SaveAu& wanted, Instant now);
   void name_au(const gui::NameAu& typed);
-  /// FACS names it, or the user has.
+  /// Whether FACS or the user has named it.
   [[nodiscard]] bool has_name(int number, const std::string& given) const;
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
@@ -105,12 +107,13 @@ class EditorSession {
   gui::TransitionSettings transition_settings_;
   bool save_failed_ = false;
   std::string saved_face_;
-  std::map<int, std::string> names_;          ///< of AUs, typed and not saved yet
-  std::map<int, std::string> deleted_names_;  ///< of AUs, should they be saved again
-  std::string complaint_;                     ///< about the AUs that were typed last
+  std::map<int, std::string> names_;  ///< names of AUs that were typed and have not been saved yet
+  std::map<int, std::string> deleted_names_;  ///< names of removed AUs, in case they are saved
+                                              ///< again
+  std::string complaint_;                     ///< what is wrong with the AUs that were typed last
   std::optional<AuFrame> aus_;
   AuFrame asked_;                     ///< aus_, before the rules
-  std::vector<gui::AuRow> compound_;  ///< what became of aus_
+  std::vector<gui::AuRow> compound_;  ///< asked_ and what became of it
   gui::ExpressionsView expressions_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
 };

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One way to write the place of a folder, so that two can be compared.
+/// The path of a folder in one form, so that two can be compared.
 fs::path plain(const fs::path& folder) {
   fs::path whole = whole_path(folder);
   if (!whole.has_filename() && whole.has_relative_path()) whole = whole.parent_path();
@@ -29,7 +29,7 @@ fs::path own_faces() {
   return folder ? plain(*folder) : fs::path();
 }
 
-/// However the two are reached.
+/// Whether two paths lead to the same folder.
 bool same_folder(const fs::path& a, const fs::path& b) {
   std::error_code gone;
   return a == b || fs::equivalent(a, b, gone);
@@ -89,7 +89,7 @@ void FaceSession::look_in(const fs::path& folder) {
   list();
 }
 
-/// A face from elsewhere is listed with its neighbours.
+/// For a face from elsewhere, the faces beside it are listed too.
 void FaceSession::shown_from(const fs::path& folder) {
   const fs::path whole = plain(folder);
   view_.shown = whole.string();
@@ -97,7 +97,7 @@ void FaceSession::shown_from(const fs::path& folder) {
   const fs::path shipped = plain(assets_.data_folder / "faces");
   for (const fs::path& known : {shipped, own_faces()}) {
     if (!same_folder(among, known)) continue;
-    // The same face by the name that the list has for it.
+    // The same face, under its name in the list.
     view_.shown = (known / whole.filename()).string();
     return list();
   }

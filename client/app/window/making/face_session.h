@@ -11,26 +11,27 @@
 
 namespace aucast::app {
 
-/// The faces to choose from, and the one of the assets, which can become another one. The assets
-/// must outlive it. Thread: the player's.
+/// The faces to choose from, and the one in the assets, which can be replaced. The assets must
+/// outlive it. Thread: the player's.
 class FaceSession {
  public:
   explicit FaceSession(Assets& assets);
 
-  /// The window began with this face because it remembered it; empty: with the usual one.
+  /// Says that the window began with this face because it remembered it; empty: with the default
+  /// one.
   void remember(std::string face) { next_ = std::move(face); }
-  /// What it should remember: a name of a shipped face, or a folder.
+  /// The face that the window should remember: the name of a shipped one, or a folder.
   [[nodiscard]] const std::string& next() const { return next_; }
 
-  /// Reads a face into the place of the one of the assets and returns the names of the channels
-  /// that the one before had: whatever was made of that one is to be made anew. After an error it
-  /// is there as it was.
+  /// Replaces the face in the assets by the one in this folder. Everything made from the previous
+  /// face must then be made anew. Returns the names of the previous face's channels. After an error
+  /// the previous face is still there.
   [[nodiscard]] Result<std::vector<std::string>> show(const std::filesystem::path& folder);
-  /// Shows which faces there are in this folder too.
+  /// Adds the faces in this folder to the list.
   void look_in(const std::filesystem::path& folder);
 
   [[nodiscard]] const gui::FacesView& view() const { return view_; }
-  /// How often the face has become another one.
+  /// How often the face has been replaced.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
 
  private:
@@ -38,7 +39,8 @@ class FaceSession {
   void list();
 
   Assets& assets_;
-  std::filesystem::path looked_in_;  ///< beside the shipped and the own ones; empty: nowhere
+  std::filesystem::path looked_in_;  ///< where faces are looked for besides the shipped and the
+                                     ///< user's own; empty: nowhere
   std::string next_;
   gui::FacesView view_;
   std::uint64_t changes_ = 0;

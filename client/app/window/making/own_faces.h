@@ -6,8 +6,8 @@
 
 namespace aucast::app {
 
-/// The folder of the user's own faces, as the environment has it. Error when it names
-/// no place for it.
+/// The folder of the user's own faces, from the environment. Fails if the environment has neither
+/// XDG_DATA_HOME nor HOME.
 [[nodiscard]] Result<std::filesystem::path> folder_of_own_faces();
 
 }  // namespace aucast::app

@@ -24,7 +24,7 @@ bool LocalStream::resume(Instant now) {
   return true;
 }
 
-/// Said, because the bar with its button may be hidden when the key is pressed.
+/// Shows a notice, because the bar with its button may be hidden when the key is pressed.
 void LocalStream::toggle_repeat(playback::LocalPlayback& playhead, Instant now) {
   playhead.set_repeat(!playhead.repeats(), now);
   notices_.say(gui::tr(playhead.repeats() ? gui::TextKey("said.repeats")

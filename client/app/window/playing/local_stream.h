@@ -10,10 +10,11 @@
 
 namespace aucast::app {
 
-/// A stream that is there whole, such as a file: it can be sought, and played anew after its end.
+/// A stream that is available whole, such as a file. It can be sought, and played again after its
+/// end.
 class LocalStream final : public PlayingStream {
  public:
-  /// `step_fps`: a step by frame is 1 / step_fps s. `notices` must outlive it.
+  /// `step_fps`: a step by frame is 1 / step_fps s. `notices` must outlive this object.
   LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name, int step_fps,
               Notices& notices);
 
@@ -22,7 +23,7 @@ class LocalStream final : public PlayingStream {
   [[nodiscard]] std::unique_ptr<playback::Playback> hand_out() override {
     return std::move(playback_);
   }
-  /// It can go on from there.
+  /// Only pauses, so that it can go on from there.
   void stop(Instant now) override { playback_->pause(now); }
   bool resume(Instant now) override;
   bool apply(const gui::LocalCommand& command, Instant now) override;
@@ -30,7 +31,7 @@ class LocalStream final : public PlayingStream {
   [[nodiscard]] std::string title(const std::string& program, bool /*over*/) const override {
     return name_ + " - " + program;
   }
-  /// All of it.
+  /// All keyframes of the stream.
   [[nodiscard]] Played played() const override;
   void describe(gui::PlayingView& view) const override;
   [[nodiscard]] gui::LocalView local_view() const override;

@@ -14,19 +14,20 @@
 
 namespace aucast::app {
 
-/// The camera of the window, and what the panels show of it. Thread: the player's.
+/// The window's camera, and what the panels show of it. Thread: the player's.
 class MirrorSession {
  public:
-  /// Opens a camera; Unreadable when au-transmitter is not there.
+  /// Opens a camera. Unreadable if au-transmitter is not installed.
   using Start = std::function<Result<std::unique_ptr<mirror::OwnCamera>>(
       const mirror::MirrorOptions& options)>;
-  /// `options`: what the window begins with; it opens no camera yet.
+  /// `options`: what the window begins with. No camera is opened yet.
   explicit MirrorSession(mirror::MirrorOptions options, Start start = start_mirror);
 
   void apply(const gui::MirrorCommand& command);
-  /// What Start opens next time.
+  /// Sets what Start opens next time.
   void set_source(std::string source) { view_.source = std::move(source); }
-  /// Takes over what came. Where its stream can be played, once when that is known.
+  /// Updates view() with what the camera reports. Returns, once, where its stream can be played,
+  /// when that is known.
   [[nodiscard]] std::optional<protocol::Endpoint> advance();
   [[nodiscard]] const gui::MirrorView& view() const { return view_; }
   [[nodiscard]] bool running() const { return mirror_ != nullptr; }
@@ -34,10 +35,10 @@ class MirrorSession {
  private:
   [[nodiscard]] static Result<std::unique_ptr<mirror::OwnCamera>> start_mirror(
       const mirror::MirrorOptions& options);
-  /// Before anything was seen.
+  /// The view before any picture has come.
   [[nodiscard]] gui::MirrorView view_of_options() const;
   void start(const std::string& source);
-  /// The camera is off; what the trouble was stays to be read.
+  /// Turns the camera off; the sentence about what went wrong stays.
   void finish();
   [[nodiscard]] gui::MirrorView::Phase phase(const mirror::MirrorState& state) const;
 
@@ -45,7 +46,7 @@ class MirrorSession {
   Start start_;
   std::unique_ptr<mirror::OwnCamera> mirror_;
   gui::MirrorView view_;
-  bool played_ = false;  ///< advance() has said where
+  bool played_ = false;  ///< advance() has returned the endpoint
   bool ending_ = false;
 };
 

@@ -35,8 +35,8 @@ void PlaybackHistory::add(Instant now, float fill, const playback::SourceStatus&
     const float intensity = std::max(aus.left[i], aus.right[i]);
     if (intensity > 0) sample.aus[static_cast<int>(i)] = intensity;
   }
-  // Where the player was busy with other things, what was then stays for so long: the plots are
-  // even in time.
+  // If the player was busy with other things, this sample stands for that whole time, because the
+  // plots are evenly spaced.
   while (!samples_.empty() && now - samples_.back().slot >= 2 * kEvery) {
     Sample held = samples_.back();
     held.slot += kEvery;

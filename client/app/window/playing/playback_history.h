@@ -13,41 +13,41 @@
 
 namespace aucast::app {
 
-/// What happened in the last half minute, for the plots and rates of the panel: samples four times
-/// a second. Pure; the times handed in must not go back.
+/// Samples of the last half minute, four a second, for the plots and rates of the panel. Pure; the
+/// times handed in must not go back.
 class PlaybackHistory {
  public:
-  /// True when the next sample is due.
+  /// Whether the next sample is due.
   [[nodiscard]] bool due(Instant now) const;
-  /// Takes one: `fill` of the receiver in [0,1], and the AUs as they are on the face.
+  /// Adds a sample. `fill`: of the Receiver buffer, in [0,1]; `aus`: those on the face.
   void add(Instant now, float fill, const playback::SourceStatus& status, const AuFrame& aus);
   void clear();
 
-  /// Oldest first.
+  /// The fills of all samples, oldest first.
   [[nodiscard]] std::vector<float> fills() const;
-  /// The AUs that were strongest, in the order of their numbers; at most gui::kTracesMax.
+  /// The strongest AUs, at most gui::kTracesMax, sorted by number.
   [[nodiscard]] std::vector<gui::AuTrace> traces() const;
   /// Bytes a second.
   struct Rates {
     double in = 0;
     double out = 0;
   };
-  /// Over the last two seconds.
+  /// The rates over the last two seconds.
   [[nodiscard]] Rates rates() const;
-  /// Of all bytes, from the first sample to the last; 0 with less than two.
+  /// The mean rates from the first sample since clear() to the last; 0 with fewer than two samples.
   [[nodiscard]] Rates mean_rates() const;
 
  private:
   struct Sample {
-    Instant slot;  ///< where it stands in the plots, which are even in time
+    Instant slot;  ///< its time in the plots, whose samples are evenly spaced
     Instant at;
     float fill = 0;
     std::uint64_t bytes_in = 0;
     std::uint64_t bytes_out = 0;
-    std::map<int, float> aus;  ///< the stronger side of those that are not 0
+    std::map<int, float> aus;  ///< AUs above 0, by number: the stronger side's intensity
   };
   std::vector<Sample> samples_;
-  std::optional<Instant> begin_;  ///< of the first sample since clear()
+  std::optional<Instant> begin_;  ///< time of the first sample since clear()
 };
 
 }  // namespace aucast::app

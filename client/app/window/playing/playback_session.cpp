@@ -38,8 +38,7 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
 
 // === Playing.
 
-/// A step is a picture of what is made of the stream: of the window's videos, unless --fps says
-/// what is exported.
+/// A step by frame is a picture of the window's videos or, with --fps, of what is exported.
 std::unique_ptr<PlayingStream> PlaybackSession::stream_of(
     std::unique_ptr<playback::Playback> playback, std::string name) {
   if (playback == nullptr) return nullptr;

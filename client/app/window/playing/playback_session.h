@@ -19,64 +19,64 @@
 
 namespace aucast::app {
 
-/// What plays in the window, the face that it moves and the sound beside it, and what the panels
-/// show of them. PlayingStream has what differs between a server's stream and one loaded in full.
-/// What the constructor takes must outlive it. Thread: the player's.
+/// What plays in the window, the face that it moves, its sound, and what the panels show of them.
+/// What differs between a server's stream and one that is available whole is in PlayingStream. The
+/// constructor's arguments must outlive it. Thread: the player's.
 class PlaybackSession {
  public:
-  /// `shown`: the activations of the face in the window, whichever session they are from; another
+  /// `shown`: the activations of the face in the window, whichever session they come from. A new
   /// stream begins from there.
   PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
                   PlayerStats& stats, Notices& notices, const std::vector<float>& shown);
 
-  /// Plays this from now on; null: nothing. `name`: of a stream loaded in full.
+  /// Plays this from now on; null: nothing. `name`: for a stream that is available whole.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
   void open(std::vector<playback::Keyframe> keyframes, std::string name, Instant now);
-  /// Plays the stream of one's own camera, with the lowest delay and without its voice. Its address
-  /// is not remembered.
+  /// Plays the stream of the user's own camera, with the lowest delay and without voice. Its
+  /// address is not remembered.
   void watch_own(const net::Endpoint& endpoint, Instant now);
-  /// What plays was read from this file: the sound file and the captions beside it, if there are
-  /// any, belong to it.
+  /// Says that what plays was read from this file. If there are a sound file and captions beside
+  /// it, they are used.
   void play_beside(const std::filesystem::path& file, Instant now);
-  /// What is heard and read beside it.
+  /// Sound and captions of what plays.
   [[nodiscard]] SoundSession& sound() { return sound_; }
   [[nodiscard]] const SoundSession& sound() const { return sound_; }
-  /// True when the face that plays is to be shown.
+  /// Returns true if the face that plays is to be shown.
   bool apply(const gui::PlaybackCommand& command, Instant now);
   void advance(Instant now);
-  /// Mapping or interpolation have changed.
+  /// Call it when the mapping or the interpolation has changed.
   void remake(playback::Interpolation interpolation);
-  /// The face of the mapping has become another one.
+  /// Call it when the mapping has another face.
   void change_face();
   /// Stops what plays, completes the statistics and hands out what played last; may be null.
   [[nodiscard]] std::unique_ptr<playback::Playback> finish(Instant now);
-  /// All of a stream loaded in full; of a server's stream the keyframes that have begun so far, if
-  /// they are not too many to be kept.
+  /// All keyframes of a stream that is available whole; of a server's stream those that have begun
+  /// so far, at most Played::kKept.
   [[nodiscard]] Played played() const;
 
-  /// Which servers are asked for.
+  /// The server that the user wants.
   [[nodiscard]] ServerChoice& servers() { return servers_; }
   [[nodiscard]] const ServerChoice& servers() const { return servers_; }
-  /// ServerChoice's, for the sound device that there is: one may have been plugged in since.
+  /// As ServerChoice's, for the present sound device: one may have been plugged in since the start.
   [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const {
     return servers_.server_of(settings, sound_.has_device());
   }
 
-  /// With sound, the face that belongs to what is heard.
+  /// The face; with sound, the one that belongs to what is heard.
   [[nodiscard]] const std::vector<float>& activations() { return player_.activations(); }
-  /// That face is on the display.
+  /// Call it when that face is on the display.
   void face_shown() { player_.sound().face_shown(); }
   /// The keyframe under way, from 1; 0: none has begun.
   [[nodiscard]] std::uint64_t keyframe() const {
     return stream_ == nullptr ? 0 : stream_->playback().progress().keyframe;
   }
-  /// The AUs of that face, rules applied.
+  /// The AUs of the face, after the rules.
   [[nodiscard]] const AuFrame& aus() const { return player_.face().face().aus; }
-  /// Playing has come to its end; false while nothing was ever opened.
+  /// Whether playing has come to its end; false if nothing has been opened.
   [[nodiscard]] bool over() const { return player_.over(); }
-  /// The face stands, and Resume would move it.
+  /// Whether the face does not move and Resume would make it move.
   [[nodiscard]] bool stands() const { return stream_ != nullptr && stream_->stands(); }
-  /// How long the window may wait before it should look again.
+  /// How long the window may wait before it calls advance() again.
   [[nodiscard]] Duration idle_time(Instant now) const;
   [[nodiscard]] std::string title() const;
   /// `stale` and `eased` hold for the face of this session: another face in the window is neither.
@@ -103,14 +103,16 @@ class PlaybackSession {
   Notices& notices_;
   const std::vector<float>& shown_;
   ServerChoice servers_;
-  playback::BufferOptions buffers_;  ///< of the last server, or as the command line has them
+  playback::BufferOptions buffers_;  ///< those of the last server, or of the command line
 
   sound::HeardPlayer player_;
   PlaybackMeter meter_;
-  std::unique_ptr<PlayingStream> stream_;  ///< null: nothing was opened
+  std::unique_ptr<PlayingStream> stream_;  ///< null: nothing has been opened
   SoundSession sound_;
-  std::unique_ptr<PlayingStream> retired_;      ///< saying its last words
-  std::vector<face::RuleExplained> explained_;  ///< the rules that fired in this keyframe
+  std::unique_ptr<PlayingStream> retired_;  ///< the previous stream, which is still saying goodbye
+                                            ///< to its server
+  std::vector<face::RuleExplained> explained_;  ///< the rules that changed something in this
+                                                ///< keyframe
 };
 
 }  // namespace aucast::app

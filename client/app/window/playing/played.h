@@ -9,15 +9,15 @@
 
 namespace aucast::app {
 
-/// What has been played, from its beginning, as it is exported.
+/// What has been played from the beginning on, for exports.
 struct Played {
-  /// An hour of a live stream at 25 a second.
+  /// How many keyframes of a stream that may never end are kept: an hour at 25 a second.
   static constexpr std::size_t kKept = 90'000;
 
   std::vector<playback::Keyframe> keyframes;
-  std::uint64_t begun = 0;  ///< so many there were: more than `keyframes` if not all were kept
+  std::uint64_t begun = 0;  ///< how many there were; more than `keyframes` has if not all were kept
 
-  /// Of a stream that may never end.
+  /// Adds a keyframe of a stream that may never end.
   void add(playback::Keyframe keyframe) {
     ++begun;
     if (keyframes.size() < kKept) keyframes.push_back(std::move(keyframe));

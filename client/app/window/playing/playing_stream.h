@@ -15,15 +15,16 @@
 
 namespace aucast::app {
 
-/// The window waits no longer than this while something moves.
+/// The longest that the window waits while something moves.
 inline constexpr Milliseconds kFrameMax{20};
 
-/// What plays in the window, and what the panels show of it. Two kinds: RemoteStream is a server's,
-/// LocalStream is there whole. The times handed in are those of the player's clock.
+/// What plays in the window, and what the panels show of it. There are two kinds: a RemoteStream is
+/// a server's, a LocalStream is available whole. The times handed in are those of the player's
+/// clock.
 /// Thread: the player's.
 class PlayingStream {
  public:
-  /// How long the window may wait before it should look again at a stream that does not move.
+  /// The longest that the window waits while the stream does not move.
   static constexpr Milliseconds kIdle{250};
 
   PlayingStream() = default;
@@ -34,37 +35,37 @@ class PlayingStream {
   [[nodiscard]] virtual playback::Playback& playback() = 0;
   [[nodiscard]] virtual const playback::Playback& playback() const = 0;
   [[nodiscard]] bool running() const { return !playback().over(); }
-  /// Hands out what plays; this object is only good to be destroyed then.
+  /// Hands out what plays. After that this object may only be destroyed.
   [[nodiscard]] virtual std::unique_ptr<playback::Playback> hand_out() = 0;
 
-  /// This keyframe has begun.
+  /// Call it when this keyframe has begun.
   virtual void begun(const playback::KeyframeBegun& /*keyframe*/) {}
-  /// Playing has been moved to `now`, which is on the steady clock; `aus`: those of the face.
+  /// Call it when playing has been advanced. `now`: by the steady clock; `aus`: those of the face.
   virtual void advanced(Instant /*now*/, const AuFrame& /*aus*/) {}
 
-  /// True once: a server has answered that is to be remembered.
+  /// True once, when a server that is to be remembered has answered.
   [[nodiscard]] virtual bool take_answer() { return false; }
-  /// Why --live changes nothing for it.
+  /// Why --live has no effect on this stream.
   [[nodiscard]] virtual LiveObjection objection(const PlaybackOptions& /*options*/) const {
     return LiveObjection::None;
   }
 
-  /// What Stop means while it runs.
+  /// Carries out Stop while the stream runs.
   virtual void stop(Instant now) = 0;
-  /// False: it cannot go on.
+  /// Plays on. Returns false if it cannot.
   virtual bool resume(Instant now) = 0;
-  /// Only of what is there whole; true when its face is to be shown.
+  /// Carries out commands that only a LocalStream knows. Returns true if its face is to be shown.
   virtual bool apply(const gui::LocalCommand& /*command*/, Instant /*now*/) { return false; }
 
-  /// The face stands, and Resume would move it.
+  /// Whether the face does not move and resume() would make it move.
   [[nodiscard]] virtual bool stands() const = 0;
-  /// How long the window may wait before it should look again, while no position is due.
+  /// How long the window may wait while no position is due.
   [[nodiscard]] virtual Duration idle_time() const { return kIdle; }
-  /// The program's title with what plays: "lecture.txt - AUcast". `over`: what is heard of it has
+  /// The window's title with what plays: "lecture.txt - AUcast". `over`: whether its sound has
   /// ended too.
   [[nodiscard]] virtual std::string title(const std::string& program, bool over) const = 0;
   [[nodiscard]] virtual Played played() const = 0;
-  /// The server that the user chose has ended it.
+  /// Whether the server, one that the user chose, has ended the stream.
   [[nodiscard]] virtual bool ended_by_server() const { return false; }
   /// Adds what is peculiar to this kind.
   virtual void describe(gui::PlayingView& view) const = 0;

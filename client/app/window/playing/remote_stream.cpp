@@ -15,11 +15,11 @@ namespace {
 using playback::EndReason;
 using playback::PlaybackState;
 
-/// Buffers and bytes change without anything moving: so often they are looked at.
+/// How often the window looks at buffers and bytes, which change even if nothing moves.
 constexpr Milliseconds kLookEvery{50};
 constexpr Milliseconds kJustInTime{2};
 
-/// Without an end a detail says why it is tried again.
+/// If the stream has not ended, the detail says why it is tried again.
 bool tries_again(const playback::SourceStatus& status) {
   return status.end == EndReason::NotEnded && !status.connected && status.reconnects > 0;
 }
@@ -40,7 +40,7 @@ bool RemoteStream::ended_by_server() const {
          playback_->status().end == EndReason::EndOfStream;
 }
 
-/// The easing to neutral was not received.
+/// Keeps every keyframe except the easing to neutral, which was not received.
 void RemoteStream::begun(const playback::KeyframeBegun& keyframe) {
   timed_ = keyframe.target.duration.has_value();
   if (!playback_->eased()) received_.add({keyframe.target.aus, keyframe.duration});
@@ -68,7 +68,8 @@ bool RemoteStream::stands() const {
   return playback_->state() == PlaybackState::Paused;
 }
 
-/// Keyframes that come just in time are waited for between two positions.
+/// With low delay it also looks for keyframes between two positions, because they come just in
+/// time.
 Duration RemoteStream::idle_time() const {
   if (!running()) return kIdle;
   if (!buffers_.low_delay) return kLookEvery;

@@ -9,14 +9,14 @@
 
 namespace aucast::app {
 
-/// A server's stream. What was received is kept, for it cannot be asked for again.
+/// A server's stream. What was received is kept, because it cannot be requested again.
 class RemoteStream final : public PlayingStream {
  public:
   enum class Server : std::uint8_t {
-    Chosen,     ///< by the user: worth remembering when it answers
-    OwnCamera,  ///< one's own child: never remembered, and nobody else ends it
+    Chosen,     ///< by the user: remembered when it answers
+    OwnCamera,  ///< the user's own child process: never remembered, and only the user ends it
   };
-  /// `buffers`: as the source has them.
+  /// `buffers`: the source's.
   RemoteStream(std::unique_ptr<playback::Playback> playback, const playback::BufferOptions& buffers,
                Server server);
 
@@ -36,7 +36,7 @@ class RemoteStream final : public PlayingStream {
   [[nodiscard]] bool stands() const override;
   [[nodiscard]] Duration idle_time() const override;
   [[nodiscard]] std::string title(const std::string& program, bool over) const override;
-  /// The keyframes that have begun so far, if they are not too many to be kept.
+  /// The keyframes that have begun so far, at most Played::kKept.
   [[nodiscard]] Played played() const override { return received_; }
   [[nodiscard]] bool ended_by_server() const override;
   void describe(gui::PlayingView& view) const override;
@@ -50,11 +50,11 @@ class RemoteStream final : public PlayingStream {
   Server server_;
   Played received_;
   PlaybackHistory history_;
-  std::uint64_t tried_ = 0;  ///< attempts after a loss, as of the last frame
-  Instant again_at_{};       ///< when the one under way began or begins
-  Instant now_{};            ///< of the last frame
+  std::uint64_t tried_ = 0;  ///< number of attempts after a loss, as of the last frame
+  Instant again_at_{};       ///< when the attempt under way began, or the next one begins
+  Instant now_{};            ///< the time of the last frame
   bool remembered_ = false;
-  bool timed_ = false;  ///< the keyframe under way came with a time of its own
+  bool timed_ = false;  ///< the keyframe under way has a time of its own
 };
 
 }  // namespace aucast::app

@@ -10,7 +10,7 @@
 
 namespace aucast::app {
 
-/// Which server the user wants: the form to fill in, how that one is reached, and which ones
+/// Which server the user wants: the form to fill in, how the server is reached, and which servers
 /// have answered. `options` must outlive it. Thread: the player's.
 class ServerChoice {
  public:
@@ -18,27 +18,27 @@ class ServerChoice {
 
   /// Begins with what the window remembered.
   void set(const gui::RemoteSettings& settings, std::vector<std::string> recent);
-  /// How to reach the server that a form names; `voice`: there is a device to hear its voice by.
-  /// Error when a file of certificate or token cannot be used.
+  /// The options for connecting to the server in a form. `voice`: whether there is a device for its
+  /// voice. Fails if a file with a certificate or token cannot be used.
   [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings,
                                                      bool voice) const;
-  /// This one is dialled.
+  /// Call it when this server is dialled.
   void choose(const gui::RemoteSettings& settings) { settings_ = settings; }
-  /// The one that was chosen has answered.
+  /// Call it when the chosen server has answered.
   void answered();
 
   [[nodiscard]] const gui::RemoteSettings& settings() const { return settings_; }
-  /// The same, with the last server that answered: one that was mistyped is not worth keeping.
+  /// The same, but with the last server that answered, so that a mistyped address is not kept.
   [[nodiscard]] gui::RemoteSettings to_keep() const {
     return gui::with_server_of(settings_, worked_);
   }
-  /// Addresses that answered, the latest first.
+  /// Addresses that answered, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
 
  private:
   const PlaybackOptions& options_;
   gui::RemoteSettings settings_;
-  gui::RemoteSettings worked_;  ///< its server is the last that answered, or was kept
+  gui::RemoteSettings worked_;  ///< its server is the last that answered, or the remembered one
   std::vector<std::string> recent_;
 };
 

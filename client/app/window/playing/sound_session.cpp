@@ -90,7 +90,7 @@ void SoundSession::apply(const gui::SoundCommand& command, Instant now) {
   std::visit(carry_out, command);
 }
 
-/// There is one device at a time: the one before is closed first.
+/// Only one device may be open at a time, so the previous one is closed first.
 void SoundSession::choose_device(const std::string& name, Instant now) {
   set_out(nullptr);
   auto out = sound::open_sound_device(name);
@@ -121,7 +121,7 @@ void SoundSession::change_volume(int by, Instant now) {
 }
 
 gui::SoundView SoundSession::sound_view() const {
-  /// Of the meter, in decibels.
+  /// The range of the meter, in decibels.
   constexpr double kRange = 48;
   gui::SoundView view;
   view.there = has_device_;

@@ -19,34 +19,35 @@
 
 namespace aucast::app {
 
-/// What is heard and read beside the face that plays in the window: the device, how loud it is, the
-/// voice or sound file, the captions; and what the panels show of them. What the constructor takes
-/// must outlive it. Thread: the player's.
+/// Sound and captions of what plays in the window: the device, the volume, the voice or sound file,
+/// the captions; and what the panels show of them. The constructor's arguments must outlive it.
+/// Thread: the player's.
 class SoundSession {
  public:
   SoundSession(const SoundOptions& options, sound::HeardPlayer& player, Notices& notices);
 
-  /// The player plays something else from now on.
+  /// Call it when the player plays something else.
   void begin_again();
-  /// What plays was read from this file: the sound file and the captions beside it, if there are
-  /// any, belong to it.
+  /// Says that what plays was read from this file. If there are a sound file and captions beside
+  /// it, they are used.
   void play_beside(const std::filesystem::path& file, Instant now);
-  /// This sound file is heard with what plays, called `stream`, in place of what else was; that is
-  /// said. Its failures are those of a file; Failed without a device.
+  /// Plays this sound file with what plays, in place of its own sound, and shows a notice.
+  /// `stream`: the name of what plays. Errors are those of the file, or Failed if there is no
+  /// device.
   [[nodiscard]] Result<void> play_file(const std::filesystem::path& sound,
                                        const std::string& stream, Instant now);
-  /// The player has been advanced to `now`.
+  /// Call it when the player has been advanced to `now`.
   void advanced(Instant now);
 
-  /// It is heard there from now on; null: nowhere.
+  /// Sets the device; null: none.
   void set_out(std::unique_ptr<sound::SoundOut> out);
-  /// SoundPlayer's.
+  /// As SoundPlayer's.
   void set_tap(sound::SoundPlayer::Tap tap) { player_.sound().set_tap(std::move(tap)); }
-  /// There is a device.
+  /// Whether there is a device.
   [[nodiscard]] bool has_device() const { return has_device_; }
 
   void apply(const gui::SoundCommand& command, Instant now);
-  /// By so many percent.
+  /// Changes the volume by `by` percent.
   void change_volume(int by, Instant now);
 
   [[nodiscard]] gui::SoundView sound_view() const;
@@ -59,11 +60,12 @@ class SoundSession {
 
   sound::HeardPlayer& player_;
   Notices& notices_;
-  std::unique_ptr<sound::SoundTrack> track_;  ///< of the sound file; null: what plays brings it
+  std::unique_ptr<sound::SoundTrack> track_;  ///< the sound file; null: the sound comes with what
+                                              ///< plays
   bool has_device_ = false;
-  std::string device_;                ///< that was chosen; empty: the usual one
-  std::vector<std::string> devices_;  ///< to choose from
-  std::filesystem::path file_;        ///< that what plays was read from; empty: none
+  std::string device_;                ///< the chosen one; empty: the default one
+  std::vector<std::string> devices_;  ///< those to choose from
+  std::filesystem::path file_;        ///< the file from which what plays was read; empty: none
   SpokenText spoken_;
   bool shows_spoken_ = true;
   int volume_;

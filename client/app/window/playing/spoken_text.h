@@ -12,25 +12,26 @@
 
 namespace aucast::app {
 
-/// What is said in writing while something plays: the captions that come with a server's stream, or
-/// those of the .vtt file beside a stream file, and the stream's title.
+/// The captions of what plays (those that come with a server's stream, or those of the .vtt file
+/// beside a stream file), and the stream's title.
 /// Thread: none of its own.
 class SpokenText {
  public:
-  /// Something else plays.
+  /// Call it when something else plays: forgets everything.
   void begin_again() { *this = {}; }
-  /// What plays was read from this stream file. Errors of the .vtt file beside it, if there is one.
+  /// Says that what plays was read from this stream file. Reads the .vtt file beside it, if there
+  /// is one; errors are that file's.
   [[nodiscard]] Result<void> read_beside(const std::filesystem::path& file);
-  /// Takes in what came, and goes to this place of the stream.
+  /// Takes the captions that have come, and goes to this place of the stream.
   void move_to(playback::Playback& playback, Duration place);
 
   [[nodiscard]] const std::string& title() const { return title_; }
-  /// Empty: nothing is said.
+  /// The caption to be shown; empty: none.
   [[nodiscard]] const std::string& caption() const { return caption_; }
 
  private:
-  std::vector<protocol::CaptionData> all_;  ///< of a file
-  playback::CaptionLine line_;              ///< of a server
+  std::vector<protocol::CaptionData> all_;  ///< the captions of a file
+  playback::CaptionLine line_;              ///< the captions of a server
   std::string title_;
   std::string caption_;
 };

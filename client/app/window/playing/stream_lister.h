@@ -17,16 +17,17 @@ class StreamLister {
   using Ask = std::function<Result<protocol::StreamList>(const net::RemoteOptions&)>;
   /// `ask` runs on the other thread and may block.
   explicit StreamLister(Ask ask);
-  /// Waits for an answer that is still out: at most kTimeMax.
+  /// If a question is not answered yet, waits for its answer, at most kTimeMax.
   ~StreamLister() = default;
   StreamLister(const StreamLister&) = delete;
   StreamLister& operator=(const StreamLister&) = delete;
 
   static constexpr Milliseconds kTimeMax{3'000};
 
-  /// While a question is out another one is put after it; only the last one counts.
+  /// Asks this server. If a question is not answered yet, this one is asked after it; only the last
+  /// one counts.
   void ask(net::RemoteOptions server);
-  /// Takes the answer when it is here.
+  /// Puts the answer into view() if it has come.
   void advance();
   [[nodiscard]] const gui::StreamsView& view() const { return view_; }
 

@@ -12,21 +12,21 @@
 
 namespace aucast::app {
 
-/// When each face was on the display, for the clock of an experiment: a table with a row for each
-/// picture in which the face had moved. monotonic_s is CLOCK_MONOTONIC after the picture was handed
-/// to the display, in seconds; keyframe counts from 1, 0 when nothing plays; aus are those shown at
-/// this moment, as in a packet, empty when the face is made of muscles.
-/// The file is there when finish() has been called; until then its rows are in one beside it.
+/// Logs when each face was on the display, for experiments: a table with a row for each picture in
+/// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds after the picture was
+/// handed to the display; keyframe, from 1, or 0 if nothing plays; aus, those shown, as in a
+/// packet, empty if the face is made of muscles. The file appears with finish(); until then the
+/// rows are in a temporary file beside it.
 class OnsetLog {
  public:
   [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
-  /// Finishes it, when nobody has: what was shown of a run that failed is kept.
+  /// Finishes the file if that has not been done, so that the rows of a run that failed are kept.
   ~OnsetLog();
   OnsetLog(const OnsetLog&) = delete;
   OnsetLog& operator=(const OnsetLog&) = delete;
 
   void add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus);
-  /// Once. Failed when a row could not be written.
+  /// Call it once. Fails if a row could not be written.
   [[nodiscard]] Result<void> finish();
 
  private:

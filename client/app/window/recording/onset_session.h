@@ -13,16 +13,16 @@
 
 namespace aucast::app {
 
-/// The table of onsets that the window writes, if it writes one. Thread: the player's.
+/// The table of onsets (OnsetLog) that the window writes, if it writes one. Thread: the player's.
 class OnsetSession {
  public:
-  /// What is shown from now on goes into this file; the one before is finished first.
+  /// Logs what is shown from now on in this file. Finishes the previous one first.
   [[nodiscard]] Result<void> begin(const std::filesystem::path& file);
-  /// A face that had moved was on the display since then (OnsetLog::add()).
+  /// Adds a face that had moved, as OnsetLog::add(); does nothing if no table is written.
   void add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus);
-  /// The file is complete; done when there is none.
+  /// Completes the file. Succeeds if there is none.
   [[nodiscard]] Result<void> end();
-  /// That is being written; empty: none.
+  /// The file that is being written; empty: none.
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:

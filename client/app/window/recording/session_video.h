@@ -13,11 +13,11 @@
 
 namespace aucast::app {
 
-/// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures. A
-/// window is drawn irregularly; the pictures of a video are equally spaced in time.
+/// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures: a
+/// window is drawn irregularly, but the pictures of a video are equally spaced in time.
 [[nodiscard]] std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written);
 
-/// A video of what the window shows, as it happens, with what is heard.
+/// A video of what the window shows while it happens, with the sound that is heard.
 class SessionVideo {
  public:
   static constexpr int kFps = 25;
@@ -28,13 +28,13 @@ class SessionVideo {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// True when the video lacks a picture at `now`.
+  /// Whether the video lacks a picture at `now`.
   [[nodiscard]] bool due(Instant now) const;
-  /// Adds the picture as many times as pictures are missing at `now`; not at all unless due().
+  /// Adds the picture as many times as pictures are missing at `now`: not at all unless due().
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
   /// See VideoSound::add().
   void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
-  /// Completes the file, which takes a while; on any thread.
+  /// Completes the file, which takes a while. May be called on any thread.
   [[nodiscard]] Result<void> finish();
 
  private:

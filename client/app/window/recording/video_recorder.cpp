@@ -9,7 +9,7 @@
 namespace aucast::app {
 
 Result<void> VideoRecorder::begin(int width, int height, Instant now) {
-  // It has no name yet, which this one would get too.
+  // That one's file does not exist yet, so this one would get the same name.
   if (completing()) return Error{ErrorKind::Failed, gui::tr("said.video_before")};
   const auto file = hooks_.new_file();
   if (!file) return file.error();

@@ -17,19 +17,19 @@
 
 namespace aucast::app {
 
-/// The video of what the window shows, from the key that begins it to the one that ends it.
+/// Records a video of what the window shows, from the key that begins it to the key that ends it.
 /// Thread: the player's.
 class VideoRecorder {
  public:
-  /// The face as it is shown now, in pixels of the picture wanted.
+  /// Makes a picture of the face as it is shown now; width and height in pixels.
   using Picture = std::function<Result<view::Image>(int width, int height)>;
 
   struct Hooks {
-    /// A file that is not there yet, for a video of what is shown.
+    /// Returns the path of a new file for a video.
     std::function<Result<std::filesystem::path>()> new_file;
-    /// What is heard goes there from now on; empty: nowhere.
+    /// Sets where the sound that is heard goes; empty: nowhere.
     std::function<void(sound::SoundPlayer::Tap)> hear;
-    /// How it stands, for the panel.
+    /// Shows the state of the recording in the panel.
     std::function<void(gui::VideoView)> show;
   };
   explicit VideoRecorder(Hooks hooks) : hooks_(std::move(hooks)) {}
@@ -37,15 +37,15 @@ class VideoRecorder {
   VideoRecorder& operator=(const VideoRecorder&) = delete;
 
   [[nodiscard]] bool running() const { return video_ != nullptr; }
-  /// Only when none is running. Failed while the one before is being completed.
+  /// Begins a video. Must not be called while running(). Fails while the previous one is being
+  /// completed.
   [[nodiscard]] Result<void> begin(int width, int height, Instant now);
-  /// Adds a picture when the video lacks one at `now`. A video that fails is over.
+  /// Adds a picture if the video lacks one at `now`. If that fails, the video ends.
   [[nodiscard]] Result<void> record(const Picture& picture, Instant now);
-  /// The video that is running is over, and is completed on another thread. Returns a sentence for
-  /// the user about it.
+  /// Ends the video, which is then completed on another thread. Returns a sentence for the user.
   [[nodiscard]] Result<std::string> end();
   [[nodiscard]] bool completing() const { return work_.running(); }
-  /// What became of it, once: a sentence that says where it is.
+  /// The result, once the video is completed: a sentence that says where it is.
   [[nodiscard]] std::optional<Result<std::string>> ended();
   /// Waits until it is completed.
   void wait() const { work_.wait(); }
@@ -56,7 +56,7 @@ class VideoRecorder {
   void show();
 
   Hooks hooks_;
-  std::filesystem::path file_;  ///< of the video that runs or ran last
+  std::filesystem::path file_;  ///< the file of the video that is running, or was last
   std::unique_ptr<SessionVideo> video_;
   BackgroundWork work_;
 };

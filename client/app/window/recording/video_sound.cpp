@@ -11,7 +11,7 @@ namespace aucast::app {
 namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
-/// Of silence, written at once.
+/// Samples of silence that are written at once.
 constexpr std::int64_t kSilentPortion = sound::kRate;
 
 std::int64_t samples_in(Duration time) {
@@ -37,7 +37,7 @@ void VideoSound::add(Instant heard_at, std::span<const float> samples) {
   for (std::int64_t left = missing; left > 0; left -= kSilentPortion) {
     wav_->add(std::span(silence).first(static_cast<std::size_t>(std::min(left, kSilentPortion))));
   }
-  // What was heard before the video began, or twice.
+  // Samples that were heard before the video began, or were added already.
   const auto past = static_cast<std::size_t>(std::max<std::int64_t>(-missing, 0));
   wav_->add(samples.subspan(std::min(past, samples.size())));
 }

@@ -11,21 +11,22 @@
 
 namespace aucast::app {
 
-/// The sound of a video of what happens, in step with its pictures: sound is handed over a little
-/// before it is heard, in pieces and with pauses, and goes to where it was heard.
+/// The sound of a SessionVideo, in step with its pictures. Sound is handed over a little before it
+/// is heard, in pieces and with pauses; each piece is put where it is heard.
 class VideoSound {
  public:
-  /// Readings of a device's clock leap by less than this: what follows so closely goes on.
+  /// Readings of a device's clock leap by less than this: a piece that is off by less follows the
+  /// previous one directly.
   static constexpr Milliseconds kSlack{40};
 
-  /// The video begins at `begin` and is written to `video`; the sound goes to a file beside it for
-  /// as long as this lives.
+  /// The video begins at `begin` and is written to `video`. The sound is in a file beside it as
+  /// long as this object lives.
   [[nodiscard]] static Result<std::unique_ptr<VideoSound>> open(const std::filesystem::path& video,
                                                                 Instant begin);
 
-  /// The first of `samples` is heard at `heard_at`.
+  /// Adds samples, the first of which is heard at `heard_at`.
   void add(Instant heard_at, std::span<const float> samples);
-  /// The WAV file with all of it; empty: nothing has sounded.
+  /// The WAV file with all of the sound; empty: there was none.
   [[nodiscard]] Result<std::filesystem::path> file();
 
  private:

@@ -9,18 +9,18 @@
 
 namespace aucast::app {
 
-/// The language of a locale's name, which is the first of these that is set and not empty: "fr" of
-/// "fr_CA.UTF-8"; "en" for none, "C" and "POSIX". Null: unset.
+/// The language of the locale: "fr" for "fr_CA.UTF-8", "en" for "C", "POSIX" or none. The locale's
+/// name is the first argument that is set and not empty; null: unset.
 [[nodiscard]] std::string language_of_locale(const char* lc_all, const char* lc_messages,
                                              const char* lang);
-/// The same of the environment.
+/// The same, from the environment.
 [[nodiscard]] std::string language_of_locale();
 
-/// English, and every file of `data`/languages that can be read, by their codes.
+/// English, and all languages whose files in `data`/languages can be read, sorted by code.
 [[nodiscard]] std::vector<gui::LanguageEntry> languages_in(const std::filesystem::path& data);
 
-/// From now on the window is in this language. Usage when there is none of that code, BadData
-/// "file:line:column: ..." when its file is not whole; the language stays what it was then.
+/// Sets the language of the window. On errors the language stays as it was: Usage if there is none
+/// with that code, BadData "file:line:column: ..." if its file is not complete.
 [[nodiscard]] Result<void> choose_language(const std::filesystem::path& data,
                                            const std::string& code);
 

@@ -33,7 +33,7 @@ SettingsSession::SettingsSession(const Assets& assets, const PlayerOptions& opti
 
 void SettingsSession::begin_with(const gui::KeptSettings& kept, Instant now) {
   rendering_ = kept.rendering;
-  // Nobody wants to begin with an empty view.
+  // The window never begins with an empty view.
   if (!shows_something(rendering_.layers)) rendering_.layers = {};
   change_pictures(kept.pictures);
   change_display(kept.display, now);
@@ -80,7 +80,7 @@ void SettingsSession::change_pictures(const gui::PictureSettings& settings) {
   if (moved) events_.on_picture_folder(pictures_.folder);
 }
 
-/// A locale whose language there is not is no mistake of the user's.
+/// If there is no language for the locale, that is no error of the user's.
 void SettingsSession::change_display(const gui::DisplaySettings& settings, Instant now) {
   display_.settings = settings;
   const bool chosen = !settings.language.empty();

@@ -13,28 +13,28 @@
 
 namespace aucast::app {
 
-/// What the user sets and the window keeps: how AUs become a face, how the face and the panels
-/// look, where pictures go. What the constructor takes must outlive it. Thread: the player's.
+/// The settings that the window keeps: how AUs become a face, how the face and the panels look,
+/// where pictures go. The constructor's arguments must outlive it. Thread: the player's.
 class SettingsSession {
  public:
   struct Events {
-    /// AUs become a face in another way: the mapping or the interpolation is another one.
+    /// The mapping or the interpolation has changed.
     std::function<void()> on_animation;
     std::function<void()> on_language;
-    /// Pictures go to this folder from now on.
+    /// The folder for pictures has changed.
     std::function<void(const std::filesystem::path& folder)> on_picture_folder;
   };
   SettingsSession(const Assets& assets, const PlayerOptions& options, pipeline::AuMapping& mapping,
                   Notices& notices, Events events);
 
-  /// Begins with those that the window remembered.
+  /// Begins with the settings that the window remembered.
   void begin_with(const gui::KeptSettings& kept, Instant now);
-  /// Adds those that it should remember.
+  /// Adds the settings that the window should remember.
   void keep(gui::KeptSettings& kept) const;
 
   void apply(const gui::SettingsCommand& command, Instant now);
   void change_pictures(const gui::PictureSettings& settings);
-  /// What the command line would have to say for pictures as the window's.
+  /// The options with which the command line would make pictures like the window's.
   [[nodiscard]] PlayerOptions applied(PlayerOptions options) const;
 
   [[nodiscard]] const gui::AnimationSettings& animation() const { return animation_; }

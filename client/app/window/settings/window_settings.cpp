@@ -13,8 +13,8 @@ namespace {
 
 using gui::KeptSettings;
 
-/// What of `from` the named options of the command line stand for goes into `to`, where `wanted`
-/// says so.
+/// Copies the settings for which the command line had options from `from` to `to`, if `wanted` says
+/// so.
 template <typename Wanted>
 void copy_given(const std::set<std::string>& given, const KeptSettings& from, KeptSettings& to,
                 Wanted wanted) {

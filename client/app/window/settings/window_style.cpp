@@ -21,7 +21,7 @@ std::optional<std::uint32_t> plain_ground(gui::Ground ground, std::optional<std:
 
 namespace {
 
-/// As programs show what is transparent.
+/// The chequer by which programs show transparency.
 view::Background chequer(float scale) {
   constexpr std::uint32_t kLight = 0x9A9A9A;
   constexpr std::uint32_t kDark = 0x7A7A7A;

@@ -8,13 +8,13 @@
 
 namespace aucast::app {
 
-/// The plain ground that these settings mean, sRGB; nothing: the studio. `studio`: what
-/// --background put in its place.
+/// The plain background (sRGB, 0xRRGGBB) that these settings mean; nullopt: the studio. `studio`:
+/// the colour that --background puts in the studio's place.
 [[nodiscard]] std::optional<std::uint32_t> plain_ground(gui::Ground ground,
                                                         std::optional<std::uint32_t> studio);
 
-/// How the window draws its face. `background`: 0xRRGGBB instead of the studio's, as --background
-/// says; `scale` of the screen.
+/// How the window draws its face. `background`: 0xRRGGBB in the studio's place, from --background.
+/// `scale`: of the screen.
 [[nodiscard]] view::Style window_style(const gui::RenderingSettings& settings,
                                        std::optional<std::uint32_t> background, float scale);
 

@@ -13,9 +13,9 @@
 
 namespace aucast::app {
 
-/// Small pictures of faces at rest, each drawn off screen once and kept as a texture. The context
-/// must be current whenever it is used. Thread: the player's; a face is read on one of its own, so
-/// that the window goes on meanwhile, and the destructor waits for it.
+/// Small pictures of faces at rest, each drawn once off screen and kept as a texture. The context
+/// must be current whenever this is used. Thread: the player's. Faces are read on another thread,
+/// so that the window goes on meanwhile; the destructor waits for it.
 class FaceThumbnails {
  public:
   /// `width` and `height` of the pictures, in pixels.
@@ -24,10 +24,10 @@ class FaceThumbnails {
   FaceThumbnails(const FaceThumbnails&) = delete;
   FaceThumbnails& operator=(const FaceThumbnails&) = delete;
 
-  /// Goes on towards pictures of the faces that are seen, by their folders, one after the other.
-  /// True when there is a new one; another framebuffer is bound then.
+  /// Goes on making pictures of the faces that are seen, named by their folders, one after the
+  /// other. Returns true if a new picture was made; another framebuffer is bound then.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures);
-  /// A face is being read.
+  /// Whether a face is being read.
   [[nodiscard]] bool busy() const { return reading_.running(); }
 
  private:
@@ -36,9 +36,9 @@ class FaceThumbnails {
   std::filesystem::path data_folder_;
   int width_;
   int height_;
-  /// A face that cannot be read has none, and is not tried again.
+  /// By folder. Null for a face that could not be read, which is not tried again.
   std::map<std::string, std::unique_ptr<render::PictureTexture>> textures_;
-  std::string folder_;  ///< that is being read
+  std::string folder_;  ///< the folder of the face that is being read
   Task<Result<face::Face>> reading_;
 };
 

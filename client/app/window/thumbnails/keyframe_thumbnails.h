@@ -13,19 +13,19 @@
 
 namespace aucast::app {
 
-/// Small pictures of what the face does at keyframes, drawn off screen when they are seen and kept
-/// as textures. The context must be current whenever it is used. Thread: the player's.
+/// Small pictures of the face at keyframes, drawn off screen when they are seen and kept as
+/// textures. The context must be current whenever this is used. Thread: the player's.
 class KeyframeThumbnails {
  public:
-  /// The activations of the face with these AUs, one per channel.
+  /// Returns the activations of the face for these AUs, one per channel.
   using FaceOf = std::function<std::vector<float>(const std::string& aus)>;
 
-  /// Draws one of those that are seen and have no picture, or one that the face no longer looks
-  /// like, with the view of that face, which has another pose afterwards. True when it did; another
-  /// framebuffer is bound then. `scale`: pixels of the picture in one of the screen at scale 1.
+  /// Draws at most one picture: for a keyframe that is seen and has none, or whose face has
+  /// changed. Returns true if it did; another framebuffer is bound then. `view`: of that face; its
+  /// pose changes. `scale`: pixels of the picture per unit of gui::kKeyframeWidth.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures, const FaceOf& face_of,
                              const face::Face& face, FaceView& view, float scale);
-  /// The face has become another one.
+  /// Removes all pictures, because the face has been replaced.
   void forget(gui::Thumbnails& pictures);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 /// More than are ever seen at once, and little memory.
 constexpr std::size_t kKeptMax = 200;
-/// Of the portrait's height: hair and shirt say nothing about a keyframe.
+/// The part of the portrait's height that is drawn: hair and shirt say nothing about a keyframe.
 constexpr float kShown = 0.6F;
 
 }  // namespace
@@ -25,7 +25,7 @@ bool KeyframeThumbnails::advance(gui::Thumbnails& pictures, const FaceOf& face_o
     const auto pixels = [scale](int size) {
       return static_cast<int>(std::lround(scale * static_cast<float>(size)));
     };
-    // A driver that draws no picture of this size draws none of the next either.
+    // If the driver cannot draw this picture, it cannot draw the next ones of the same size either.
     if (!view.prepare(pixels(gui::kKeyframeWidth), pixels(gui::kKeyframeHeight), Sharpness::Still))
       return false;
     view.pose(activations);
