@@ -14,8 +14,8 @@ namespace aucast {
 inline constexpr int kAuNumberMax = 99;
 inline constexpr int kAuCount = kAuNumberMax + 1;
 
-/// The subject's own side. Both stands for an AU without a side: it is set on both sides or, if it
-/// shows_on_one_side(), on the right one.
+/// The subject's own side. Both is for an AU that is written without a side: it is set on both
+/// sides or, if it shows_on_one_side(), on the right one.
 enum class Side : std::uint8_t { Both, Left, Right };
 
 /// One AU as written in a packet: number 0-99, side, intensity in whole percent 0-100.
@@ -37,7 +37,7 @@ struct AuFrame {
 /// Whether the AU shows on only one side at a time: 30 jaw sideways, 36 tongue bulge, 46 wink.
 [[nodiscard]] bool shows_on_one_side(int number);
 
-/// Sets AU `number` (1-99) on a side; Side::Both as explained there.
+/// Sets AU `number` (1-99) on a side; for Side::Both see there.
 void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensity);
 
 /// An intensity in whole percent, rounded; clamped to [0,1] first.
@@ -46,7 +46,8 @@ void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensi
 /// A name with its side: "left_brow", "right_brow", or "brow" for both.
 [[nodiscard]] std::string sided_name(Side side, std::string_view base);
 
-/// Splits what sided_name() made; Both for a name without a side. The base is a view into `name`.
+/// A name taken apart into what sided_name() makes it from; Both for a name without a side. `base`
+/// is a view into the name.
 struct SidedName {
   Side side = Side::Both;
   std::string_view base;
@@ -58,10 +59,10 @@ struct SidedName {
   return side == Side::Left ? Side::Right : side == Side::Right ? Side::Left : side;
 }
 
-/// The frame between two, at `share` of the way, 0 to 1.
+/// Interpolates linearly: `share` 0 is `from`, 1 is `to`.
 [[nodiscard]] AuFrame between(const AuFrame& from, const AuFrame& to, double share);
 
-/// Each AU as the stronger of the two frames has it, side by side.
+/// For each AU and side, the larger of the two intensities.
 [[nodiscard]] AuFrame stronger(const AuFrame& a, const AuFrame& b);
 
 /// The frame that the terms describe. If the same side of an AU comes twice, the last wins; AU 0
@@ -71,21 +72,21 @@ struct SidedName {
 /// Changes `frame` by terms of the changes-only form: what is not named stays.
 void apply_terms(AuFrame& frame, std::span<const AuTerm> terms);
 
-/// The canonical form: ascending numbers, equal sides joined (AUs that shows_on_one_side() keep
-/// theirs), left before right, rounded to whole percent with zeros dropped; {0} when nothing is
-/// left.
+/// The canonical form: ascending numbers, left before right, rounded to whole percent, zeros
+/// dropped, equal sides joined into Side::Both (except for AUs that shows_on_one_side()); {0} when
+/// nothing is left.
 [[nodiscard]] std::vector<AuTerm> canonical_terms(const AuFrame& frame);
 
-/// The FACS name of an AU or action descriptor, such as "Lip Corner Puller" for 12: that of 2002,
-/// of 1978 where 2002 has none. Nothing for numbers without one.
+/// The FACS name of an AU or action descriptor, such as "Lip Corner Puller" for 12. It is the name
+/// of FACS 2002, or of FACS 1978 where 2002 has none; nullopt: neither has one.
 [[nodiscard]] std::optional<std::string_view> facs_name(int number);
 
-/// The number of such a name; case, blanks and hyphens do not matter, and other usual names
-/// ("Lip Pressor") are known too. Nothing for what is no AU, such as "smile".
+/// The AU that has this name. Case, blanks and hyphens do not matter, and other usual names ("Lip
+/// Pressor") are known too. nullopt when it is no AU's name, such as "smile".
 [[nodiscard]] std::optional<std::uint8_t> facs_number(std::string_view name);
 
-/// The percent that a FACS intensity letter stands for: A 10, B 25, C 50, D 80, E 100 (2002) and
-/// x 25, y 60, z 100 (1978). Nothing for other letters; case matters.
+/// The percent that a FACS intensity letter stands for: A 10, B 25, C 50, D 80, E 100 (2002) and x
+/// 25, y 60, z 100 (1978). nullopt for other letters; case matters.
 [[nodiscard]] std::optional<std::uint8_t> percent_of_letter(char letter);
 
 }  // namespace aucast

@@ -156,7 +156,8 @@ bool Child::await(Milliseconds patience) {
   return true;
 }
 
-/// Its errors are read meanwhile. True: there is something to be read, or it cannot be awaited.
+/// Waits for output and reads the child's errors meanwhile. True: there is output, or waiting
+/// failed.
 bool Child::await_flow(int milliseconds) {
   std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
   const int ready = ::poll(waits.data(), waits.size(), milliseconds);

@@ -9,7 +9,7 @@
 
 namespace aucast {
 
-/// Errors of one file that are listed one by one.
+/// How many errors of one file are listed; the rest are only counted.
 inline constexpr std::size_t kReportedErrorsMax = 20;
 
 /// What is wrong with a file: the first kReportedErrorsMax errors with their places, and how many
@@ -21,9 +21,9 @@ class ErrorList {
   /// Line and column count from 1.
   void add(std::size_t line, std::size_t column, std::string_view reason);
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// BadData with "file:line:column: reason" on a line each.
+  /// BadData with one "file:line:column: reason" per line.
   [[nodiscard]] Error error() const;
-  /// The lines of the first ones; all are forgotten.
+  /// The same lines; the list is empty afterwards.
   [[nodiscard]] std::vector<std::string> take();
 
  private:

@@ -36,7 +36,7 @@ Error unwritable(const fs::path& path, std::string_view why) {
   return {ErrorKind::Failed, at_place(path.string(), "cannot be written: " + std::string(why))};
 }
 
-/// The same of a file that cannot be opened, with what can be done about it.
+/// The same for a file that cannot be opened, with the remedy.
 Error unreadable(const fs::path& path, int error_number) {
   std::string why = system_reason(error_number);
   if (error_number == ENOENT || error_number == ENOTDIR) why += "; check the name";
@@ -76,7 +76,7 @@ class Descriptor {
   int value_;
 };
 
-/// Why an open file is not read; empty: it is.
+/// Why an open file cannot be read; empty: it can.
 std::string_view objection(const struct stat& status) {
   if (S_ISREG(status.st_mode)) return "";
   if (S_ISDIR(status.st_mode)) return "it is a folder";
@@ -132,7 +132,7 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// Why what is there cannot be written, ever; empty: perhaps it can.
+/// Why what is at a path can never be written as a file; empty: perhaps it can.
 std::string_view objection(const fs::file_status& status) {
   if (fs::is_directory(status)) return "it is a folder";
   return fs::is_socket(status) ? "it is a socket" : "";
@@ -178,7 +178,8 @@ Result<Temporary> open_temporary_beside(const fs::path& path) {
   return unwritable(path, errno);
 }
 
-/// The new file gets the mode of the one whose place it takes; where there was none, its own stays.
+/// Gives the new file the mode of the file that it replaces; where there was none, it keeps its
+/// own.
 bool keep_mode(int file, const fs::file_status& before) {
   const auto mode = static_cast<mode_t>(before.permissions() & fs::perms::all);
   return !fs::exists(before) || ::fchmod(file, mode) == 0;

@@ -11,28 +11,29 @@
 
 namespace aucast {
 
-/// What read_file() reads at most where nobody says less.
+/// The limit of read_file() where the caller gives none.
 inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 
 /// Reads a whole regular file, and never blocks: a FIFO, a socket, a device (except /dev/null,
-/// which is empty) or a folder is Unreadable. So is a file of more than `bytes_max` bytes, before
-/// any is read, and one that keeps growing. The message has the path and the cause. Asked to stop,
-/// it reads no further and returns stopped_early().
+/// which is empty) or a folder is Unreadable. So is a file of more than `bytes_max` bytes, whether
+/// it has that size when it is opened or grows to it. The message has the path and the cause. Asked
+/// to stop, it reads no further and returns stopped_early().
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
                                             std::size_t bytes_max = kWholeFileBytesMax,
                                             const StopToken& stop = {});
 
-/// Reads standard input to its end, whatever it is; waits for the writer.
+/// Reads standard input, of whatever kind it is, to its end; waits for the writer.
 [[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = kWholeFileBytesMax);
 
-/// Opens a regular file for a library that reads by itself; the caller closes the descriptor.
+/// Opens a regular file for a library that does its own reading; the caller closes the descriptor.
 /// Refuses the kinds that read_file() refuses.
 [[nodiscard]] Result<int> open_file(const std::filesystem::path& path);
 
-/// A file that holds a secret.
+/// A file with a secret in it.
 struct SecretFile {
   std::string bytes;
-  /// Other users have access to it. A group does not count: services often get access through one.
+  /// Whether users outside the file's group have access to it. The group itself does not count,
+  /// since services often get access through one.
   bool open_to_others = false;
 };
 
@@ -43,7 +44,7 @@ struct SecretFile {
 /// Writes the file whole or not at all: a temporary file beside it, synced, then a rename, which
 /// replaces a symbolic link and does not follow it. The mode of an existing file is kept. A device
 /// or a FIFO with a reader is written directly. Failed, with the path and the cause, when it cannot
-/// be written; then what was there before stays.
+/// be written; an existing file is then unchanged.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
 
@@ -51,30 +52,31 @@ struct SecretFile {
 /// Changes nothing; the reader of a FIFO sees no end.
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
-/// From here on a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG, as one to a
-/// full disk does, and no longer ends the program.
+/// After this call a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG instead of
+/// ending the program.
 void ignore_file_size_signal();
 
-/// A new, empty file beside `path` for a program that writes by itself. Its name is random, and it
+/// Creates an empty file beside `path`, for another program to write to. Its name is random, and it
 /// is never somebody else's file or link. replace_file() renames it to `path`.
 [[nodiscard]] Result<std::filesystem::path> create_temporary_beside(
     const std::filesystem::path& path);
 
-/// Syncs `temporary` and renames it to `path`, whose mode it gets if there was such a file. Removes
-/// it when that fails.
+/// Syncs `temporary` and renames it to `path`. If `path` existed, its mode is kept. Removes
+/// `temporary` when that fails.
 [[nodiscard]] Result<void> replace_file(const std::filesystem::path& temporary,
                                         const std::filesystem::path& path);
 
-/// The absolute form of `path`, for people and for later use; `path` itself if the current folder
-/// is gone.
+/// The absolute form of `path`, to show it or to use it after the current folder has changed;
+/// `path` itself if the current folder is gone.
 [[nodiscard]] std::filesystem::path whole_path(const std::filesystem::path& path);
 
-/// Where a user keeps files of one kind: $XDG_..._HOME (`xdg`), else `usual` below $HOME; null when
-/// unset. A relative one counts as unset, as the specification wants. Nothing when neither is set.
+/// Where a user keeps files of one kind: `xdg`, the value of $XDG_..._HOME, else `usual` below
+/// `home`, the value of $HOME. Each is null when unset; a relative path counts as unset, as the
+/// specification wants. nullopt when neither is set.
 [[nodiscard]] std::optional<std::filesystem::path> users_folder(const char* xdg, const char* home,
                                                                 const char* usual);
 
-/// The folder that this program lies in; nothing when the system does not tell.
+/// The folder of this program's executable; nullopt when the system does not tell.
 [[nodiscard]] std::optional<std::filesystem::path> program_folder();
 
 /// The folder data/ of the project: `chosen` (from --data) if not empty, else $AUCAST_DATA, else

@@ -6,38 +6,40 @@
 
 namespace aucast::link {
 
-/// Bytes read from one peer before the others have their turn.
+/// How many bytes are read from one peer before the others have their turn.
 inline constexpr std::size_t kReadBytes = 1024;
 
-/// What one connection may cost in time and memory.
+/// Limits on the time and memory that one connection may take.
 struct Limits {
   Milliseconds tls_handshake{0};
-  /// Draining: the longest wait without progress, and what is read and dropped meanwhile.
+  /// Limits of draining: the longest time without progress, and how many bytes are read and
+  /// dropped.
   Milliseconds drain_time{0};
   std::size_t drain_bytes = 0;
-  /// While so much waits to be sent, nothing is read: a peer that does not read cannot go on
-  /// asking.
+  /// While this many bytes or more wait to be sent, nothing is read: a peer that does not read
+  /// cannot go on asking.
   std::size_t unsent_bytes = 0;
 
-  // When a silent peer has vanished. A system that refuses any of it still has a connection.
+  // How a vanished peer is noticed. Where the system refuses one of these, the connection does
+  // without.
 
   /// While nothing is under way to the peer: probes begin after this silence (whole seconds) ...
   Milliseconds keep_alive_idle{0};
   Milliseconds keep_alive_interval{0};  ///< ... this far apart (whole seconds) ...
   int keep_alive_probes = 0;            ///< ... and this many unanswered ones end the connection.
-  /// The longest time that bytes under way to it may stay unacknowledged, or not be taken.
+  /// The longest time for which sent bytes may stay unacknowledged, or a full peer may take none.
   Milliseconds unanswered_time{0};
 
   std::size_t frame_bytes = 0;  ///< of one frame of a WebSocket; longer ones are refused
   /// The silence after which a WebSocket's peer is sent a Ping; 0: never.
   Milliseconds ping_idle{0};
-  Milliseconds pong_time{0};  ///< in which the peer must say something then
+  Milliseconds pong_time{0};  ///< the longest wait for any bytes after the Ping
 };
 
 /// How connections are accepted.
 struct AcceptLimits {
-  int in_a_row = 1;       ///< accepted before the connected clients have their turn
-  Milliseconds pause{0};  ///< before the next try when the system is out of descriptors
+  int in_a_row = 1;       ///< how many, before the connected clients have their turn
+  Milliseconds pause{0};  ///< before the next attempt when the system is out of descriptors
 };
 
 }  // namespace aucast::link

@@ -17,15 +17,15 @@ enum class LogFormat : std::uint8_t {
 
 /// Sends the log to stderr, one line per entry, and never waits for whoever reads it (StderrSink);
 /// coloured on a terminal unless NO_COLOR is set. Where stderr is the journal ($JOURNAL_STREAM says
-/// so and it is true), each line begins with its priority, <3> to <7>, and a text line leaves out
-/// what the journal knows itself. `level` is one of trace, debug, info, warning, error, off; usage
-/// error otherwise. Text from outside must be escaped() before it comes here; entries are made
-/// printable() in any case.
+/// so, and it is checked), each line begins with its priority, <3> to <7>, and a text line leaves
+/// out what the journal adds itself. `level` is one of trace, debug, info, warning, error, off;
+/// usage error otherwise. Text from outside must be escaped() before it comes here; entries are
+/// made printable() in any case.
 [[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level,
                                       LogFormat format = LogFormat::Text);
 
-/// Writes `text` to stderr and, if that is the journal, the priority of an error before each line:
-/// why a program ends is not an entry of the log, but the journal should know that it is an error.
+/// Writes `text`, the reason why a program ends, to stderr. That is no entry of the log, but if
+/// stderr is the journal, each line begins with the priority of an error.
 void print_error(std::string_view text);
 
 }  // namespace aucast

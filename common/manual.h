@@ -9,7 +9,7 @@
 
 namespace aucast {
 
-/// What a program, or one of its commands, says about itself.
+/// The help of a program, or of one of its commands.
 struct CommandPage {
   std::string_view program;                     ///< "face-player"
   std::string_view command = {};                ///< "play"; empty: the program without a command
@@ -20,28 +20,28 @@ struct CommandPage {
   std::vector<std::string_view> examples = {};  ///< lines as they are typed
 };
 
-/// The page of --help: at most 80 columns where the page's own texts are no wider. Options without
-/// a text are left to the manual page.
+/// The text of --help, at most 80 columns wide unless a text of the page is wider. Options without
+/// a `text` are left to the manual page.
 [[nodiscard]] std::string help_text(const CommandPage& page);
 
-/// A manual page in roff, section by section. Texts are plain: what is special to roff is escaped
-/// here.
+/// Writes a manual page in roff, section by section. Give it plain text; it escapes what is special
+/// to roff.
 class ManualPage {
  public:
-  /// `says`: the program in half a sentence, for whatis(1).
+  /// `says`: what the program does, in half a sentence, for whatis(1).
   ManualPage(std::string_view program, std::string_view version, std::string_view says);
 
   void section(std::string_view name);
   void heading(std::string_view name);  ///< within a section
   void paragraph(std::string_view text);
-  /// An option or a file, and what it is.
+  /// An option or a file, with its explanation.
   void item(std::string_view tag, std::string_view text);
   /// A line as it is typed.
   void example(std::string_view line);
 
   /// The options of a command with their whole explanations.
   void options(const std::vector<OptionRow>& rows);
-  /// All of a command's page, within a section.
+  /// The whole page of a command, within a section.
   void command(const CommandPage& page);
 
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -51,8 +51,8 @@ class ManualPage {
 };
 
 /// What `PROGRAM --help-completion [bash|zsh|fish]` prints: a script that makes the shell complete
-/// the options of all pages and the names of commands; other words are files. Nothing when that was
-/// not asked for, or for another shell.
+/// the options of all pages and the names of commands; other words are completed as files. nullopt
+/// when the arguments do not ask for that, or name another shell.
 [[nodiscard]] std::optional<std::string> asked_completion(const std::vector<std::string>& arguments,
                                                           const std::vector<CommandPage>& pages);
 

@@ -20,8 +20,8 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// A number in [0,1) for each pair of seed and number: randomness without a state, so that any
-/// moment can be asked for.
+/// A random number in [0,1) for each pair of seed and number. It needs no state, so any `number`
+/// can be asked for, in any order.
 [[nodiscard]] constexpr double chance(std::uint64_t seed, std::uint64_t number) {
   const std::uint64_t bits = SplitMix64(SplitMix64(seed).next() ^ number).next();
   return static_cast<double>(bits >> 11U) / 9007199254740992.0;

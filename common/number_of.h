@@ -14,7 +14,7 @@ namespace detail {
 
 using std::from_chars;
 #if !defined(__cpp_lib_to_chars)
-/// emscripten's library reads whole numbers only: this takes the same words as a complete one.
+/// emscripten's from_chars reads whole numbers only; this accepts what the standard's does.
 template <std::floating_point T>
 std::from_chars_result from_chars(const char* begin, const char* end, T& value) {
   const std::string word(begin, end);
@@ -31,7 +31,7 @@ std::from_chars_result from_chars(const char* begin, const char* end, T& value) 
 
 }  // namespace detail
 
-/// The whole word as a number, or nothing.
+/// The whole word as a number; nullopt when it is none.
 template <typename T>
 [[nodiscard]] std::optional<T> number_of(std::string_view word) {
   T value{};

@@ -23,19 +23,20 @@ using Complaint = std::optional<std::string>;
 /// How the words of an option become the value of a variable.
 struct OptionValue {
   enum class Kind : std::uint8_t {
-    Flag,    ///< on the command line without a word; read with "true" or "false"
-    Number,  ///< in a settings file a number, or a string
+    Flag,    ///< typed without a word; read() gets "true" or "false"
+    Number,  ///< a number or a string in a settings file
     Word,    ///< a string
-    Words,   ///< several; read with one at a time
+    Words,   ///< several; read() gets one at a time
   };
   Kind kind = Kind::Word;
-  /// Stores the word's value, unless it complains. Empty: the option is only looked for.
+  /// Stores the word's value, or returns a complaint. Empty: there is no variable, and the program
+  /// looks for the option in what was typed.
   std::function<Complaint(const std::string& word)> read = {};
 };
 
 /// One option of a program, bound to a variable that must outlive it. The command line, the
 /// environment, the settings file, --print-config, --help, the manual page and the completion all
-/// come from rows of these.
+/// come from lists of such rows.
 struct OptionRow {
   enum class Where : std::uint8_t {
     Anywhere,    ///< on the command line and wherever else the program takes settings from
@@ -47,9 +48,9 @@ struct OptionRow {
   std::string_view argument = {};  ///< stands for its word in --help: "N"; empty for a flag
   std::string_view fallback = {};  ///< the default as a word; empty: not set, or a flag's false
   std::string_view text = {};      ///< for --help: one line; empty: only in the manual page
-  std::string_view more = {};      ///< for the manual page: whole sentences; empty: as in --help
+  std::string_view more = {};      ///< for the manual page: whole sentences; empty: `text`
   OptionValue value = {};
-  std::string_view heading = {};  ///< of the section that begins with this row; empty: goes on
+  std::string_view heading = {};  ///< a section with this heading begins here; empty: none does
   Where where = Where::Anywhere;
   char letter = 0;  ///< its short form: 'v' for -v; 0: none
 };
@@ -60,18 +61,18 @@ struct OptionRow {
 /// The row of that name; null: there is none.
 [[nodiscard]] const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name);
 
-/// The rows as they describe their options, bound to no variable: they read nothing.
+/// Copies of the rows that are bound to no variable, for their descriptions alone.
 [[nodiscard]] std::vector<OptionRow> unbound(std::vector<OptionRow> rows);
 
 /// Adds `more` to the end of `rows`.
 void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
 
-/// What was typed, by the name of the row: the words of each option that was given at all, "true"
-/// or "false" for each time a flag was.
+/// What was typed: for each row that was used, by its name, the words; for a flag, "true" or
+/// "false" for each time it was typed.
 using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 /// Sorts the arguments (without the program's name) by row. Usage error of one line for an unknown
-/// option, with the nearest known one, for a missing word and for one too many.
+/// option (it names the nearest known one), a missing word or a word too many.
 [[nodiscard]] Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
                                                 std::vector<std::string> arguments);
 
@@ -79,11 +80,11 @@ using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 /// word that is wrong.
 [[nodiscard]] Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words);
 
-/// Reads one word into the row's variable. An empty word is always a complaint: it is what
-/// `--stats "$UNSET"` leaves behind.
+/// Reads one word into the row's variable. Always complains about an empty word, which is what
+/// `--stats "$UNSET"` passes.
 [[nodiscard]] Complaint read_word(const OptionRow& row, const std::string& word);
 
-/// A usage error that says where help is: "`message` (try --help)".
+/// A usage error that points to the help: "`message` (try --help)".
 [[nodiscard]] Error usage_error(const std::string& message);
 
 /// A usage error about a word, such as "--port 'x' is not a whole number ... (try --help)".
@@ -95,13 +96,14 @@ using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 /// A flag that sets `out` to `given`, and with the word "false" to its opposite.
 [[nodiscard]] OptionValue flag(bool& out, bool given = true);
 
-/// A flag that is only looked for in what was typed.
+/// A flag bound to no variable: the program looks for it in what was typed.
 [[nodiscard]] OptionValue flag();
 
-/// --help and --version, which are only looked for.
+/// The rows of --help and --version, bound to no variable.
 [[nodiscard]] std::vector<OptionRow> help_rows();
 
-/// A whole number from `low` to `high`, for a number, an optional or a duration of that unit.
+/// A whole number from `low` to `high`. `out` may be a number, an optional, or a duration, whose
+/// unit is then the option's.
 template <typename T>
 [[nodiscard]] OptionValue whole(T& out, std::int64_t low, std::int64_t high) {
   return {OptionValue::Kind::Number, [&out, low, high](const std::string& word) -> Complaint {
@@ -115,7 +117,7 @@ template <typename T>
           }};
 }
 
-/// A number from `low` to `high`; `complaint` is said of any other.
+/// A number from `low` to `high`; `complaint` is the complaint about anything else.
 template <typename T>
 [[nodiscard]] OptionValue real(T& out, double low, double high, std::string_view complaint) {
   return {OptionValue::Kind::Number, [&out, low, high, complaint](const std::string& word) {
@@ -127,7 +129,7 @@ template <typename T>
 }
 
 /// Seconds from `low` to `high`, rounded to milliseconds; a positive value never becomes 0.
-/// `complaint` is said of any other.
+/// `complaint` is the complaint about anything else.
 template <typename T>
 [[nodiscard]] OptionValue seconds(T& out, double low, double high, std::string_view complaint) {
   return {OptionValue::Kind::Number, [&out, low, high, complaint](const std::string& word) {
@@ -158,7 +160,7 @@ template <typename T>
           }};
 }
 
-/// A word that `parse`, a function of the option's own, reads.
+/// A word that the option's own function `parse` reads.
 template <typename T>
 [[nodiscard]] OptionValue parsed(OptionValue::Kind kind,
                                  Complaint (*parse)(const std::string& word, T& out), T& out) {

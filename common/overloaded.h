@@ -2,7 +2,7 @@
 
 namespace aucast {
 
-/// For std::visit: one function object of several lambdas.
+/// One function object made of several lambdas, for std::visit.
 template <typename... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;

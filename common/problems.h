@@ -14,7 +14,7 @@ struct LinePosition {
   std::size_t column = 0;
 };
 
-/// Keeps the first problem of a file, so that a reader is a plain list of fields.
+/// Keeps the first problem of a file, so that code that reads fields need not stop at each error.
 class Problems {
  public:
   explicit Problems(std::string file) : file_(std::move(file)) {}
@@ -29,7 +29,7 @@ class Problems {
   std::optional<Error> first_;
 };
 
-/// The range of a number. An open bound is not part of it.
+/// The range of a number; a bound that is open does not belong to it.
 struct Bounds {
   double low = -1e6;
   double high = 1e6;
@@ -45,7 +45,7 @@ struct Bounds {
   [[nodiscard]] std::string text() const;          ///< "from 0 to 2", "above 0"
 };
 
-/// A number for a message, to six digits: 0.5, 4, 95.
+/// A number for a message, with at most six digits: 0.5, 4, 95.
 [[nodiscard]] std::string plain(double value);
 
 }  // namespace aucast

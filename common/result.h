@@ -10,18 +10,19 @@
 
 namespace aucast {
 
-/// Why something did not work, as far as the caller's next step goes. The values are the exit
-/// codes of all programs.
+/// The kinds of failure that callers treat differently. The values are the exit codes of all
+/// programs.
 enum class ErrorKind : std::uint8_t {
   Failed = 1,      ///< failed while running: graphics, unwritable output, ffmpeg missing
   Usage = 2,       ///< the command line asks for something that does not exist
   BadData = 3,     ///< a file was read and is wrong; the message names file:line:column
   Unreadable = 4,  ///< a file is missing or cannot be read
-  Network = 5,     ///< cannot listen or reach, silent, lost, refused, protocol error
+  Network = 5,  ///< a peer cannot be reached, is silent, is lost, refuses or breaks the protocol;
+                ///< cannot listen
 };
 
-/// A failure as a value: what kind, and a sentence for a person that names the place, the cause
-/// and, where there is one, what to do.
+/// A failure as a value: its kind, and a sentence for the user that names the place, the cause and,
+/// where there is one, the remedy.
 struct Error {
   ErrorKind kind = ErrorKind::Failed;
   std::string message;
@@ -33,7 +34,8 @@ struct Error {
 }
 
 /// A value or an Error, with the member names of C++23's std::expected (absent in GCC 12).
-/// Reading the side that is not there is a programmer's error and aborts.
+/// Asking for the value of a failure, or for the error of a success, is a programming error and
+/// aborts.
 template <typename T>
 class [[nodiscard]] Result {
  public:

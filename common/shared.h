@@ -8,8 +8,9 @@
 
 namespace aucast {
 
-/// Data that several threads use, behind a lock: it is reached only within an `act`, one at a time.
-/// An act is short and waits for nothing. All our locks are in objects of this class.
+/// Data that several threads use, behind a lock: only an `act`, a function that is passed in, gets
+/// at it, and only one runs at a time. An act is short and waits for nothing. All our locks are in
+/// objects of this class.
 template <typename T>
 class Shared {
  public:
@@ -28,7 +29,7 @@ class Shared {
     const std::lock_guard lock(mutex_);
     return act(value_);
   }
-  /// The same, and then wakes the waiting threads.
+  /// As with(), but also wakes the waiting threads.
   template <typename Act>
   auto change(Act act) {
     const std::lock_guard lock(mutex_);
@@ -37,14 +38,14 @@ class Shared {
   }
   void wake() { changed_.notify_all(); }
 
-  /// Waits until `ready`, then acts.
+  /// Waits until `ready` returns true, then acts. change() and wake() make it look again.
   template <typename Ready, typename Act>
   auto wait(Ready ready, Act act) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return ready(std::as_const(value_)); });
     return act(value_);
   }
-  /// The same, at `until` at the latest.
+  /// The same, but acts at `until` at the latest, ready or not.
   template <typename Ready, typename Act>
   auto wait_until(Instant until, Ready ready, Act act) {
     std::unique_lock lock(mutex_);

@@ -6,7 +6,7 @@
 
 namespace aucast {
 
-/// The endings of sound files that belong to a stream, in the order in which they are looked for.
+/// The endings that a stream's sound file may have, in the order in which they are tried.
 inline constexpr std::array<std::string_view, 5> kSoundEndings{".wav", ".flac", ".opus", ".ogg",
                                                                ".mp3"};
 

@@ -6,7 +6,7 @@
 
 namespace aucast {
 
-/// The byte of a picture for a share, which is clamped to 0 to 1.
+/// 0 to 1 as a byte of a picture, 0 to 255; clamped and rounded.
 [[nodiscard]] inline std::uint8_t byte_of_share(float share) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
 }

@@ -6,7 +6,7 @@
 namespace aucast {
 namespace {
 
-/// What a terminal shows the level in.
+/// The colour of a level on a terminal.
 std::string_view colour_of(spdlog::level::level_enum level) {
   switch (level) {
     case spdlog::level::trace:

@@ -17,7 +17,7 @@ namespace aucast {
 /// may share it: if one fills the pipe between our look at it and our write, that write waits.
 class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
-  /// `colours`: the level is coloured.
+  /// `colours`: whether the level is coloured.
   StderrSink(int descriptor, bool colours) : descriptor_(descriptor), colours_(colours) {}
 
   /// A pipe that is ready takes this much at once. Longer lines are cut.

@@ -14,12 +14,12 @@
 namespace aucast {
 
 /// Runs one piece of work at a time on a thread of its own; the owner asks now and then for the
-/// answer. The destructor waits for it. Thread: that of its owner.
+/// answer. The destructor waits for the work to end. Thread: that of its owner.
 template <typename T>
 class Task {
  public:
-  /// Only while nothing is running(). Failed when the system has no thread left. `work` throws
-  /// nothing.
+  /// Call it only when not running(). Failed when the system has no thread left. `work` must not
+  /// throw.
   [[nodiscard]] Result<void> start(std::function<T()> work) {
     // Shared, since a std::function is copied.
     const auto task = std::make_shared<std::packaged_task<T()>>(std::move(work));
@@ -33,8 +33,8 @@ class Task {
   void wait() const {
     if (running()) answer_.wait();
   }
-  /// The answer, once, when it has come: the task no longer runs then, and what the work held is
-  /// gone.
+  /// The answer, once, when it has come; nullopt before. Afterwards the task is no longer
+  /// running(), and the work and all that it owned are destroyed.
   [[nodiscard]] std::optional<T> take() {
     if (!running() || answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
       return std::nullopt;

@@ -29,11 +29,11 @@ namespace aucast {
 /// and invalid UTF-8 as \xNN.
 [[nodiscard]] std::string printable(std::string_view bytes);
 
-/// The known word with the fewest edits to `word`; nothing when even that is too far.
+/// The known word that the fewest edits turn into `word`; nullopt when that takes too many.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& known);
 
-/// "; did you mean X?" with the nearest() word, or nothing.
+/// "; did you mean X?" with the nearest() word; empty when there is none.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        const std::vector<std::string>& known);
 
@@ -60,12 +60,12 @@ namespace aucast {
 /// The message of an errno: "No such file or directory".
 [[nodiscard]] std::string system_reason(int error_number);
 
-/// Why there was no thread, timer or socket to be had, and what to look for: "Resource temporarily
-/// unavailable; the system is short of threads or files".
+/// For a message when the system refused a thread, timer or socket: the cause and what to look at,
+/// "Resource temporarily unavailable; the system is short of threads or files".
 [[nodiscard]] std::string shortage_text(const std::system_error& failure);
 
-/// "file:line:column: text" with the file's name printable(); line and column count from 1, and 0
-/// leaves them out. This is how every message about a file begins.
+/// "file:line:column: text" with the file's name printable(); line and column count from 1; one
+/// that is 0 is left out. Every message about a file begins in this way.
 [[nodiscard]] std::string at_place(std::string_view file, std::size_t line, std::size_t column,
                                    std::string_view text);
 

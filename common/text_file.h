@@ -4,7 +4,7 @@
 
 namespace aucast {
 
-/// Some editors begin a UTF-8 file with it.
+/// The bytes that some editors put at the beginning of a UTF-8 file.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 /// The text without leading and trailing `blanks`.

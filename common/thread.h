@@ -7,13 +7,13 @@
 
 namespace aucast {
 
-/// A thread of its own, which its owner joins. Failed when the system has none left.
+/// Starts a thread, which the caller joins. Failed when the system has none left.
 [[nodiscard]] Result<std::jthread> start_thread(std::function<void()> work);
 
-/// The same for a call that can neither be interrupted nor waited for, because a server that does
-/// not answer may hold it up: getaddrinfo(), and libnats' first connection. The thread may outlive
-/// everything except what `work` owns; its result goes through a link::LoopGate, which the owner
-/// closes.
+/// Starts a thread that nobody joins, for a call that cannot be interrupted and may take too long
+/// to wait for because a server does not answer: getaddrinfo(), and libnats' first connection. The
+/// thread may outlive everything except what `work` owns; it reports its result through a
+/// link::LoopGate, which the owner closes.
 [[nodiscard]] Result<void> start_unattended(std::function<void()> work);
 
 }  // namespace aucast

@@ -11,8 +11,8 @@ namespace aucast {
 using Instant = std::chrono::steady_clock::time_point;
 using Duration = std::chrono::steady_clock::duration;
 using Milliseconds = std::chrono::milliseconds;
-/// An Instant as a number, in seconds since the clock's zero: where it is compared with the times
-/// of a recogniser's rows, which are such numbers.
+/// An Instant as a number: seconds since the clock's zero. For code that compares it with the times
+/// of a recogniser's rows, which are numbers.
 using SteadySeconds = double;
 
 [[nodiscard]] constexpr double seconds(Duration time) {

@@ -29,7 +29,7 @@ struct TomlValue {
   std::vector<Entry> entries;    ///< of a table, in the order of the file
 
   [[nodiscard]] bool is_number() const { return kind == Kind::Integer || kind == Kind::Real; }
-  /// The value of that key of a table; null when there is none.
+  /// The value of a table's key; null when it has no such key, or this is no table.
   [[nodiscard]] const TomlValue* find(std::string_view key) const;
 };
 

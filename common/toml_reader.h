@@ -13,9 +13,10 @@
 
 namespace aucast {
 
-/// Reads a table key by key. A value that is missing, of the wrong type or out of range is added to
-/// the problems with its place, and a harmless value is returned. finish() reports keys that were
-/// never asked for, with the nearest one that was. The table and the problems must outlive it.
+/// Reads a table key by key. A value that is missing, of the wrong type or out of range is a
+/// problem, which is noted with its place; the caller gets a harmless value. finish() reports keys
+/// that were never asked for, with the nearest one that was. The table and the problems must
+/// outlive it.
 class TableReader {
  public:
   TableReader(const TomlValue& table, Problems& problems) : table_(table), problems_(problems) {}
@@ -42,7 +43,7 @@ class TableReader {
   float number_or(std::string_view key, float fallback, const Bounds& bounds = {});
   bool boolean_or(std::string_view key, bool fallback);
   int integer_or(std::string_view key, int fallback, int low, int high);
-  /// The index of one of a few words, such as the value of an enumeration.
+  /// A text that must be one of `words`; returns its index, such as the value of an enumeration.
   std::size_t word_or(std::string_view key, std::size_t fallback,
                       std::span<const std::string_view> words);
   /// An array of texts; empty when there is none.
@@ -50,7 +51,7 @@ class TableReader {
   const TomlValue* table_if(std::string_view key);
   /// The tables of [[key]]; empty when there are none.
   std::vector<const TomlValue*> tables(std::string_view key);
-  /// A value of any kind.
+  /// A value of any kind; null when it is missing.
   const TomlValue* value_if(std::string_view key);
 
   void wrong(std::string_view key, const std::string& text);

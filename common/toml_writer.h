@@ -6,9 +6,9 @@
 
 namespace aucast {
 
-// The parts of a TOML file as they are written; parse_toml() reads each back as it was.
+// Parts of a TOML file as text, which parse_toml() reads back as the same values.
 
-/// A string in quotes. TOML is UTF-8: bytes that are not become U+FFFD.
+/// A string in quotes. TOML is UTF-8: bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string toml_text(std::string_view text);
 /// ["a", "b"]
 [[nodiscard]] std::string toml_texts(std::span<const std::string> texts);

@@ -12,11 +12,11 @@ namespace aucast::protocol {
 /// enough for one packet.
 [[nodiscard]] bool is_caption(std::string_view text);
 
-/// Whether the text can be a stream's title: the same, but one line of at most kTitleBytesMax
-/// bytes.
+/// Whether the text can be a stream's title: one line of UTF-8 without control characters, at most
+/// kTitleBytesMax bytes.
 [[nodiscard]] bool is_title(std::string_view text);
 
-/// Reads the text() of a finished WordPacket of the word `t`.
+/// Reads the text() of a finished WordPacket whose word is `t`.
 [[nodiscard]] std::variant<CaptionData, FieldFault> parse_caption(std::string_view text);
 
 }  // namespace aucast::protocol

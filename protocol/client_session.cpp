@@ -22,13 +22,13 @@ struct ClientSession::State {
   Phase phase = Phase::Idle;
   Level level = Level::Classic;
   int window = 1;
-  bool stopped = false;       ///< -4 was said
-  bool paused = false;        ///< -1 was said, -3 not yet
-  bool pause_wanted = false;  ///< -1 is to be said as soon as it may
+  bool stopped = false;       ///< -4 was sent
+  bool paused = false;        ///< -1 was sent, -3 not yet
+  bool pause_wanted = false;  ///< -1 is to be sent as soon as possible
   std::size_t unanswered = 0;
   std::uint64_t keyframes_received = 0;
   std::uint64_t payload_bytes = 0;
-  AuFrame running;  ///< what a changes-only packet changes
+  AuFrame running;  ///< the face that a changes-only packet changes
   HelloGranted granted;
   std::optional<Milliseconds> voice_to{};  ///< the end of the last voice packet
   std::optional<Instant> deadline;

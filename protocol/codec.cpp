@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto kFullEveryMs = static_cast<std::uint64_t>(kFullKeyframeEvery.count());
 
-/// Says nothing of this AU and side.
+/// Stands for an AU and side that are not named.
 constexpr std::uint8_t kUnnamed = 255;
 
 AuPercents percents_of(const Keyframe& keyframe, std::uint8_t initial) {
@@ -35,7 +35,7 @@ void append_term(std::string& text, const char* side, std::size_t number, std::u
   if (percent != 100) text += ':' + std::to_string(percent);
 }
 
-/// "{1:30,R12:80": the terms of what is named.
+/// "{1:30,R12:80": the terms of the AUs that are named.
 std::string opened(const AuPercents& named, std::string_view brace) {
   std::string text(brace);
   for (std::size_t number = 1; number < kAuCount; ++number) {

@@ -20,13 +20,14 @@ template <typename Packet>
 class PacketDecoder {
  public:
   /// Reads `bytes` up to the end of the first packet, removes what it read from their front and
-  /// returns the packet. Nothing: `bytes` is empty and the packet is not complete yet, or error()
-  /// says why there will be none.
+  /// returns the packet. nullopt: all bytes were read and the packet is not complete yet, or there
+  /// is an error().
   [[nodiscard]] std::optional<Packet> next(std::string_view& bytes);
   [[nodiscard]] const std::optional<DecodeError>& error() const { return error_; }
-  /// True when a packet was begun and not finished.
+  /// Whether a packet has begun and is not complete.
   [[nodiscard]] bool mid_packet() const { return !error_ && packet_bytes_ > 0; }
-  /// Size of the last packet from next() as it came: with its braces and the blanks inside.
+  /// Size in bytes of the last packet from next() as it was received: with its braces and the
+  /// blanks inside.
   [[nodiscard]] std::size_t taken_bytes() const { return taken_bytes_; }
 
  protected:
@@ -39,7 +40,7 @@ class PacketDecoder {
 
   /// A blank between two packets.
   [[nodiscard]] std::optional<ByteFault> blank();
-  /// Counts one more byte of the packet being read, which may have at most `max`.
+  /// Counts one more byte of the packet being read; a fault if these are more than `max`.
   [[nodiscard]] std::optional<ByteFault> count(std::size_t max);
   void deliver(Packet packet);
   template <typename T>
@@ -49,14 +50,14 @@ class PacketDecoder {
   WordPacket word_;
 
  private:
-  std::size_t blanks_ = 0;  ///< in a row, between packets
+  std::size_t blanks_ = 0;  ///< blanks in a row between packets
   std::size_t taken_bytes_ = 0;
   std::uint64_t bytes_seen_ = 0;
   std::optional<Packet> packet_;
   std::optional<DecodeError> error_;
 };
 
-/// What a server sends. Invariant: holds at most kPacketBytesMax bytes.
+/// Decodes what a server sends. Invariant: keeps at most kPacketBytesMax bytes.
 class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
  public:
   ServerPacketDecoder();
@@ -81,9 +82,9 @@ class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
   KeyframeParser keyframe_{TermSyntax::Wire};
 };
 
-/// What a client sends: control codes, each complete at its digit, and a hello or {streams} before
-/// the first of them. Blanks before, between and after them are skipped.
-/// Invariant: holds at most kHelloBytesMax bytes.
+/// Decodes what a client sends: control codes, each complete with its digit, and before the first
+/// of them perhaps a hello or {streams}. Blanks before, between and after them are skipped.
+/// Invariant: keeps at most kHelloBytesMax bytes.
 class ClientPacketDecoder final : public PacketDecoder<ClientPacket> {
  public:
   ClientPacketDecoder();
@@ -93,8 +94,8 @@ class ClientPacketDecoder final : public PacketDecoder<ClientPacket> {
   [[nodiscard]] std::optional<ByteFault> after_minus(char byte);
   [[nodiscard]] std::optional<ByteFault> close_word();
 
-  bool word_allowed_ = true;  ///< nothing but blanks so far
-  bool minus_ = false;        ///< what is being read is a code, not a word
+  bool word_allowed_ = true;  ///< only blanks have come so far
+  bool minus_ = false;        ///< the packet being read began with '-'
 };
 
 }  // namespace aucast::protocol

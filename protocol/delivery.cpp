@@ -40,8 +40,8 @@ HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms)
   return granted;
 }
 
-/// Sets out where a client begins that asks for `from_ms`, and returns that place. A live stream
-/// has no other place than now.
+/// Goes to where a client that asks for `from_ms` begins, and returns that place. A live stream
+/// always begins at 0, with the present moment.
 std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
   if (stream_.live()) return 0;
   const auto [keyframe, begin] = entry_at(recorded(), from_ms, loops());
@@ -105,7 +105,7 @@ bool Delivery::may_send() const {
   return !paused_ && !held_ && (window_ == 0 || in_flight_ < window_);
 }
 
-/// A keyframe of a recorded stream is there to be sent.
+/// Whether there is another keyframe of a recorded stream.
 bool Delivery::has_next() const {
   const bool again = loops() && recorded().extent == Extent::Whole;
   return next_packet_ < packets().size() || (again && !packets().empty());
@@ -115,7 +115,7 @@ bool Delivery::broken_off() const {
   return !stream_.live() && recorded().extent == Extent::BrokenOff && !has_next();
 }
 
-/// Every keyframe that this client is to get has been sent.
+/// Whether every keyframe that this client is to get has been sent.
 bool Delivery::at_end() const {
   if (!stream_.live()) return recorded().extent == Extent::Whole && !has_next();
   if (!stream_.live()->ended()) return false;

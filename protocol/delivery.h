@@ -16,51 +16,55 @@
 
 namespace aucast::protocol {
 
-/// Counts of what one client was sent.
+/// Counts what one client was sent.
 struct SentCounts {
   std::uint64_t keyframes = 0;
-  std::uint64_t payload_bytes = 0;     ///< of those, without hello and {-2}
-  std::uint64_t keyframes_merged = 0;  ///< live ones left out: it could not take them in time
+  std::uint64_t payload_bytes = 0;  ///< of the keyframes alone
+  /// Keyframes of a live stream that were left out, since the client was too slow for them.
+  std::uint64_t keyframes_merged = 0;
   std::uint64_t voice_packets = 0;
   std::uint64_t spoken_bytes = 0;  ///< of voice packets and captions
 };
 
-/// What one client has been sent of a stream, and what it may be sent now: the window of section 6
-/// of PROTOCOL.md, pause, merging of live moments, and the voice and captions that go with the
-/// keyframes. Classic until grant(). Bytes are appended to the caller's string.
+/// Sends one stream to one client: knows what was sent and what may be sent now, by the window of
+/// section 6 of PROTOCOL.md, pauses, the merging of live moments, and the voice and captions that
+/// go with the keyframes. Classic until grant(). Appends bytes to the caller's string.
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end, even if it does not at the server that it
-  /// comes from.
+  /// `loop`: a recorded stream starts again at its end. One from another server that loops it there
+  /// does so in any case.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
-  /// Changes the stream, before anything was sent; answers and pauses received so far still count.
+  /// Changes the stream before anything was sent; answers and pauses received so far are kept.
   void choose(ServedStream stream) { stream_ = std::move(stream); }
-  /// Level 2 from now on; grants as much of `asked` as it can. `keyframe_ms` only goes into the
-  /// answer.
+  /// Changes to level 2 and grants as much of `asked` as possible. `keyframe_ms` is only copied
+  /// into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
-  /// Everything that may be sent now.
+  /// Appends everything that may be sent now.
   void pump(std::string& out);
-  /// The same when a live channel has moved on: a client that keeps up gets each moment, even if
-  /// several began at once.
+  /// The same when a live channel has new moments: a client that keeps up gets each of them, even
+  /// if several began at once.
   void pump_latest(std::string& out);
-  /// Everything has been sent and answered, nothing will come, and nobody has paused: {-2} is due.
+  /// Whether {-2} is due: everything was sent and answered, nothing more will come, and the client
+  /// has not paused.
   [[nodiscard]] bool complete() const;
 
-  /// All that there is of a recorded stream has been sent and no more will come, but the stream is
-  /// incomplete.
+  /// Whether all that we have of a recorded stream has been sent, but the stream is incomplete and
+  /// no more will come.
   [[nodiscard]] bool broken_off() const;
 
-  /// Takes an answer, to the oldest keyframe in flight or, if there is none, to the next one sent.
+  /// Takes an answer: to the oldest keyframe in flight or, if none is, to the next one that is
+  /// sent.
   void answer();
   void pause() { paused_ = true; }
   void resume();
-  /// While `held` no keyframe of a live stream is handed out.
+  /// While `held` is true, no keyframe of a live stream is sent.
   void hold(bool held) { held_ = held; }
 
-  /// Keyframes of a recorded stream may have to wait for its voice.
+  /// Whether keyframes may have to wait for the stream's voice: one that is recorded and has a
+  /// voice.
   [[nodiscard]] bool waits_for_voice() const { return voice_ && !stream_.live(); }
 
   [[nodiscard]] const ServedStream& stream() const { return stream_; }
@@ -110,7 +114,7 @@ class Delivery {
   bool held_ = false;
   SentCounts sent_;
 
-  /// The sum of the times of what was sent, from where the stream began: the client's clock.
+  /// The client's clock: where the stream began, plus the times of the keyframes sent.
   Milliseconds sent_to_{0};
   VoiceCursor voice_cursor_;
   std::uint64_t next_voice_ = 0;    ///< recorded: index in the track; live: number in the channel
@@ -120,12 +124,12 @@ class Delivery {
   std::size_t next_packet_ = 0;
   std::size_t next_answered_ = 0;  ///< the keyframe that the next answer is for
   Milliseconds answered_to_{0};    ///< the end of the last answered keyframe
-  Milliseconds turn_begin_{0};     ///< where the stream started again
+  Milliseconds turn_begin_{0};     ///< on the client's clock: where the present turn began
 
   // Live only.
-  bool full_next_ = true;                     ///< the next packet must not be changes only
+  bool full_next_ = true;                     ///< the next packet must not be changes-only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last one sent
-  Milliseconds shift_{0};                     ///< from the channel's clock to the client's
+  Milliseconds shift_{0};  ///< added to a place on the channel's clock, gives the client's
 };
 
 }  // namespace aucast::protocol

@@ -16,14 +16,14 @@
 
 namespace aucast::protocol {
 
-/// The time of one keyframe; kDurationMsMax fits, and four bytes are enough.
+/// The time of one keyframe. Four bytes are enough for kDurationMsMax.
 using KeyframeTime = std::chrono::duration<std::uint32_t, std::milli>;
 
 /// How much of a recorded stream we have.
 enum class Extent : std::uint8_t {
   Whole,
-  Growing,    ///< a relay is still receiving it: clients that have all of it wait for more
-  BrokenOff,  ///< no more will come for now: they are cut off, so that they look elsewhere
+  Growing,    ///< a relay is still receiving it: clients that were sent all of it wait for more
+  BrokenOff,  ///< no more will come for now: such clients are cut off, and may try another server
 };
 
 /// A recorded stream, encoded once in every form it is sent in. Shared by all clients; immutable
@@ -32,45 +32,48 @@ struct EncodedStream {
   PacketList classic;     ///< one packet per keyframe
   PacketList negotiated;  ///< the same keyframes, level 2
   PacketList changes;     ///< for clients that ask for the changes-only form; empty: not granted
-  std::vector<KeyframeTime> times;  ///< of each keyframe, untimed ones with their default
-  std::optional<std::uint64_t> duration_ms{};  ///< their sum at the end, if a hello is to say it
+  std::vector<KeyframeTime> times;             ///< of each keyframe; the default for an untimed one
+  std::optional<std::uint64_t> duration_ms{};  ///< the final sum of times, if a hello is to tell it
   Extent extent = Extent::Whole;
   friend bool operator==(const EncodedStream&, const EncodedStream&) = default;
 };
 
-/// The keyframe of which a packet of `negotiated` was made.
+/// The keyframe from which a packet of `negotiated` was made.
 [[nodiscard]] Keyframe keyframe_of(std::string_view packet);
 
 /// The sum of the times of all keyframes so far.
 [[nodiscard]] Milliseconds length_of(const EncodedStream& stream);
 
-/// Memory that its packets and times take.
+/// The memory, in bytes, that its packets and times take.
 [[nodiscard]] std::size_t held_bytes(const EncodedStream& stream);
 
 /// Where a client begins in a stream.
 struct Entry {
-  std::size_t keyframe = 0;  ///< the index of its first one; the number of all if that is not there
+  /// The index of its first keyframe; the number of keyframes if that is not there yet.
+  std::size_t keyframe = 0;
   std::uint64_t begin_ms = 0;
 };
 
-/// Where a client that asks for `from_ms` begins: at the first keyframe that ends after it, or lies
-/// there and takes no time. `loop`: `from_ms` keeps growing from turn to turn.
+/// Where a client that asks for `from_ms` begins: at the first keyframe that ends later, or that
+/// takes no time and lies at `from_ms`. `loop`: `from_ms` grows from turn to turn and may be beyond
+/// the first.
 [[nodiscard]] Entry entry_at(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
 
-/// Encodes a recorded stream keyframe by keyframe and holds nothing but packets and times. Untimed
-/// keyframes last `keyframe_ms`; `classic_min` as in encode_classic(). A stream of plain numbers
-/// has no changes-only form: every packet of it stays what the thesis measured.
+/// Encodes a recorded stream keyframe by keyframe and keeps only packets and times. An untimed
+/// keyframe takes `keyframe_ms`; `classic_min` is the `percent_min` of encode_classic(). A stream
+/// of plain numbers has no changes-only form, so that its packets stay those that the thesis
+/// measured.
 class StreamEncoder {
  public:
   StreamEncoder(std::uint32_t keyframe_ms, int classic_min)
       : encoder_(keyframe_ms, classic_min), keyframe_ms_(keyframe_ms) {}
 
-  /// The next keyframe, a full one.
+  /// Adds the next keyframe, which must not be changes-only.
   void add(const Keyframe& keyframe);
   [[nodiscard]] std::size_t keyframes() const { return stream_.times.size(); }
-  /// Memory that the stream takes so far.
+  /// The memory, in bytes, that the stream takes so far.
   [[nodiscard]] std::size_t bytes() const { return held_bytes(stream_); }
-  /// The stream; nothing may be added after it.
+  /// Returns the stream. Nothing may be added afterwards.
   [[nodiscard]] EncodedStream finish();
 
  private:
@@ -81,7 +84,7 @@ class StreamEncoder {
   bool plain_ = true;
 };
 
-/// The same for a stream that is held as keyframes. Asked to stop, the result breaks off.
+/// Encodes a stream that is in memory as keyframes. Asked to stop, it returns what it has so far.
 [[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
                                           std::uint32_t keyframe_ms, int classic_min,
                                           const StopToken& stop = {});

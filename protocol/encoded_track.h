@@ -13,8 +13,8 @@
 
 namespace aucast::protocol {
 
-/// A voice packet in the form that is sent to every client. Its place is not in it: that depends on
-/// what the client was sent before.
+/// A voice packet in the form that is sent to every client, without its place: whether and which
+/// place is sent depends on what the client was sent before (VoiceCursor).
 struct EncodedVoice {
   Milliseconds begin{0};  ///< of its sound, on the clock of the stream
   Milliseconds end{0};
@@ -30,23 +30,24 @@ class EncodedTrack {
  public:
   /// Adds the next packet, which begins at the end of the previous one or later.
   void add(const VoicePacket& packet);
-  /// Says that everything that begins before this place has been added. The place never decreases.
+  /// The encoder says that everything that begins before this place has been added. The place never
+  /// decreases.
   void encoded_to(Milliseconds place) { encoded_to_ = std::max(encoded_to_, place); }
-  /// Says that everything has been added.
+  /// The encoder says that everything has been added.
   void finish() { encoded_to_ = Milliseconds::max(); }
 
   [[nodiscard]] std::span<const EncodedVoice> packets() const { return packets_; }
   /// See encoded_to(); Milliseconds::max() after finish().
   [[nodiscard]] Milliseconds encoded_until() const { return encoded_to_; }
   [[nodiscard]] bool complete() const { return encoded_to_ == Milliseconds::max(); }
-  /// The memory that it takes.
+  /// The memory, in bytes, that it takes.
   [[nodiscard]] std::size_t bytes() const {
     return bytes_ + packets_.size() * sizeof(EncodedVoice);
   }
 
  private:
   std::vector<EncodedVoice> packets_;
-  std::size_t bytes_ = 0;  ///< of their text
+  std::size_t bytes_ = 0;  ///< of the packets' text
   Milliseconds encoded_to_{0};
 };
 

@@ -17,7 +17,7 @@
 namespace aucast::protocol {
 namespace {
 
-/// Only what is wrong: the caller says with what, and the remedy.
+/// Returns only what is wrong; the caller adds the text concerned and the remedy.
 Error bad_address(std::string what) {
   return {ErrorKind::Usage, std::move(what)};
 }
@@ -80,7 +80,7 @@ struct Scheme {
   std::string_view plain;
   std::string_view secure;
   std::uint16_t port;
-  const char* form;  ///< for who got it wrong
+  const char* form;  ///< the right form, for messages
 };
 
 constexpr Scheme kServers{"aucast://", "aucasts://", kDefaultPort,
@@ -118,7 +118,7 @@ Result<StreamAddress> read_address(const Scheme& scheme, std::string_view text) 
   return address;
 }
 
-/// In a subject of NATS dots part words, none of which may be empty.
+/// In a subject of NATS, dots separate words, none of which may be empty.
 bool is_subject_part(std::string_view name) {
   const auto words = split(name, '.');
   return std::none_of(words.begin(), words.end(), [](auto word) { return word.empty(); });

@@ -10,17 +10,17 @@
 
 namespace aucast::protocol {
 
-/// Where a server is.
+/// The address of a server.
 struct Endpoint {
   std::string host;
   std::uint16_t port = kDefaultPort;
   friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-/// HOST, HOST:PORT, [V6]:PORT or [V6]. Usage error otherwise.
+/// Reads HOST, HOST:PORT, [V6]:PORT or [V6]. Usage error otherwise.
 [[nodiscard]] Result<Endpoint> parse_endpoint(std::string_view text);
 
-/// Where a stream is: at any of several servers.
+/// The address of a stream, which may be at several servers.
 struct StreamAddress {
   std::vector<Endpoint> hosts;  ///< at least one, in the order in which they are to be tried
   bool tls = false;
@@ -31,14 +31,15 @@ struct StreamAddress {
 /// Whether the text begins like a stream's address, whether or not the rest is right.
 [[nodiscard]] bool is_stream_address(std::string_view text);
 
-/// aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Usage error otherwise.
+/// Reads aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Usage error
+/// otherwise.
 [[nodiscard]] Result<StreamAddress> parse_stream_address(std::string_view text);
 
 /// Whether the text begins like the address of a stream at NATS, whether or not the rest is right.
 [[nodiscard]] bool is_engine_address(std::string_view text);
 
-/// nats://HOST[:PORT][,HOST[:PORT]...]/STREAM, or natss:// for TLS: where a stream is at servers of
-/// NATS (ENGINE.md). The stream is always named. Usage error otherwise.
+/// Reads nats://HOST[:PORT][,HOST[:PORT]...]/STREAM, or natss:// for TLS: the address of a stream
+/// at servers of NATS (ENGINE.md). The stream must be named. Usage error otherwise.
 [[nodiscard]] Result<StreamAddress> parse_engine_address(std::string_view text);
 
 }  // namespace aucast::protocol

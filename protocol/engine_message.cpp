@@ -27,7 +27,7 @@ Error broken(std::string what) {
   return {ErrorKind::BadData, std::move(what)};
 }
 
-/// A line of words: the first alone, then `key=value`. Keys that nobody asks for do no harm.
+/// A line of words: the first alone, then `key=value`. Unknown keys are ignored.
 class Line {
  public:
   explicit Line(std::string_view text) {
@@ -66,7 +66,7 @@ class Line {
   std::map<std::string_view, std::string_view> values_;
 };
 
-/// The line at the beginning, which is then taken off `bytes`.
+/// The line at the beginning of `bytes`, from which it is removed.
 Result<std::string_view> take_line(std::string_view& bytes) {
   if (bytes.size() > kEngineBytesMax) {
     return broken("it has " + std::to_string(bytes.size()) + " bytes, and at most " +
@@ -78,8 +78,8 @@ Result<std::string_view> take_line(std::string_view& bytes) {
   return text;
 }
 
-/// Where the digits of {a@PLACE ...} or {t@PLACE ...} are; nothing: it is another packet, or what
-/// stands there is no place.
+/// The digits of the place in {a@PLACE ...} or {t@PLACE ...}; nullopt: it is another packet, or the
+/// place is invalid.
 struct PlaceField {
   std::uint64_t ms = 0;
   std::size_t length = 0;  ///< of its digits

@@ -8,7 +8,7 @@
 
 namespace aucast::protocol {
 
-/// What is said for want of a token.
+/// The sentences for a client without a token and for one with a wrong token.
 struct Joining::TokenWords {
   const char* none;
   const char* wrong;
@@ -70,7 +70,7 @@ Joining::Answer Joining::stream_of(const std::optional<HelloAsked>& asked) const
   return choice;
 }
 
-/// A page has no stream to bring; what comes from there is another site's.
+/// A page has no stream to offer: such a hello over a WebSocket comes from another site's page.
 Joining::Answer Joining::publisher(const HelloAsked& asked, Instant now) const {
   using Verdict = Publishers::Verdict;
   if (!catalogue_->publishers || silence_ == Silence::Refused) {
@@ -87,7 +87,7 @@ Joining::Answer Joining::publisher(const HelloAsked& asked, Instant now) const {
   return HandOver{asked};
 }
 
-/// Nothing: the token opens this server, or none is needed.
+/// nullopt: the token is right, or none is needed.
 std::optional<Joining::Refusal> Joining::viewer_refused(std::string_view token, Instant now) const {
   constexpr TokenWords kWords = TokenWords::viewers();
   if (catalogue_->token.empty()) return std::nullopt;
@@ -96,7 +96,7 @@ std::optional<Joining::Refusal> Joining::viewer_refused(std::string_view token, 
   return wrong_token(kWords, now);
 }
 
-/// Nothing: the token is to be compared.
+/// nullopt: the token may be compared.
 std::optional<Joining::Refusal> Joining::may_not_show(std::string_view token,
                                                       const TokenWords& words, Instant now) const {
   if (token.empty()) return Refusal{{401, words.none}};

@@ -12,18 +12,19 @@
 
 namespace aucast::protocol {
 
-/// Whether a client is let in, and to what: the order in which its version, token, stream and the
-/// room for it are looked at. Says nothing itself. Thread: none of its own; one for each client.
+/// Decides whether a client is let in, and to what. Knows in which order its version, its token,
+/// its stream and the room for it are checked. Sends nothing. Thread: none of its own; one for each
+/// client.
 class Joining {
  public:
   struct Refusal {
     ErrorReply reply;
-    /// The client is a classic one, and is closed without a word.
+    /// The client is classic: close the connection without sending `reply`.
     bool silent = false;
-    Duration after{};  ///< held back for so long, since whoever guesses tokens is to wait
+    Duration after{};  ///< how long to wait before replying, to slow down guessing of tokens
   };
-  /// A stream that is here or may come (never StreamChoice::State::Refused), the refusal, a
-  /// publisher that is taken, or the list that was asked for.
+  /// A stream that is here or may come (its state is never Refused), the refusal, a publisher whose
+  /// stream is taken, or the list of streams that was asked for.
   using Answer = std::variant<StreamChoice, Refusal, HandOver, StreamList>;
 
   /// The catalogue must outlive it.
@@ -32,10 +33,10 @@ class Joining {
 
   [[nodiscard]] Answer hello(const HelloAsked& asked, Instant now) const;
   [[nodiscard]] Answer list(const StreamsAsked& asked, Instant now) const;
-  /// Of a client that says no hello.
+  /// For a client that sends no hello.
   [[nodiscard]] Answer classic(Instant now) const;
-  /// For who was let in and has waited: its stream, if it is here now. `asked`: nothing for a
-  /// classic client.
+  /// For a client that was let in and waits for its stream: looks for the stream again. `asked`:
+  /// nullopt for a classic client.
   [[nodiscard]] Answer stream_of(const std::optional<HelloAsked>& asked) const;
 
  private:
@@ -48,7 +49,7 @@ class Joining {
   [[nodiscard]] Refusal wrong_token(const TokenWords& words, Instant now) const;
 
   const ServerCatalogue* catalogue_;
-  const char* no_room_ = nullptr;  ///< why there is none for this client
+  const char* no_room_ = nullptr;  ///< why there is no room for this client; null: there is
   TokenCount token_count_;
   Silence silence_;
 };

@@ -12,7 +12,7 @@
 
 namespace aucast::protocol {
 
-/// True for space, CR and LF.
+/// Whether the byte is a space, CR or LF.
 [[nodiscard]] constexpr bool is_blank(char byte) {
   return byte == ' ' || byte == '\r' || byte == '\n';
 }
@@ -22,19 +22,18 @@ namespace aucast::protocol {
 }
 
 /// Reads the inside of a keyframe byte by byte, so that a wrong byte is refused at its own place
-/// and not at the closing brace. One reader for the wire, for stream files and for command lines.
-/// Grammar: PROTOCOL.md, rules `full` and `changes`. After a fault the parser must not be used
-/// again.
+/// and not at the closing brace. Used for the wire, stream files and command lines. Grammar:
+/// PROTOCOL.md, rules `full` and `changes`. After a fault the parser must not be used again.
 class KeyframeParser {
  public:
   explicit KeyframeParser(TermSyntax syntax) : syntax_(syntax) {}
 
-  /// Takes one byte; a fault if it is not allowed here.
+  /// Takes one byte. Returns a fault if it is not allowed here.
   [[nodiscard]] std::optional<ByteFault> accept(char byte);
-  /// Ends the keyframe; a fault when something is still missing. `end` is the byte that ended it
-  /// (0: the text is over), for the message.
+  /// Ends the keyframe. Returns a fault if something is missing. `end`, for the message, is the
+  /// byte that ended it; 0: the end of the text.
   [[nodiscard]] std::optional<ByteFault> finish(char end);
-  /// What was read; to be called once, after finish() found no fault.
+  /// The keyframe that was read. Call it once, after finish() found no fault.
   [[nodiscard]] Keyframe take() { return std::move(keyframe_); }
 
  private:

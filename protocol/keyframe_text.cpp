@@ -18,7 +18,7 @@ Error au_set_error(std::string_view text, std::size_t position, const std::strin
 }
 
 /// The text without blanks around it and without one pair of braces; `shift` says how many bytes
-/// were cut in front. Nothing when only one of the braces is there.
+/// were cut in front. nullopt when only one of the braces is there.
 std::optional<std::string_view> without_braces(std::string_view text, std::size_t& shift) {
   shift = std::min(text.find_first_not_of(kTextBlanks), text.size());
   text.remove_prefix(shift);
@@ -35,7 +35,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// "Left Lip Corner Puller" as a term: "L12". Nothing for a name that is none of FACS.
+/// "Left Lip Corner Puller" as a term: "L12". nullopt for a name that FACS does not have.
 std::optional<std::string> term_of_name(std::string_view name) {
   std::string side;
   auto number = facs_number(name);

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The numbers that bound what a peer of the protocol may say, hold or take. Limits of what waits
-/// between our own threads are in the classes that hold it. PROTOCOL.md carries the same tables.
+/// The limits for a peer of the protocol: on sizes, numbers and times. PROTOCOL.md has the same
+/// tables. Limits on what waits between our own threads are in the classes concerned.
 namespace aucast::protocol {
 
 inline constexpr int kProtocolVersion = 2;
@@ -18,66 +18,71 @@ inline constexpr std::size_t kHelloBytesMax = 512;
 /// A voice packet or a caption, braces included.
 inline constexpr std::size_t kVoiceBytesMax = 2048;
 inline constexpr std::size_t kCaptionBytesMax = 1024;
-inline constexpr std::size_t kTitleBytesMax = 120;  ///< of a stream's title, as UTF-8
+inline constexpr std::size_t kTitleBytesMax = 120;  ///< of a stream's title in UTF-8
 /// How far the voice of a recorded stream runs ahead of the last answered keyframe's end.
 inline constexpr std::chrono::milliseconds kVoiceAheadMax{2000};
-inline constexpr std::size_t kBlankBytesMax = 1024;    ///< in a row, between packets and codes
-inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers sent before their keyframes were
-/// Credits for spare codes (-1, -3 and, with window 0, 1), of which each costs one: what a
-/// connection begins with and the most that it can have, ...
+inline constexpr std::size_t kBlankBytesMax = 1024;  ///< blanks in a row, between packets or codes
+inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers that come before their keyframes
+/// Spare codes (-1, -3 and, with window 0, 1) cost one credit each. A connection begins with this
+/// many credits, which is also the most that it can have, ...
 inline constexpr std::size_t kSpareCodesMax = 4096;
-inline constexpr std::size_t kSpareCodesPerSecond = 100;   ///< ... gained every second ...
-inline constexpr std::size_t kSpareCodesPerPacket = 2;     ///< ... and with every keyframe sent
+inline constexpr std::size_t kSpareCodesPerSecond = 100;  ///< ... gains these every second ...
+inline constexpr std::size_t kSpareCodesPerPacket = 2;  ///< ... and these with every keyframe sent
 inline constexpr std::size_t kStreamLineBytesMax = 65536;  ///< a line of a stream file
 inline constexpr std::size_t kStreamNameBytesMax = 64;
 inline constexpr std::size_t kTokenBytesMax = 256;
 inline constexpr std::size_t kServerIdBytesMax = 16;  ///< an ID in `relay=` and `origin=`
-inline constexpr std::size_t kRelayHopsMax = 8;       ///< relays between an origin and a client
-inline constexpr int kWindowMax = 256;                ///< the largest that is granted
-inline constexpr std::int64_t kDurationMsMax = 3'600'000;       ///< time of one keyframe: an hour
+inline constexpr std::size_t kRelayHopsMax = 8;  ///< relays between the first server and a client
+inline constexpr int kWindowMax = 256;           ///< the largest window that is granted
+inline constexpr std::int64_t kDurationMsMax = 3'600'000;       ///< of one keyframe: an hour
 inline constexpr std::int64_t kPlaceMsMax = 1'000'000'000'000;  ///< about 31 years
 
 inline constexpr std::chrono::milliseconds kDefaultKeyframeTime{250};
 inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< shortest wait for code or hello
-inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< longest
-inline constexpr int kGraceRoundTrips = 3;                   ///< in between: round trips it takes
-inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};    ///< from its { to its }
-inline constexpr std::chrono::milliseconds kWrongTokenWait{1000};  ///< before it is refused
+inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< longest wait for code or hello
+inline constexpr int kGraceRoundTrips = 3;  ///< the wait between these limits, in round trips
+inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};  ///< from its '{' to its '}'
+/// How long the refusal of a wrong token is held back.
+inline constexpr std::chrono::milliseconds kWrongTokenWait{1000};
 inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
-inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};  ///< reading after the last packet
-inline constexpr std::size_t kDrainBytesMax = 65536;             ///< read meanwhile
-/// Changes only: keyframe time between the beginnings of two full keyframes, at most.
+/// Draining, after the last packet: the longest time without progress, and how much is read.
+inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};
+inline constexpr std::size_t kDrainBytesMax = 65536;
+/// Changes-only form: the most keyframe time between the beginnings of two full keyframes.
 inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
 /// Live: keyframe time that may be in flight to one client; bounds its window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
 
-// What our programs bound beside the protocol; other programs may choose for themselves.
+// Limits of our programs that are not part of the protocol; other programs may choose their own.
 
 // A peer that vanished without closing is found within a minute: by TCP's keep-alive probes while
 // nothing is under way to it, and otherwise by bytes that it does not acknowledge.
-inline constexpr std::chrono::milliseconds kKeepAliveIdle{30'000};  ///< silence before the first
+/// Silence before the first probe.
+inline constexpr std::chrono::milliseconds kKeepAliveIdle{30'000};
 inline constexpr std::chrono::milliseconds kKeepAliveInterval{10'000};  ///< between two probes
-inline constexpr int kKeepAliveProbes = 3;  ///< unanswered ones that end the connection
+inline constexpr int kKeepAliveProbes = 3;  ///< this many unanswered probes end the connection
 /// Longest time that sent bytes may stay unacknowledged.
 inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
 
-inline constexpr std::size_t kReadBytesMax = 1024;  ///< read from a client in its turn
-/// What waits for a client's socket before nothing more is read from it.
+/// How many bytes are read from a client in its turn.
+inline constexpr std::size_t kReadBytesMax = 1024;
+/// While this many bytes or more wait to be sent to a client, nothing is read from it.
 inline constexpr std::size_t kOutputBytesMax = 65536;
-/// Wrong tokens that an address may show within kWrongTokensTime; then it must wait.
+/// The most wrong tokens from one address within kWrongTokensTime; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
 inline constexpr std::chrono::milliseconds kWrongTokensTime{1000};
-/// Longest wait of a client for a stream that a relay does not have yet: it would give up itself
-/// after 10 s of silence, and nobody would be told why.
+/// Longest wait of a client for a stream that a relay does not have yet. The client would give up
+/// after 10 s of silence, without knowing why.
 inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};
 inline constexpr std::size_t kPublisherFileBytesMax = 65536;  ///< the file of --accept-push
 
 inline constexpr std::size_t kWebFrameBytesMax = 65536;  ///< payload of a client's WebSocket frame
-inline constexpr std::chrono::milliseconds kWebPingIdle{25'000};  ///< proxies wait for 60 s
+/// Less than the 60 s of silence after which many proxies drop a connection.
+inline constexpr std::chrono::milliseconds kWebPingIdle{25'000};
 inline constexpr std::chrono::milliseconds kWebPongTimeMax{30'000};
 
 /// Keyframes that a classic server may send ahead of the answers while the user pauses.
 inline constexpr std::size_t kOwedAnswersMax = 128;
-inline constexpr std::chrono::milliseconds kFarewellTimeMax{1000};  ///< for -4 to go out
+inline constexpr std::chrono::milliseconds kFarewellTimeMax{1000};  ///< for sending -4
 
 }  // namespace aucast::protocol

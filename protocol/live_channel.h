@@ -14,8 +14,8 @@
 
 namespace aucast::protocol {
 
-/// A keyframe that is being sent to everybody, in every form. `number` counts from 0 and goes on
-/// when a stream starts again: a client that was sent n and is now due n + 2 has missed one.
+/// A keyframe that everybody is sent now, in every form. `number` counts from 0 and goes on when a
+/// stream starts again: a client that was last sent n and is now to be sent n + 2 has missed one.
 struct LiveMoment {
   std::uint64_t number = 0;
   std::string classic;
@@ -26,27 +26,27 @@ struct LiveMoment {
   Milliseconds time{0};
 };
 
-/// A live stream: the newest moment, and of the past only the latest voice and the caption that is
-/// shown. What a session may ask is public; a derived class writes it, from a recording
-/// (LiveReplay) or a running source (LiveFeed). Shared: it lives as long as its writer or any
-/// session holds it. Thread: none of its own; sessions and writer are on the same one.
+/// A live stream: the newest moment, and of the past only the latest voice and the present caption.
+/// Sessions read it through the public functions; a derived class writes it, from a recording
+/// (LiveReplay) or a running source (LiveFeed). Its writer and the sessions share its ownership.
+/// Thread: none of its own; sessions and writer are on the same one.
 class LiveChannel {
  public:
   LiveChannel(const LiveChannel&) = delete;
   LiveChannel& operator=(const LiveChannel&) = delete;
 
-  /// What everybody is sent now; nullptr before the first moment.
+  /// The moment that everybody is sent now; null before the first.
   [[nodiscard]] const LiveMoment* newest() const {
     return moments_.empty() ? nullptr : &moments_.back();
   }
-  /// The moments that began when the channel last moved on, the newest last. More than one when the
-  /// writer was late: a session that keeps up sends each of them.
+  /// The moments that began at the last change, the newest last. There are several when the writer
+  /// was late; a session that keeps up sends each of them.
   [[nodiscard]] std::span<const LiveMoment> latest() const { return moments_; }
-  /// Nothing follows the newest moment for now; a source may come back.
+  /// Whether the stream has ended. It may go on later if its source comes back.
   [[nodiscard]] bool ended() const { return ended_; }
   /// Whether the moments have a changes-only form.
   [[nodiscard]] bool has_changes() const { return has_changes_; }
-  /// The time of the whole stream, if it has an end that is known.
+  /// The length of the whole stream; nullopt: it has no end, or that is not known.
   [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
   /// Whether voice and captions will come, if any do.
   [[nodiscard]] bool has_voice() const { return spoken_.voice; }
@@ -54,9 +54,10 @@ class LiveChannel {
   /// What is heard now, and what was to be heard up to kLiveWindowTime before. Places are on the
   /// channel's clock and never decrease.
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
-  /// The caption that is shown now, and those to come.
+  /// The present caption and those that follow.
   [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }
-  /// The largest window to grant: what begins within kLiveWindowTime, but at least two moments.
+  /// The largest window to grant: as many moments as begin within kLiveWindowTime, but at least
+  /// two.
   [[nodiscard]] std::size_t window_max() const { return window_max_; }
 
  protected:
@@ -69,10 +70,10 @@ class LiveChannel {
       : has_changes_(has_changes), duration_ms_(duration_ms), spoken_(spoken) {}
   ~LiveChannel() = default;
 
-  /// `mean_ms` between two moments.
+  /// Sets window_max(). `mean_ms`: the mean time between two moments.
   void limit_window(double mean_ms);
-  /// Adds to the voice and drops what is past. A packet that begins before the end of the last one
-  /// is left out.
+  /// Adds a voice packet and drops those that are too old. A packet that begins before the end of
+  /// the last one is left out.
   void keep(EncodedVoice voice);
   void keep(CaptionData caption);
 

@@ -11,14 +11,14 @@
 
 namespace aucast::protocol {
 
-/// The one clock of a recorded stream that is sent live. A moment begins when the face should begin
-/// to move to its keyframe, and lasts as long as the keyframe's time; after the last one the stream
-/// has ended, or starts again. A clock that was not asked for a long time (the computer slept)
-/// leaves out what is more than kLiveLagMax past.
+/// The clock of a recorded stream that is sent live. A moment begins when the face should begin to
+/// move to its keyframe, and lasts as long as the keyframe's time; after the last one the stream
+/// ends or starts again. If the clock was not asked for a long time (the computer slept), it skips
+/// moments that are more than kLiveLagMax late.
 /// Thread: none of its own.
 class LiveClock {
  public:
-  /// The longest delay that is made up for.
+  /// The longest delay that does not make it skip moments.
   static constexpr Milliseconds kLiveLagMax{1000};
 
   /// `number` counts the moments from 0 and goes on when the stream starts again.
@@ -28,22 +28,23 @@ class LiveClock {
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
-  /// `times`: of each keyframe, at least one; with `loop` their sum must not be 0. Not copied: must
-  /// outlive the clock.
+  /// `times`: the time of each keyframe, at least one; with `loop` their sum must not be 0. They
+  /// are not copied and must outlive the clock.
   LiveClock(std::span<const KeyframeTime> times, bool loop, Instant begin);
 
-  /// Goes on to the next moment, or to the end, if it is due. Call until it returns false.
+  /// Goes on to the next moment, or to the end, if that is due. Call it until it returns false.
   bool advance(Instant now);
   /// Goes through all moments that are due; false when none is.
   bool advance_all(Instant now);
-  /// The moments that the last advance went through, the newest last; none when it only ended.
+  /// The moments that the last advance() or advance_all() went through, the newest last; empty when
+  /// it only reached the end.
   [[nodiscard]] std::span<const Moment> passed() const { return passed_; }
 
-  /// Nothing before the first moment.
+  /// The present moment; nullopt before the first.
   [[nodiscard]] const std::optional<Moment>& newest() const { return newest_; }
-  /// The last keyframe's time is over, and it does not start again.
+  /// Whether the last keyframe's time has passed and the stream does not start again.
   [[nodiscard]] bool ended() const { return ended_; }
-  /// When advance() has something to do; nothing after the end.
+  /// When to call advance() next; nullopt after the end.
   [[nodiscard]] std::optional<Instant> next_at() const;
 
  private:

@@ -47,7 +47,7 @@ bool LiveReplay::advance(Instant now) {
   return true;
 }
 
-/// Counts the clock on to where the moment of this number begins.
+/// Moves next_begin_ on to where the moment with this number begins.
 void LiveReplay::go_to(std::uint64_t number) {
   const std::size_t size = stream_->times.size();
   for (; next_number_ < number; ++next_number_) {

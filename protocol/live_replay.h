@@ -11,21 +11,21 @@
 
 namespace aucast::protocol {
 
-/// A recorded stream that is sent live, with its own clock.
+/// A live stream that is made from a recorded one, by its own clock.
 /// Thread: none of its own.
 class LiveReplay final : public LiveChannel {
  public:
-  /// `stream` has at least one keyframe, and with `loop` takes some time. The sound that begins
-  /// while a moment lasts goes out when the moment begins; null: there is none.
+  /// `stream` has at least one keyframe; with `loop`, not all of its times are 0. Sound that begins
+  /// during a moment is sent when the moment begins. `sound` is null if there is none.
   LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
              std::shared_ptr<const SpokenTrack> spoken = nullptr);
 
-  /// Begins all moments that are due by `now`, or ends; false when there is nothing to do. What is
-  /// more than LiveClock::kLiveLagMax late is left out.
+  /// Begins all moments that are due by `now`, or ends the stream; false when nothing was due.
+  /// Moments that are more than LiveClock::kLiveLagMax late are left out.
   bool advance(Instant now);
-  /// When advance() has something to do; nothing after the end.
+  /// When to call advance() next; nullopt after the end.
   [[nodiscard]] std::optional<Instant> next_at() const { return clock_.next_at(); }
-  /// What is sent.
+  /// The recorded stream that is sent.
   [[nodiscard]] const std::shared_ptr<const EncodedStream>& stream() const { return stream_; }
 
   [[nodiscard]] const std::shared_ptr<const SpokenTrack>& spoken() const { return spoken_; }
@@ -39,8 +39,8 @@ class LiveReplay final : public LiveChannel {
   LiveClock clock_;
   std::uint64_t next_number_ = 0;  ///< of the moment that begins at `next_begin_`
   Milliseconds next_begin_{0};
-  Milliseconds turn_begin_{0};                   ///< where the sound started again
-  Milliseconds turn_time_{Milliseconds::max()};  ///< of a turn, in a loop
+  Milliseconds turn_begin_{0};  ///< where the present turn began, on the channel's clock
+  Milliseconds turn_time_{Milliseconds::max()};  ///< length of a turn, in a loop
   std::size_t next_voice_ = 0;
   std::size_t next_caption_ = 0;
 };

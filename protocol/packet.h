@@ -11,13 +11,13 @@
 
 namespace aucast::protocol {
 
-/// How much of the protocol both sides speak.
+/// The level of the protocol that both sides speak.
 enum class Level : std::uint8_t { Classic = 1, Negotiated = 2 };
 
 /// One keyframe as written in a packet or on a line of a stream file.
 struct Keyframe {
-  std::vector<AuTerm> terms;                 ///< as written; empty only in the changes-only form
-  bool changes_only = false;                 ///< {~...}: what is not named stays as it was
+  std::vector<AuTerm> terms;  ///< in the order written; empty only in the changes-only form
+  bool changes_only = false;  ///< {~...}: AUs that are not named stay as they were
   std::optional<std::uint32_t> duration_ms;  ///< how long the face takes to reach it
   std::optional<std::uint64_t> place_ms;     ///< when it is reached; only with duration_ms
   friend bool operator==(const Keyframe&, const Keyframe&) = default;
@@ -28,60 +28,62 @@ struct End {
   friend bool operator==(const End&, const End&) = default;
 };
 
-/// {a DATA}: one Opus packet of the voice, which goes on where the last one ended, or begins at a
-/// place: {a@PLACE DATA}.
+/// One Opus packet of the voice: {a DATA} begins where the last one ended, {a@PLACE DATA} at a
+/// place.
 struct VoiceData {
   std::optional<std::uint64_t> place_ms;
   std::string opus;
   friend bool operator==(const VoiceData&, const VoiceData&) = default;
 };
 
-/// {t@PLACE DATA}: what is said from this place until the next caption; empty: nothing.
+/// {t@PLACE DATA}: what is said from this place until the next caption; an empty text: nothing is
+/// said.
 struct CaptionData {
   std::uint64_t place_ms = 0;
   std::string text;  ///< UTF-8 without control characters other than line feeds
   friend bool operator==(const CaptionData&, const CaptionData&) = default;
 };
 
-/// The one codec that `voice=` can name.
+/// The only codec that `voice=` can name.
 inline constexpr std::string_view kVoiceCodec = "opus";
 
-/// The client's {hello ...}. Absent keys keep these values; unknown keys were ignored.
+/// The client's {hello ...}. Keys that are absent have these values; unknown keys are ignored.
 struct HelloAsked {
   int version = 2;
-  int window = 1;      ///< 0-999999, above 256 counts as 256; 0: no answers, live only
+  int window = 1;  ///< 0-999999; more than 256 counts as 256; 0: no answers, for live streams only
   std::string stream;  ///< empty: the first one
   std::string token;
   bool delta = false;         ///< understands the changes-only form
-  std::uint64_t from_ms = 0;  ///< recorded: where to begin, as a sum of keyframe times
+  std::uint64_t from_ms = 0;  ///< of a recorded stream: where to begin, as a sum of keyframe times
   std::string voice{};        ///< the codec it plays: kVoiceCodec; empty: it wants no voice
   bool text = false;          ///< it wants captions
-  bool loop = false;      ///< of a recording in a loop it wants one turn, which it repeats itself
-  std::string relay{};    ///< the ID of a relay that asks or of a publisher; empty: it is none
-  std::string publish{};  ///< the stream that it brings, in place of asking for one
-  bool takes = false;     ///< the answer to that: bring it; the rest says how
+  bool loop = false;          ///< wants only one turn of a looped stream, which it repeats itself
+  std::string relay{};        ///< its own ID, if it is a relay or a publisher; empty: it is neither
+  std::string publish{};      ///< the name of the stream that it offers, instead of asking for one;
+                              ///< empty: it asks
+  bool takes = false;  ///< a server's answer to `publish`: send the stream, as the other keys say
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };
 
 /// The server's {hello ...}.
 struct HelloGranted {
   int version = 2;
-  int window = 1;      ///< 0-256; 0: nothing is answered
+  int window = 1;      ///< 0-256; 0: without answers
   bool delta = false;  ///< the changes-only form is used
   std::string stream;
   bool live = false;
-  std::optional<std::uint64_t> duration_ms;  ///< of the whole stream, if known
+  std::optional<std::uint64_t> duration_ms;  ///< of the whole stream; nullopt: unknown
   std::uint32_t keyframe_ms = 250;           ///< time of a packet without one of its own
-  std::uint64_t from_ms = 0;                 ///< recorded: where the first keyframe begins
-  std::string voice{};                       ///< kVoiceCodec: there will be voice packets
-  bool text = false;                         ///< there will be captions
-  bool loop = false;                         ///< this is one turn of a recording in a loop
-  std::string title{};                       ///< of the stream, for people; UTF-8
-  std::string servers{};  ///< that the stream comes through (server_chain.h); only for relays
+  std::uint64_t from_ms = 0;  ///< of a recorded stream: where the first keyframe begins
+  std::string voice{};        ///< kVoiceCodec: voice packets may come; empty: none will
+  bool text = false;          ///< captions may come
+  bool loop = false;          ///< only one turn of a looped stream is sent
+  std::string title{};        ///< of the stream, for people; UTF-8
+  std::string servers{};      ///< the chain that it comes through (server_chain.h); for relays only
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
-/// {error CODE TEXT}: a code of PROTOCOL.md section 10 and a sentence.
+/// {error CODE TEXT}: a code from section 10 of PROTOCOL.md, and a sentence.
 struct ErrorReply {
   int code = 400;
   std::string text;

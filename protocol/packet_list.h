@@ -28,9 +28,9 @@ class PacketList {
 
   [[nodiscard]] std::size_t size() const { return ends_.size(); }
   [[nodiscard]] bool empty() const { return ends_.empty(); }
-  /// Of all packets.
+  /// Bytes of all packets.
   [[nodiscard]] std::size_t bytes() const { return bytes_.size(); }
-  /// Valid until the list changes.
+  /// The view is valid until the list changes.
   [[nodiscard]] std::string_view operator[](std::size_t index) const {
     const std::size_t begin = index == 0 ? 0 : ends_[index - 1];
     return std::string_view(bytes_).substr(begin, ends_[index] - begin);

@@ -11,11 +11,11 @@
 
 namespace aucast::protocol {
 
-/// What voice packets and captions have in common: {WORD@PLACE DATA}, DATA in base64.
+/// The form that voice packets and captions have in common: {WORD@PLACE DATA}, with DATA in base64.
 struct PlacedData {
   std::optional<std::uint64_t> place_ms;
   std::string bytes;         ///< empty: there was no DATA
-  std::size_t position = 0;  ///< where DATA begins in the packet, its '{' counted as 0
+  std::size_t position = 0;  ///< where DATA begins in the packet, whose '{' is at 0
 };
 
 /// Reads the text() of a finished WordPacket whose word is one letter.

@@ -20,7 +20,8 @@ std::string PublishSession::hello() const {
   return encode(hello);
 }
 
-/// Who takes it says so as a client does. An answer that no client gives is a server's.
+/// A server that takes the stream answers as a client would. Any other answer is read as a
+/// server's.
 PublishSession::Answer PublishSession::on_bytes(std::string_view bytes) {
   if (as_client_.error()) return read_as_server(bytes);
   read_ += bytes;

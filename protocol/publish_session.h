@@ -12,31 +12,31 @@
 namespace aucast::protocol {
 
 /// The publisher's side of a new connection: it offers a stream to a server, and reads the answer.
-/// If the stream is taken, the roles turn: the server's answer is a client's hello, for a
-/// ServerSession. No socket and no clock. Thread: none of its own.
+/// If the server takes the stream, the roles change: its answer is a client's hello, to be read by
+/// a ServerSession on this side. No socket and no clock. Thread: none of its own.
 class PublishSession {
  public:
   struct Asked {
-    std::string stream;  ///< under which name
+    std::string stream;  ///< the name under which it is offered
     std::string token;   ///< empty: none
-    std::string id;      ///< of this server, to tell it from other publishers
+    std::string id;      ///< ID of this server, to tell it from other publishers
   };
-  /// The stream is taken. Holds the bytes that have come, for a ServerSession.
+  /// The stream is taken. `bytes` is everything that has come, for a ServerSession.
   struct Taken {
     std::string bytes;
   };
-  /// The stream is not taken; a sentence, peer text escaped.
+  /// The stream is not taken. `reason` is a sentence; text from the peer is escaped.
   struct Failed {
     std::string reason;
   };
-  /// nullopt: the answer is not complete yet.
+  /// monostate: the answer is not complete yet.
   using Answer = std::variant<std::monostate, Taken, Failed>;
 
   explicit PublishSession(Asked asked) : asked_(std::move(asked)) {}
 
   /// The bytes to send first.
   [[nodiscard]] std::string hello() const;
-  /// Reads what has come. Not to be called after an answer.
+  /// Reads bytes from the server. Do not call it after an answer.
   [[nodiscard]] Answer on_bytes(std::string_view bytes);
   /// What to report when the server closes before it has answered.
   [[nodiscard]] static std::string closed_reason();

@@ -11,19 +11,19 @@
 
 namespace aucast::protocol {
 
-/// Who may bring streams to a server, by tokens that are not those of viewers.
+/// Who may bring streams to a server. Publishers have tokens of their own, not the viewers'.
 class Publishers {
  public:
   struct Publisher {
     std::string token;
-    std::vector<std::string> names;  ///< of the streams that it may bring; empty: any
+    std::vector<std::string> names;  ///< names of the streams that it may bring; empty: any
   };
   enum class Verdict : std::uint8_t { Welcome, OtherNames, Unknown };
 
   explicit Publishers(std::vector<Publisher> all) : all_(std::move(all)) {}
 
-  /// Whether whoever shows the token may bring a stream of that name. Compares it with all tokens,
-  /// and takes the same time wherever it finds it.
+  /// Whether the owner of this token may bring a stream of this name. Always compares it with all
+  /// tokens, so that the time tells nothing.
   [[nodiscard]] Verdict verdict(std::string_view token, std::string_view name) const;
   [[nodiscard]] const std::vector<Publisher>& all() const { return all_; }
 
@@ -33,14 +33,14 @@ class Publishers {
 
 struct PublisherFile {
   Publishers publishers;
-  /// For the log: other users have access to the file; else empty.
+  /// A sentence for the log when other users have access to the file; else empty.
   std::string warning;
 };
 
 /// Reads a file with one publisher per line: its token and, after blanks, the names of the streams
-/// that it may bring; no names: any. Empty lines and lines that begin with # are skipped.
-/// Unreadable, or BadData with the line if one is malformed, a token is there twice, or there is
-/// none; no message quotes a token.
+/// that it may bring (without names, any). Empty lines and lines that begin with # are skipped.
+/// Unreadable; or BadData, with the line, if a line is malformed, a token occurs twice or there is
+/// no publisher. No message quotes a token.
 [[nodiscard]] Result<PublisherFile> read_publisher_file(const std::filesystem::path& path);
 
 }  // namespace aucast::protocol

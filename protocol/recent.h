@@ -7,7 +7,8 @@
 
 namespace aucast::protocol {
 
-/// The last of many things, each with its number: they count from 0, and the old ones are dropped.
+/// A queue of the latest of many things, which are numbered from 0 in the order in which they were
+/// added. Old ones are dropped.
 template <typename T>
 class Recent {
  public:
@@ -21,9 +22,9 @@ class Recent {
   [[nodiscard]] const T& front() const { return kept_.front(); }
   [[nodiscard]] const T& back() const { return kept_.back(); }
 
-  /// Of the oldest that is kept.
+  /// The number of the oldest that is kept.
   [[nodiscard]] std::uint64_t first_number() const { return dropped_; }
-  /// Null: it was dropped, or has not come yet.
+  /// The thing with this number; null: it was dropped, or was not added yet.
   [[nodiscard]] const T* find(std::uint64_t number) const {
     const bool kept = number >= dropped_ && number - dropped_ < kept_.size();
     return kept ? &kept_[static_cast<std::size_t>(number - dropped_)] : nullptr;

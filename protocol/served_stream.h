@@ -13,17 +13,17 @@
 
 namespace aucast::protocol {
 
-/// A stream under the name that a hello asks for: a recorded one, which each client gets from its
-/// beginning or from where its hello says; a live one, of which each client gets what is sent now;
-/// or another server's, which becomes one of these as soon as that server has said which.
+/// A stream, with the name by which a hello asks for it. It is recorded: each client gets it from
+/// its beginning or from where its hello says; or live: each client gets what is sent now; or it
+/// comes from another server, and is known to be recorded or live once that server says so.
 struct ServedStream {
-  /// Nothing: what is served under this name is not here yet.
+  /// monostate: nothing is here under this name yet.
   using Kind = std::variant<std::monostate, RecordedStream, std::shared_ptr<const LiveChannel>,
                             std::shared_ptr<const UpstreamStream>>;
 
   std::string name;
   Kind kind{};
-  std::string title{};  ///< for people; empty: none
+  std::string title{};  ///< to show to people; empty: none
 
   ServedStream() = default;
   explicit ServedStream(std::string its_name) : name(std::move(its_name)) {}
@@ -36,19 +36,18 @@ struct ServedStream {
   ServedStream(std::string its_name, std::shared_ptr<const UpstreamStream> upstream)
       : name(std::move(its_name)), kind(std::move(upstream)) {}
 
-  /// What clients can be sent now, here or from another server; null: it is not recorded, or not
-  /// known yet.
+  /// The recorded stream, our own or another server's; null: it is not recorded, or not known yet.
   [[nodiscard]] const RecordedStream* recorded() const;
-  /// The same of a live one.
+  /// The live stream, our own or another server's; null: it is not live, or not known yet.
   [[nodiscard]] const std::shared_ptr<const LiveChannel>& live() const;
-  /// What is known of another server's; null: it is our own.
+  /// The stream of another server; null: it is our own.
   [[nodiscard]] const UpstreamStream* upstream() const;
 
-  /// Clients can be sent it now.
+  /// Whether it can be sent to clients now.
   [[nodiscard]] bool known() const { return recorded() != nullptr || live() != nullptr; }
-  /// Nothing is served under this name.
+  /// Whether nothing is here under this name.
   [[nodiscard]] bool absent() const { return std::holds_alternative<std::monostate>(kind); }
-  /// What it is called; empty: nobody knows yet.
+  /// Its name; empty: not known yet.
   [[nodiscard]] const std::string& known_name() const {
     return name.empty() && upstream() != nullptr ? upstream()->name : name;
   }

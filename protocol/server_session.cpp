@@ -49,17 +49,17 @@ struct ServerSession::State {
   enum class Phase : std::uint8_t {
     Grace,           ///< waiting for a first byte
     Hello,           ///< a '{' came first
-    AwaitingStream,  ///< of another server, which has not said yet what it is
+    AwaitingStream,  ///< the stream comes from another server, which has not described it yet
     Streaming,
     HeldBack,  ///< the refusal, until the deadline
-    Draining,  ///< the last byte is said; reading the peer's last words
+    Draining,  ///< the last byte was sent; reads until the peer ends
     Closed,
   };
 
   const ServerCatalogue* catalogue = nullptr;
   Joining joining;
   Delivery delivery;
-  std::optional<HelloAsked> asked;  ///< nothing: classic
+  std::optional<HelloAsked> asked;  ///< nullopt: classic
   ClientPacketDecoder decoder;
   Phase phase = Phase::Grace;
   std::optional<Instant> deadline;
@@ -67,10 +67,10 @@ struct ServerSession::State {
 
   bool peer_ended = false;
   ErrorReply held_back;
-  char first_byte = '\0';  ///< that came at all
+  char first_byte = '\0';  ///< the very first byte that came
   SpareCodes spare_codes;
 
-  /// Answers that the running call may still bring to packets which it sent itself.
+  /// How many answers the running call may still take to packets that it sent itself.
   std::size_t early_left = 0;
   std::size_t due = 0;  ///< packets in flight since before the running call
 
@@ -81,7 +81,7 @@ struct ServerSession::State {
         now(at),
         spare_codes(at) {}
 
-  CloseConnection farewell;  ///< what the drain ends with
+  CloseConnection farewell;  ///< the event at the end of the drain
   std::size_t drained_bytes = 0;
   std::vector<ServerEvent> events;
 
@@ -125,7 +125,8 @@ void ServerSession::State::close(Why why, std::string reason) {
   events.emplace_back(CloseConnection{why, std::move(reason)});
 }
 
-/// The closing of level 1: the last bytes, the end of sending, then the peer's last words.
+/// Closes as level 1 does: sends the last bytes, shuts the sending side, then reads until the peer
+/// ends.
 void ServerSession::State::say_last(std::string_view bytes, Why why, std::string reason) {
   send(bytes);
   events.emplace_back(ShutdownSending{});
@@ -142,7 +143,7 @@ void ServerSession::State::refuse(int code, const std::string& text) {
   say_last(encode(ErrorReply{code, text}), Why::Refused, std::to_string(code) + ' ' + text);
 }
 
-/// What was decided about a client that wants to be let in, or still wants its stream.
+/// Carries out the decision about a client that wants to be let in, or still waits for its stream.
 void ServerSession::State::carry_out(Joining::Answer answer) {
   std::visit(Overloaded{[this](StreamChoice& choice) { take_stream(std::move(choice)); },
                         [this](const Joining::Refusal& refusal) { turn_away(refusal); },
@@ -287,7 +288,7 @@ void ServerSession::State::take_answer() {
   delivery.answer();
 }
 
-/// Closes on who floods us with what answers nothing.
+/// Closes the connection to a peer that floods us with codes that answer nothing.
 bool ServerSession::State::spend_spare_code() {
   if (spare_codes.spend(now)) return true;
   close(Why::ProtocolError, "a flood of codes that answer nothing");
@@ -308,7 +309,7 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   }
 }
 
-/// Sends what may be sent now, and the end when everything has been answered.
+/// Sends what may be sent now, and {-2} when everything has been answered.
 void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
   std::string bytes;
   const std::uint64_t before = delivery.sent().keyframes;

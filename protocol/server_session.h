@@ -122,7 +122,7 @@ class ServerSession {
   /// or waits for one, is cut off without {-2}, and may come back with `from=`. Without effect for
   /// all others.
   [[nodiscard]] std::vector<ServerEvent> send_away(Instant now);
-  /// send_away() would have an effect.
+  /// Whether send_away() would have an effect.
   [[nodiscard]] bool movable() const;
 
   /// When on_time() wants to be called next; nullopt: no timer is running.

@@ -10,13 +10,13 @@
 
 namespace aucast::protocol {
 
-/// The credits of one client for codes that answer nothing: so many that no honest client runs out
-/// of them, but one that floods the server does. Thread: none of its own.
+/// Counts the credits of one client for codes that answer nothing. There are enough for any honest
+/// client, but not for one that floods the server. Thread: none of its own.
 class SpareCodes {
  public:
   explicit SpareCodes(Instant now) : counted_(now) {}
 
-  /// One more such code has come: whether there was a credit for it.
+  /// One more such code has come. Returns whether there was a credit for it.
   [[nodiscard]] bool spend(Instant now) {
     const auto earned = std::chrono::duration_cast<std::chrono::milliseconds>(now - counted_) *
                         kSpareCodesPerSecond / 1000;
@@ -28,14 +28,14 @@ class SpareCodes {
     --left_;
     return true;
   }
-  /// Keyframes were sent.
+  /// This many keyframes were sent.
   void earn(std::uint64_t keyframes) {
     left_ = std::min<std::uint64_t>(left_ + keyframes * kSpareCodesPerPacket, kSpareCodesMax);
   }
 
  private:
   std::size_t left_ = kSpareCodesMax;
-  Instant counted_;  ///< until when credits were earned by time
+  Instant counted_;  ///< the time up to which credits were added
 };
 
 }  // namespace aucast::protocol

@@ -9,7 +9,7 @@
 namespace aucast::protocol {
 namespace {
 
-/// The servers that a client gets the stream through, this one the last.
+/// The chain of servers through which a client gets the stream; this one is the last.
 std::string servers_of(const ServerCatalogue& catalogue, const ServedStream& stream) {
   return chained(stream.upstream() != nullptr ? stream.upstream()->servers : std::string(),
                  catalogue.id);
@@ -33,7 +33,7 @@ std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
   return std::nullopt;
 }
 
-/// A stream that grows may not have the keyframe yet that a client begins with.
+/// False for a growing stream that does not have the client's first keyframe yet.
 bool is_here(const EncodedStream& stream, std::uint64_t from_ms, bool loops) {
   return stream.extent != Extent::Growing ||
          entry_at(stream, from_ms, loops).keyframe < stream.times.size();

@@ -11,25 +11,26 @@
 
 namespace aucast::protocol {
 
-/// What a server has for a hello.
+/// The stream that a client gets.
 struct StreamChoice {
   enum class State : std::uint8_t {
     Ready,
-    NotYet,   ///< it comes from another server, which has not said enough of it; ask again
-    Refused,  ///< by `refusal`
+    NotYet,   ///< it comes from another server, which has not described it yet; ask again
+    Refused,  ///< `refusal` says why
   };
   State state = State::Ready;
-  ServedStream stream;  ///< with what is known of it now
+  ServedStream stream;  ///< as far as it is known now
   ErrorReply refusal{};
   Milliseconds patience{kStreamWaitMax};  ///< NotYet: how long it is worth waiting
 };
 
-/// Finds the stream that is asked for; `asked` is nothing for a classic client, which gets the
-/// first. A relay that would get its own stream back, or would be one too many, is refused.
+/// Finds the stream that is asked for; `asked` is nullopt for a classic client, which gets the
+/// first. A relay that would get its own stream back, or that would make more than kRelayHopsMax
+/// relays, is refused.
 [[nodiscard]] StreamChoice choose_stream(const ServerCatalogue& catalogue,
                                          const std::optional<HelloAsked>& asked);
 
-/// What the hello says in `origin`; empty: nothing.
+/// The value of `origin` in the server's hello; empty: leave it out.
 [[nodiscard]] std::string servers_told(const ServerCatalogue& catalogue, const ServedStream& stream,
                                        const HelloAsked& asked);
 

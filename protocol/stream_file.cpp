@@ -28,7 +28,7 @@ std::string_view content_of(std::string_view line) {
   return trimmed(line.substr(0, line.find('#')), kBlanks);
 }
 
-/// What is said of the tag that a refused line was probably meant to be.
+/// The remark about the tag that a refused line was probably meant to be.
 std::string mistyped_tag(std::string_view content) {
   if (content.size() > kBeginTag.size() + 3) return {};
   return did_you_mean(content, {std::string(kBeginTag), std::string(kEndTag)});
@@ -51,7 +51,7 @@ class StreamFileParser {
   void finish();
   /// `position`: of the byte in the line, from 0.
   void refuse(std::size_t position, const std::string& reason);
-  /// A line of which nothing can be made: it hides whether there is a packet or a tag.
+  /// A line that cannot be read: it may have been a packet or a tag.
   void refuse_line(std::size_t position, const std::string& reason);
 
   std::string_view text_;
@@ -61,8 +61,8 @@ class StreamFileParser {
   Part part_ = Part::Before;
   std::size_t line_number_ = 0;
   std::size_t begin_line_ = 0;
-  bool packet_seen_ = false;   ///< between the tags, right or wrong
-  bool outside_said_ = false;  ///< of the running region outside the tags
+  bool packet_seen_ = false;   ///< a packet, right or wrong, has come between the tags
+  bool outside_said_ = false;  ///< the error about this region outside the tags was added
   std::uint64_t last_place_ms_ = 0;
 };
 
@@ -148,7 +148,7 @@ void StreamFileParser::read_packet(std::string_view content, std::size_t shift) 
   if (auto taken = sink_(std::move(keyframe)); !taken) refused_ = taken.error();
 }
 
-/// Said once per region: a file without its tag is one mistake, not one per line.
+/// Adds one error per region: a file without its tag is one mistake, not one per line.
 void StreamFileParser::read_outside(std::string_view content, std::size_t shift) {
   if (std::exchange(outside_said_, true)) return;
   if (part_ == Part::Before) {

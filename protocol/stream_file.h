@@ -26,13 +26,13 @@ struct StreamFile {
 /// Takes the keyframes of a stream file one by one; an error ends the reading.
 using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
 
-/// Reads the text of a stream file and hands its keyframes to `sink`; keeps none of them. Errors as
-/// of parse_stream_file(), or the sink's. Keyframes before an error were handed out.
+/// Reads the text of a stream file and passes its keyframes to `sink`; keeps none of them. Errors
+/// are those of parse_stream_file(), or the sink's. Keyframes before an error have been passed on.
 [[nodiscard]] Result<void> read_stream_file(std::string_view text, std::string_view file,
                                             const KeyframeSink& sink);
 
-/// What a comment "# title: ..." before the first packet says; empty: there is none. Bytes as they
-/// are in the file.
+/// The title that a comment "# title: ..." before the first packet gives, byte for byte as in the
+/// file; empty: there is none.
 [[nodiscard]] std::string stream_title(std::string_view text);
 
 /// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
@@ -42,23 +42,23 @@ using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
                                                    const StopToken& stop = {});
 
 /// Reads one line between the tags, without blanks around it and without a comment: a keyframe with
-/// or without braces. On success it is in `out` and nothing is returned.
+/// or without braces. Returns nullopt on success, with the keyframe in `out`.
 [[nodiscard]] std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& out);
 
-/// A stream file that was cut off, made whole again.
+/// A stream file that was cut off, made readable again.
 struct MendedText {
   std::string text;
-  std::size_t lines_left_out = 0;  ///< from the first one on that is torn
+  std::size_t lines_left_out = 0;  ///< the broken line and all after it
 };
 
-/// Everything before the first line that is no whole line of a stream file, and End_Stream. What
-/// else is wrong is left to parse_stream_file().
+/// Keeps everything before the first line that is incomplete or not of a stream file, and adds
+/// End_Stream. Other errors are left to parse_stream_file().
 [[nodiscard]] MendedText mend_stream_text(std::string_view text);
 
-/// One canonical packet as a line, without braces and without the line's end.
+/// The keyframe as a line: its canonical packet without braces, without a line end.
 [[nodiscard]] std::string format_stream_line(const Keyframe& keyframe);
 
-/// The same as text: tags, one canonical packet per line without braces.
+/// The whole file as text: the tags, and between them format_stream_line() of each keyframe.
 [[nodiscard]] std::string format_stream_file(const StreamFile& stream);
 
 /// Sum of the keyframes' times in ms, untimed ones counted as `keyframe_ms`.

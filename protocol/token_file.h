@@ -10,13 +10,13 @@ namespace aucast::protocol {
 /// A token as sent in a hello.
 struct TokenFile {
   std::string word;
-  /// For the log: other users have access to the file; else empty.
+  /// A sentence for the log when other users have access to the file; else empty.
   std::string warning;
 };
 
 /// Reads a file with one word of printable ASCII without braces, of at most kTokenBytesMax bytes;
-/// white space around it is ignored. Unreadable, or BadData when it is empty or holds anything
-/// else; no message quotes it.
+/// white space around it is ignored. Unreadable; or BadData when it is empty or has anything else.
+/// No message quotes it.
 [[nodiscard]] Result<TokenFile> read_token_file(const std::filesystem::path& path);
 
 }  // namespace aucast::protocol

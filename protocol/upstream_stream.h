@@ -12,7 +12,7 @@
 
 namespace aucast::protocol {
 
-/// A recorded stream, as it is sent.
+/// A recorded stream in the forms in which it is sent.
 struct RecordedStream {
   std::shared_ptr<const EncodedStream> encoded;  ///< never null
   /// The voice and captions of clients that ask for them. Null: none.
@@ -28,25 +28,25 @@ struct RecordedStream {
   }
 };
 
-/// A stream that another server sends, as far as it is known: at first not even of which kind it
-/// is. Shared by all its sessions. Its receiver writes it; what is once known does not change,
-/// except that a recorded stream grows.
+/// A stream that another server sends, as far as it is known; at first not even its kind is. Shared
+/// by all its sessions. Its receiver writes it; what has become known does not change, except that
+/// a recorded stream grows.
 /// Thread: that of the sessions.
 struct UpstreamStream {
   std::string name;  ///< empty: not known yet
-  /// Nothing: it is not known yet.
+  /// monostate: it is not known yet.
   std::variant<std::monostate, RecordedStream, std::shared_ptr<const LiveChannel>> content;
-  bool loop = false;                ///< the recorded one starts again at its end
-  std::string title;                ///< for people; empty: none
-  std::uint32_t keyframe_ms = 250;  ///< time of a keyframe without its own
-  std::string servers;       ///< that it comes through, as server_chain.h has them; without our own
+  bool loop = false;                ///< if recorded: it starts again at its end
+  std::string title;                ///< to show to people; empty: none
+  std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
+  std::string servers;  ///< the chain through which it comes (server_chain.h), without this server
   Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
 
-  /// Null: it is not recorded, or not known yet.
+  /// The recorded stream; null: it is not recorded, or not known yet.
   [[nodiscard]] const RecordedStream* recorded() const {
     return std::get_if<RecordedStream>(&content);
   }
-  /// The same of a live one.
+  /// The live stream; null: it is not live, or not known yet.
   [[nodiscard]] const std::shared_ptr<const LiveChannel>& live() const;
   [[nodiscard]] bool known() const { return !std::holds_alternative<std::monostate>(content); }
 };

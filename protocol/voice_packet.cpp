@@ -23,7 +23,7 @@ int frame_us(int configuration) {
   return kCelt[static_cast<std::size_t>(configuration % 4)];
 }
 
-/// Frames of a packet; 0 for none that is legal.
+/// How many frames a packet has; 0 for an illegal packet.
 int frame_count(std::string_view opus) {
   constexpr int kFramesMax = 48;
   switch (byte_at(opus, 0) & 3U) {

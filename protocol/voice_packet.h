@@ -11,8 +11,8 @@
 
 namespace aucast::protocol {
 
-/// One Opus packet (RFC 6716) of a stream's voice and where it belongs: its sound begins at `place`
-/// on the stream's own clock and lasts as long as opus_duration() says.
+/// One Opus packet (RFC 6716) of a stream's voice. Its sound begins at `place` on the stream's
+/// clock and lasts for opus_duration().
 struct VoicePacket {
   Milliseconds place{0};
   std::string opus;
@@ -24,7 +24,7 @@ struct VoicePacket {
 /// protocol allows.
 [[nodiscard]] std::optional<Milliseconds> opus_duration(std::string_view opus);
 
-/// Reads the text() of a finished WordPacket of the word `a`.
+/// Reads the text() of a finished WordPacket whose word is `a`.
 [[nodiscard]] std::variant<VoiceData, FieldFault> parse_voice_data(std::string_view text);
 
 }  // namespace aucast::protocol

@@ -23,7 +23,7 @@ bool is_printable(char byte) {
 /// One blank-separated piece of a packet's inside.
 struct Piece {
   std::string_view text;
-  std::size_t position = 0;  ///< in the packet, its '{' counted as 0
+  std::size_t position = 0;  ///< in the packet, whose '{' is at 0
 };
 
 /// The pieces after the word; more than one space between two of them is accepted.
@@ -124,7 +124,7 @@ bool is_of(Kind kind, std::string_view value) {
   return is_field_value(value) && value.size() <= kTokenBytesMax;
 }
 
-/// The string that a value stands for; nothing when it is none of this kind.
+/// The string that a value stands for; nullopt when it is not of this kind.
 std::optional<std::string> string_of(Kind kind, std::string_view value) {
   if (kind == Kind::Text) {
     auto text = from_base64(value);
@@ -133,7 +133,7 @@ std::optional<std::string> string_of(Kind kind, std::string_view value) {
   return is_of(kind, value) ? std::optional<std::string>(value) : std::nullopt;
 }
 
-/// Takes the value into the hello; false when it is none of this key.
+/// Puts the value into the hello; false when the key cannot have it.
 template <typename Hello>
 bool read_value(const Key<Hello>& key, std::string_view text, Hello& hello) {
   return std::visit(
@@ -223,7 +223,7 @@ std::variant<Hello, FieldFault> parse_fields(std::string_view text, const Key<He
   return hello;
 }
 
-/// The text of a value; nothing when it is the default or cannot stand in a field.
+/// The text of a value; nullopt when it is the default or cannot be written in a field.
 template <typename Hello>
 std::optional<std::string> value_text(const Key<Hello>& key, const Hello& hello) {
   return std::visit(

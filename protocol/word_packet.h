@@ -13,22 +13,22 @@
 
 namespace aucast::protocol {
 
-/// A hello, error or streams packet whose bytes are legal and whose meaning is not.
+/// Why a hello, error or streams packet is wrong although all its bytes are legal.
 struct FieldFault {
-  std::size_t position = 0;  ///< in the packet, its '{' counted as 0
-  std::string reason;        ///< a sentence, peer text escaped
+  std::size_t position = 0;  ///< in the packet, whose '{' is at 0
+  std::string reason;        ///< a sentence; text from the peer is escaped
 };
 
-/// Collects the inside of a packet that begins with a word, byte by byte: the word is checked as it
-/// comes, what follows it, after a space or (words of one letter) an '@', must be printable ASCII
-/// without braces. The length is the owner's business.
+/// Collects the inside of a packet that begins with a word, byte by byte. The word is checked as it
+/// comes. After it comes a space or, if the word has one letter, an '@', and then printable ASCII
+/// without braces. The owner limits the length.
 class WordPacket {
  public:
-  /// `words`: those that this side may send. They must outlive the object.
+  /// `words`: those that the sender may use. They must outlive the object.
   explicit WordPacket(std::span<const std::string_view> words) : words_(words) {}
 
   [[nodiscard]] std::optional<ByteFault> accept(char byte);
-  /// At the closing brace: a fault when the word is not complete.
+  /// Call it at the closing brace. Returns a fault when the word is incomplete.
   [[nodiscard]] std::optional<ByteFault> finish() const;
 
   [[nodiscard]] std::string_view word() const;
@@ -41,11 +41,12 @@ class WordPacket {
   std::size_t word_bytes_ = 0;  ///< 0 while the word is still coming
 };
 
-/// True when the text can stand after a field's '=': printable ASCII without spaces and braces.
+/// Whether the text can be a field's value, after the '=': printable ASCII without spaces and
+/// braces.
 [[nodiscard]] bool is_field_value(std::string_view text);
 
-/// Each reads the text() of a finished WordPacket of its word. An unsupported version is no fault
-/// here: the fields after it may mean something else and are then left alone.
+/// Each reads the text() of a finished WordPacket with its word. An unsupported version is no fault
+/// here; the fields after it are then not read, since they may mean something else.
 [[nodiscard]] std::variant<HelloAsked, FieldFault> parse_hello_asked(std::string_view text);
 [[nodiscard]] std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text);
 [[nodiscard]] std::variant<ErrorReply, FieldFault> parse_error_reply(std::string_view text);

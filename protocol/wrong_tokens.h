@@ -9,24 +9,24 @@
 
 namespace aucast::protocol {
 
-/// The wrong tokens of the last kWrongTokensTime, by the address that they came from: after
-/// kWrongTokensMax of them no token from there is compared, not even the right one. Connections
-/// that were closed since count too, or guessing would be as fast as connecting.
+/// Counts the wrong tokens of the last kWrongTokensTime, by the address from which they came. After
+/// kWrongTokensMax of them, no token from that address is compared, not even the right one. Those
+/// of closed connections count too, or guessing would be as fast as connecting.
 /// Thread: none of its own.
 class WrongTokens {
  public:
-  /// How many wrong tokens of all addresses are kept. When more come the oldest are forgotten:
-  /// their addresses may guess again a little sooner, but nobody's right token is refused for lack
-  /// of room.
+  /// How many wrong tokens, of all addresses together, are remembered. When more come, the oldest
+  /// are forgotten: their addresses may guess again a little sooner.
   static constexpr std::size_t kGuessesMax = 65'536;
 
-  /// `address`: any number that stands for it.
+  /// Whether a token from this address may be compared now. `address`: any number that identifies
+  /// it.
   [[nodiscard]] bool may_try(std::uint64_t address, Instant now);
   void add(std::uint64_t address, Instant now);
 
  private:
   struct Guess {
-    Instant until;  ///< it counts
+    Instant until;  ///< how long it counts
     std::uint64_t address;
   };
 
@@ -36,9 +36,9 @@ class WrongTokens {
   std::map<std::uint64_t, std::size_t> of_address_;
 };
 
-/// The same for the address of one client.
+/// The WrongTokens for the address of one client.
 struct TokenCount {
-  WrongTokens* wrong = nullptr;  ///< outlives this; nullptr: nothing is counted
+  WrongTokens* wrong = nullptr;  ///< must outlive this; null: nothing is counted
   std::uint64_t address = 0;
 
   [[nodiscard]] bool may_try(Instant now) const {

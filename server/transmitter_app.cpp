@@ -33,7 +33,7 @@
 namespace aucast::server {
 namespace {
 
-/// Says on stderr what went wrong and returns the exit code. Lines of bad data begin with
+/// Writes the error to stderr and returns the exit code. Lines of bad data begin with
 /// file:line:column, as editors and compilers have them.
 int report(const Error& error) {
   const char* prefix = error.kind == ErrorKind::BadData ? "" : "au-transmitter: ";
@@ -66,9 +66,8 @@ int check(const TransmitterOptions& options) {
   return 0;
 }
 
-/// Until the process is gone no signal that it knows does what the system would do, which is to end
-/// it before its numbers are written. Asio gives a signal back to the system with the last set that
-/// has it: this one stays.
+/// Keeps signals from ending the process before --stats is written: Asio restores a signal's
+/// default action when the last set that has it is gone, so this set lives until the end.
 void keep_signals() {
   struct Kept {
     asio::io_context io;

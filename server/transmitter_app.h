@@ -5,8 +5,8 @@
 
 namespace aucast::server {
 
-/// au-transmitter from its arguments (without the program's name) to its exit code: reads and
-/// checks the sources, then serves them or, with --check, prints what they hold.
+/// Runs au-transmitter: reads and checks the sources, then serves them or, with --check, prints
+/// what they contain. `arguments` are without the program's name. Returns the exit code.
 [[nodiscard]] int run_transmitter(std::vector<std::string> arguments);
 
 }  // namespace aucast::server

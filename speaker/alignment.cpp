@@ -125,7 +125,7 @@ float distance(const Cepstrum& a, std::size_t i, const Cepstrum& b, std::size_t 
   return std::sqrt(sum);
 }
 
-/// Which frames of b are looked at for each frame of a: [first, last).
+/// Which frames of b are considered for each frame of a: [first, last).
 struct Band {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -178,7 +178,7 @@ AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>
   return path;
 }
 
-/// The means of `by` frames at a time.
+/// A coarser cepstrum: each frame is the mean of `by` frames.
 Cepstrum coarser(const Cepstrum& fine, std::size_t by) {
   Cepstrum coarse;
   for (std::size_t begin = 0; begin < fine.frames(); begin += by) {
@@ -204,7 +204,7 @@ std::vector<Band> diagonal(std::size_t a, std::size_t b, std::size_t reach) {
   return bands;
 }
 
-/// Bands around a path through what is `by` times coarser.
+/// Bands around a path through cepstra that are `by` times coarser.
 std::vector<Band> around(const AlignmentPath& coarse, std::size_t by, std::size_t a, std::size_t b,
                          std::size_t reach) {
   std::vector<Band> bands(a, Band{b, 0});

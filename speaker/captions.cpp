@@ -36,7 +36,7 @@ bool ends_sentence(const std::string& text) {
   return !text.empty() && std::string_view(".?!").find(text.back()) != std::string_view::npos;
 }
 
-/// In two lines when it is too long for one, parted near the middle.
+/// Breaks the text into two lines, near the middle, if it is too long for one.
 std::string in_lines(std::string text) {
   if (characters(text) <= kLineMax) return text;
   std::size_t best = std::string::npos;

@@ -10,8 +10,9 @@
 
 namespace aucast::speaker {
 
-/// AUs over time: for each AU that moves its intensity in [0,1], sampled every kStep from 0 on.
-/// What moves one side alone is beside what moves both: that side shows the stronger of the two.
+/// AUs over time: the intensity, in [0,1], of each AU that moves, sampled every kStep from 0 on. An
+/// AU may have samples for both sides and others for one side alone; that side then shows the
+/// stronger of the two.
 struct Curves {
   static constexpr Milliseconds kStep{20};
   using Key = std::pair<int, Side>;  ///< an AU
@@ -22,7 +23,7 @@ struct Curves {
   [[nodiscard]] std::vector<float>& of(int au, Side side = Side::Both) {
     return samples.try_emplace({au, side}, steps, 0.0F).first->second;
   }
-  /// The sample at a moment; beyond the end the last one.
+  /// The index of the sample at a time; the last one beyond the end.
   [[nodiscard]] std::size_t index(Milliseconds time) const {
     if (time < Milliseconds{0}) return 0;
     const auto at = static_cast<std::size_t>(time / kStep);

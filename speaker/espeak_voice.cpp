@@ -10,7 +10,7 @@
 namespace aucast::speaker {
 namespace {
 
-/// What the library's callback adds to; it takes no pointer of ours.
+/// The library's callback adds to this, since it gets no pointer of ours.
 Speech* g_speech = nullptr;
 
 Milliseconds at(const espeak_EVENT& event) {
@@ -51,7 +51,7 @@ int take(short* samples, int count, espeak_EVENT* event) {
   return 0;
 }
 
-/// Begun once in a process: espeak-ng 1.51 hangs in the first words after a second beginning.
+/// Initialised once in a process: after a second time, espeak-ng 1.51 hangs in the first words.
 class Library {
  public:
   Library()
@@ -80,7 +80,7 @@ const Library& library() {
   return the_library;
 }
 
-/// Where pauses follow each other the first one says it all.
+/// Of successive pauses, only the first is kept.
 void join_pauses(std::vector<Phoneme>& phonemes) {
   std::vector<Phoneme> joined;
   for (Phoneme& phoneme : phonemes) {

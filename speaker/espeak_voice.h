@@ -14,11 +14,11 @@ struct VoiceOptions {
   int pitch = 50;               ///< 0-99
 };
 
-/// The text as espeak-ng speaks it. Usage: no such voice. Failed: espeak-ng's data is not there.
-/// One at a time in a process: the library keeps its state in globals.
+/// Speaks the text with espeak-ng. Usage error when there is no such voice, Failed when espeak-ng's
+/// data is missing. Not from two threads at once: the library keeps its state in globals.
 [[nodiscard]] Result<Speech> speak(const std::string& text, const VoiceOptions& options);
 
-/// Every voice: "en-gb  English (Great Britain)".
+/// One line for every voice: "en-gb  English (Great Britain)".
 [[nodiscard]] Result<std::vector<std::string>> voices();
 
 }  // namespace aucast::speaker

@@ -152,7 +152,7 @@ void end_sentences(const Speech& speech, const Script& script, const GestureOpti
   }
 }
 
-/// From one phrase to the next the head comes to look a little elsewhere.
+/// Turns the head a little from one phrase to the next.
 class Drift {
  public:
   Drift(int plus, int minus, float reach) : plus_(plus), minus_(minus), reach_(reach) {}

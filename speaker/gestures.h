@@ -11,17 +11,17 @@ namespace aucast::speaker {
 
 struct GestureOptions {
   std::uint64_t seed = 1;
-  float amount = 1;  ///< of brows and head, 0-2; blinks always come
+  float amount = 1;  ///< of the movements of brows and head, 0-2; there are always blinks
 };
 
-/// Puts what a speaker does beside speaking onto the curves: blinks (after sentences, and every few
-/// seconds), raised brows and nods on stressed words, brows up at the end of a question, the head
-/// that turns a little from phrase to phrase, a glance aside in a pause. The same speech, script
-/// and options give the same movements.
+/// Adds to the curves what a speaker does besides moving the lips: blinks (after sentences, and
+/// every few seconds), raised brows and nods on stressed words, raised brows at the end of a
+/// question, small turns of the head from phrase to phrase, a glance aside in a pause. The same
+/// speech, script and options give the same movements.
 void add_gestures(const Speech& speech, const Script& script, const GestureOptions& options,
                   Curves& curves);
 
-/// Which words carry stress: long enough, and louder than their neighbours.
+/// For each word, whether it is stressed: long enough, and louder than its neighbours.
 [[nodiscard]] std::vector<bool> stressed_words(const Speech& speech);
 
 }  // namespace aucast::speaker

@@ -7,10 +7,11 @@
 
 namespace aucast::speaker {
 
-/// Puts what the lips do while `phonemes` are heard onto the curves, strongest wins where something
-/// is there already. Each sound's lips blend with its neighbours' by dominance, which rises before
-/// the sound begins (Cohen and Massaro 1993; leads after Edwards et al. 2016); where the lips must
-/// meet or touch the teeth they do, whatever the neighbours want.
+/// Adds to the curves what the lips do while `phonemes` are heard, up to `end`; where a curve
+/// already has a stronger intensity, that is kept. The lips for a sound blend with those for its
+/// neighbours by dominance, which rises before the sound begins (Cohen and Massaro 1993; leads
+/// after Edwards et al. 2016). Where the lips must meet, or touch the teeth, they do so whatever
+/// the neighbours are.
 void move_lips(const std::vector<Phoneme>& phonemes, Milliseconds end, Curves& curves);
 
 }  // namespace aucast::speaker

@@ -13,7 +13,7 @@
 namespace aucast::speaker {
 namespace {
 
-/// What speaking lips leave of an expression's mouth, and what they take over themselves.
+/// What is kept of an expression while the lips speak: this share of kMouth, nothing of kLipsOnly.
 constexpr float kMouthWhileSpeaking = 0.55F;
 const std::set<int> kMouth{10, 12, 13, 14, 15, 16, 17, 20, 23, 24};
 const std::set<int> kLipsOnly{18, 19, 22, 25, 26, 27, 28, 32};
@@ -46,7 +46,7 @@ std::optional<std::vector<AuTerm>> meaning(const Cue& cue, const Expressions& ex
   return terms;
 }
 
-/// When the word that follows character `at` is heard; nothing: none follows.
+/// When the word that follows character `at` is heard; nullopt: none follows.
 std::optional<Milliseconds> heard_at(const Speech& speech, std::size_t at) {
   for (const Word& word : speech.words) {
     if (word.at + word.length > at) return word.begin;

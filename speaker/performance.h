@@ -16,24 +16,26 @@
 
 namespace aucast::speaker {
 
-/// Named sets of AUs, as in data/expressions.toml.
+/// Sets of AUs by name, as in data/expressions.toml.
 using Expressions = std::map<std::string, std::vector<AuTerm>, std::less<>>;
 
-/// Those of the file, without what is made of muscles alone.
+/// The sets of these expressions. Expressions that have only muscles are left out.
 [[nodiscard]] Expressions sets_of(const std::vector<Expression>& expressions);
 
-/// Whether every cue means something: a name of `expressions` or "smile", with a percent after it
-/// if need be ("smile 60"), or AUs as in a packet ("6,12:60"). BadData with file:line:column.
+/// Checks that every cue is known: a name of `expressions` or "smile", perhaps with a percent after
+/// it ("smile 60"), or AUs as in a packet ("6,12:60"). BadData with file:line:column.
 [[nodiscard]] Result<void> check_cues(const Script& script, const Expressions& expressions,
                                       std::string_view file);
 
-/// A face that speaks: lips, gestures, and the expressions of the script's cues from the word that
-/// follows each until the next one or the end of its paragraph. check_cues() must have passed.
+/// Makes the stream of a face that speaks: lips, gestures, and the expressions that the script's
+/// cues ask for. Each begins with the word after its cue and lasts until the next cue or the end of
+/// the paragraph. check_cues() must have passed.
 [[nodiscard]] protocol::StreamFile perform(const Speech& speech, const Script& script,
                                            const Expressions& expressions,
                                            const GestureOptions& options);
 
-/// Keyframes between which straight lines stay within `tolerance` (an intensity) of the curves.
+/// Turns curves into keyframes. Straight lines between these differ from the curves by at most
+/// `tolerance`, an intensity.
 [[nodiscard]] std::vector<protocol::Keyframe> keyframes_of(const Curves& curves, float tolerance);
 
 }  // namespace aucast::speaker

@@ -13,7 +13,7 @@ bool continues(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-/// Where the first byte stands that is no UTF-8; npos: nowhere.
+/// The position of the first byte that is not UTF-8; npos: there is none.
 std::size_t first_bad_byte(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
     const std::size_t length = utf8_length(bytes.substr(at));

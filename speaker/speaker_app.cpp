@@ -209,7 +209,7 @@ std::string stream_text(const Script& script, const protocol::StreamFile& stream
   return text;
 }
 
-/// Nothing that is read is written over.
+/// Refuses to overwrite a file that is also read.
 Result<void> check_output(const fs::path& output, const Options& options) {
   std::error_code none;
   for (const fs::path& input : {options.text, options.recording}) {

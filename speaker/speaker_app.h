@@ -5,7 +5,7 @@
 
 namespace aucast::speaker {
 
-/// au-speaker from its arguments (without the program's name) to its exit code.
+/// Runs au-speaker. `arguments` are without the program's name. Returns the exit code.
 [[nodiscard]] int run_speaker(std::vector<std::string> arguments);
 
 }  // namespace aucast::speaker

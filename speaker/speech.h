@@ -8,20 +8,20 @@
 
 namespace aucast::speaker {
 
-/// A speech sound, from `begin` to the next one's. `ipa` is empty for a pause.
+/// A speech sound, which lasts until the next one begins. `ipa` is empty for a pause.
 struct Phoneme {
   std::string ipa;
   Milliseconds begin{0};
 };
 
-/// A word of the text, where it is heard and where it stands.
+/// A word of the text: when it is heard, and where it is in the text.
 struct Word {
   Milliseconds begin{0};
-  std::size_t at = 0;      ///< characters (not bytes) of the text before it
+  std::size_t at = 0;      ///< how many characters (not bytes) of the text come before it
   std::size_t length = 0;  ///< in characters
 };
 
-/// A text as it is heard.
+/// A text that was spoken.
 struct Speech {
   int rate = 22050;            ///< samples a second
   std::vector<float> samples;  ///< mono, in [-1,1]

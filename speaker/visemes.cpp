@@ -45,7 +45,7 @@ constexpr std::pair<std::string_view, const Viseme*> kLetters[] = {
 constexpr std::string_view kVowels[] = {"a", "ɑ", "æ", "ɐ", "ʌ", "e", "ɛ", "i", "ɪ", "o",
                                         "ɔ", "ɒ", "u", "ʊ", "ə", "ɜ", "y", "ʏ", "ø", "œ"};
 
-/// Bytes of the vowel that `ipa` begins with; 0: none.
+/// How many bytes the vowel at the beginning of `ipa` has; 0: there is none.
 std::size_t vowel_bytes(std::string_view ipa) {
   for (const std::string_view vowel : kVowels) {
     if (ipa.starts_with(vowel)) return vowel.size();

@@ -21,23 +21,23 @@ namespace aucast::camera {
 /// What a camera sees at one moment. Valid only during the OnSight call.
 struct Sight {
   mesh::Picture picture;
-  const mesh::Landmarks* landmarks = nullptr;  ///< of the first face; null: none
-  std::vector<AuTerm> aus;                     ///< as FaceTable::terms(); none without a face
+  const mesh::Landmarks* landmarks = nullptr;  ///< of the first face; null: no face is seen
+  std::vector<AuTerm> aus;                     ///< as FaceTable::terms(); empty without a face
 };
-/// Called on the feed's thread that reads faces.
+/// Called on the feed's thread that reads faces, once for each picture that it has read.
 using OnSight = std::function<void(const Sight&)>;
 
-/// A camera as a stream of rows (FaceTable), which come through a pipe as a recogniser's would. One
-/// thread takes pictures from ffmpeg, another reads the face of the newest: what comes while it is
-/// busy is dropped, so a slow machine shows fewer faces and no late ones. A row's time is when its
-/// picture came.
+/// Turns a camera into rows (FaceTable), which come through a pipe as a recogniser's would. One
+/// thread takes pictures from ffmpeg, another reads the faces of the newest picture. Pictures that
+/// come while it is busy are dropped, so on a slow machine there are fewer rows, but none is late.
+/// A row's time is when its picture came.
 /// Thread: its owner's; two of its own, which end with it.
 class CameraFeed {
  public:
-  /// Errors are those of PictureSource and load_face_models(). `faces.quiet_seconds`: unset, the
-  /// face at rest is found from what was seen so far; 0: the typical face. `on_sight` is told of
-  /// every picture whose faces were read, until the feed is destroyed. Waits for the first picture,
-  /// as long as that is not `given_up`.
+  /// Waits for the first picture until one comes, CameraOptions::patience ends or `given_up`
+  /// returns true. Errors are those of PictureSource and load_face_models(). With
+  /// `faces.quiet_seconds` 0 the face at rest is the typical one, otherwise it is found from what
+  /// was seen so far. `on_sight` is called until the feed is destroyed.
   [[nodiscard]] static Result<std::unique_ptr<CameraFeed>> start(const CameraOptions& options,
                                                                  const FaceOptions& faces,
                                                                  OnSight on_sight = {},
@@ -46,9 +46,10 @@ class CameraFeed {
   CameraFeed(const CameraFeed&) = delete;
   CameraFeed& operator=(const CameraFeed&) = delete;
 
-  /// The end of the pipe that rows come from; the caller closes it. Once.
+  /// The end of the pipe from which rows are read; the caller closes it. Call it only once.
   [[nodiscard]] int take_rows();
-  /// After the rows have ended: why ffmpeg did, in one line; empty when it was content.
+  /// Call it after the rows have ended: why ffmpeg ended, in one line; empty when it reported no
+  /// error.
   [[nodiscard]] std::string complaint();
 
  private:
@@ -58,7 +59,7 @@ class CameraFeed {
   };
 
   struct Seen {
-    std::optional<TimedPicture> newest;  ///< that nobody has read
+    std::optional<TimedPicture> newest;  ///< not read yet; nullopt: there is none
     bool ended = false;
   };
 
@@ -73,8 +74,8 @@ class CameraFeed {
   FaceModels models_;
   FaceOptions faces_;
   OnSight on_sight_;
-  int rows_;   ///< our end to read from, until it was taken
-  int write_;  ///< the other one, which the reading thread closes
+  int rows_;   ///< the end for reading; -1 once it was taken
+  int write_;  ///< the other end, which the thread `reading_` closes
   Shared<Seen> seen_;
   // The threads come last: they use all of the above.
   std::jthread taking_;

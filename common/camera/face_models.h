@@ -9,17 +9,17 @@
 
 namespace aucast::camera {
 
-/// What reads faces: the nets, which are fetched at install, and our own weights.
+/// What is needed to read faces: the nets, which are fetched at install, and our own weights.
 struct FaceModels {
   mesh::FaceTracker tracker;
   mesh::AuWeights weights;
 };
 
-/// From the project's data folder (find_data_folder). Unreadable, with what to do, when the models
-/// are not there.
+/// Loads them from the project's data folder (find_data_folder). Unreadable, with the remedy, when
+/// the models are not there.
 [[nodiscard]] Result<FaceModels> load_face_models();
 
-/// The same from a folder.
+/// The same from the data folder `data`.
 [[nodiscard]] Result<FaceModels> load_face_models(const std::filesystem::path& data);
 
 }  // namespace aucast::camera

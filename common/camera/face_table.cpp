@@ -13,7 +13,7 @@ void append_number(std::string& text, double value, int digits) {
   text.append(buffer.data(), end.ptr);
 }
 
-/// Of both sides, that of either: they are the same.
+/// For Side::Both, the left one's: they are the same.
 float intensity_of(const AuFrame& face, std::uint8_t number, Side side) {
   return (side == Side::Right ? face.right : face.left)[number];
 }

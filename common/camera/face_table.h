@@ -11,20 +11,21 @@
 
 namespace aucast::camera {
 
-/// What is seen of a face as a table of our own, which common/sources reads like any recogniser's:
-/// `aucast_seconds`, `confidence`, `success`, `face_id` of several faces, and a column for each AU,
-/// L12 and R12 where sides are told, in percent. Turns of head and eyes may be above 100.
+/// Writes what is seen of faces as a table of our own, which common/sources reads like any
+/// recogniser's. Its columns are `aucast_seconds`, `confidence`, `success`, `face_id` if there are
+/// several faces, and each AU in percent: L12 and R12 where sides are told apart. Turns of head and
+/// eyes may be above 100.
 class FaceTable {
  public:
-  /// `several`: rows name their face.
+  /// `several`: rows have a `face_id`.
   explicit FaceTable(const mesh::AuWeights& weights, bool several = false);
 
   /// The line with the names of the columns.
   [[nodiscard]] const std::string& header() const { return header_; }
-  /// A line; without a face it has no success and empty cells.
+  /// One line; without a face its `success` is 0 and its AUs are empty.
   [[nodiscard]] std::string row(double seconds, double confidence,
                                 const std::optional<AuFrame>& face, std::size_t number = 0) const;
-  /// What a row says of a face in whole percent, a term for each column of an AU.
+  /// The AUs of row() in whole percent: one term for each column.
   [[nodiscard]] std::vector<AuTerm> terms(const AuFrame& face) const;
 
  private:

@@ -25,7 +25,7 @@ constexpr std::size_t kProgressEvery = 30;
 struct Seen {
   std::size_t face = 0;  ///< its number
   double presence = 0;
-  std::size_t measures = 0;  ///< which of those that were taken of this face
+  std::size_t measures = 0;  ///< index among the measures of this face
 };
 
 /// All that is measured in a film, picture by picture.

@@ -14,27 +14,27 @@ namespace aucast::camera {
 
 /// How faces are read.
 struct FaceOptions {
-  /// What is subtracted from a face as its rest: the median of so many first seconds; 0: the
-  /// typical face. Nothing: what its own film says (mesh::find_quiet_face).
+  /// The face at rest, which is subtracted. Above 0: the median of this many first seconds; 0: the
+  /// typical face; nullopt: it is found from the whole film (mesh::find_quiet_face).
   std::optional<double> quiet_seconds{};
   bool several = false;  ///< all faces are read and numbered, at most mesh::FaceRoll::kFacesMax
 };
 
 /// How far a film was read.
 struct FilmProgress {
-  double seconds = 0;           ///< of the film
-  std::optional<double> whole;  ///< that it has
+  double seconds = 0;           ///< of the film, read so far
+  std::optional<double> whole;  ///< the film's length; nullopt: unknown
 };
 
 /// What was seen in a film.
 struct FilmTable {
   std::string text;  ///< a FaceTable
   std::size_t pictures = 0;
-  std::size_t faces = 0;  ///< pictures with a face
+  std::size_t faces = 0;  ///< how many pictures have a face
   std::string note;       ///< what was wrong with the film, with its name; empty: nothing
 };
 
-/// Reads the face of a film, of several the clearest unless all are asked for. Errors are those of
+/// Reads the face in a film; of several, the clearest, unless options.several. Errors are those of
 /// PictureSource and load_face_models(); BadData when no face is seen in it. Asked to stop, it
 /// returns stopped_early() at the next picture.
 [[nodiscard]] Result<FilmTable> read_film(

@@ -37,14 +37,14 @@ std::string file_url(const std::filesystem::path& path) {
   return "file:" + path.string();
 }
 
-/// What ffmpeg says, without "[NAME @ ADDRESS] " before it: which part of it speaks.
+/// A message of ffmpeg without the "[NAME @ ADDRESS] " of the component that wrote it.
 std::string without_component(const std::string& words) {
   const std::size_t end = words.find("] ");
   const bool named = words.starts_with('[') && end != std::string::npos;
   return named ? words.substr(end + 2) : words;
 }
 
-/// False: nothing came in time, or nobody waits any more.
+/// False: no picture came in time, or the caller gave up.
 bool await_picture(Child& ffmpeg, Milliseconds patience, const GivenUp& given_up) {
   constexpr Milliseconds kAskEvery{50};
   for (Milliseconds left = patience; left > Milliseconds::zero(); left -= kAskEvery) {

@@ -13,22 +13,24 @@
 
 namespace aucast::camera {
 
-/// Uncompressed pictures as ffmpeg and others pipe them (YUV4MPEG2): a line that says how large
-/// they are and how many a second, then picture after picture. Only what we ask ffmpeg for: 4:4:4,
-/// 8 bit, BT.601 in the range of video. Pure: bytes come from `read`.
+/// Reads uncompressed pictures as ffmpeg and others pipe them (YUV4MPEG2): a line with their size
+/// and rate, then picture after picture. Supports only what we ask ffmpeg for: 4:4:4, 8 bit, BT.601
+/// in video range. Pure: bytes come from `read`.
 class Y4mReader {
  public:
-  /// Fills what it is given as far as it can and says how far; 0 at the end.
+  /// Reads at most as many bytes as fit and returns how many it read; 0 at the end.
   using Read = std::function<std::size_t(std::span<std::uint8_t>)>;
 
-  /// BadData, without a place, when the first line is none of these; nothing when there is none.
+  /// BadData, without a place, when the first line is not of this format; nullopt when there are no
+  /// bytes at all.
   [[nodiscard]] static Result<std::optional<Y4mReader>> open(Read read);
 
   [[nodiscard]] std::size_t width() const { return width_; }
   [[nodiscard]] std::size_t height() const { return height_; }
   /// Pictures a second, above 0.
   [[nodiscard]] double fps() const { return fps_; }
-  /// The next picture, as rows of RGB; false at the end. A picture that is cut off is none.
+  /// Reads the next picture into `rgb`, rows from the top; false at the end. A picture that is cut
+  /// off is left out.
   [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb);
   /// Whether the end came in the middle of a picture.
   [[nodiscard]] bool torn() const { return torn_; }

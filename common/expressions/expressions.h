@@ -11,10 +11,11 @@
 
 namespace aucast {
 
-/// A muscle that an expression sets by itself, without an AU: activations of the subject's sides.
+/// A muscle that an expression sets directly, without an AU: its activation on each of the
+/// subject's sides.
 struct ExpressionMuscle {
   std::string name;                    ///< without left_ or right_
-  std::vector<std::string> spellings;  ///< as Waters' face folders spell it
+  std::vector<std::string> spellings;  ///< its names in Waters' face folders
   float left = 0;
   float right = 0;
 };
@@ -26,10 +27,10 @@ struct Expression {
   AuFrame aus;
   std::vector<ExpressionMuscle> muscles;
   std::string source;
-  std::optional<std::array<float, 2>> pad;  ///< place on the axes sad-happy and calm-excited
+  std::optional<std::array<float, 2>> pad;  ///< where it is on the axes sad-happy and calm-excited
 };
 
-/// The expressions of a file in the form of data/expressions.toml, at least one. Fails as
+/// Reads a file in the form of data/expressions.toml, which has at least one expression. Fails as
 /// Unreadable, or as BadData with file:line:column.
 [[nodiscard]] Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file);
 

@@ -56,7 +56,8 @@ void Dialler::drop_socket() {
   socket_.close(ignored);
 }
 
-/// The even share keeps one that never answers from using up what the others need.
+/// Each address has an equal share of the time, so that one that never answers leaves time for the
+/// others.
 void Dialler::try_next_address() {
   drop_socket();
   const auto left = until_ - steady_clock::now();

@@ -23,15 +23,15 @@ namespace aucast::link {
 struct DialOptions {
   std::string host;
   std::uint16_t port = 0;
-  /// For the name, the connection and the handshake of TLS together.
+  /// For looking up the name, connecting and the TLS handshake together.
   Milliseconds time_max{10'000};
-  std::optional<tls::Context> tls{};  ///< nothing: plain
-  /// A secret will be sent: dial only over TLS or to this computer.
+  std::optional<tls::Context> tls{};  ///< nullopt: no TLS
+  /// A secret will be sent: only TLS, or a connection to this computer, is allowed.
   bool secret = false;
-  /// What the user can do when neither is possible.
+  /// The remedy in the message when it is neither.
   const char* secret_remedy = "--tls, or --insecure-token";
   Limits limits{};
-  int held_back_max = 0;  ///< of the link, as tcp_link() has it
+  int held_back_max = 0;  ///< see tcp_link()
 };
 
 /// Why no connection could be made.
@@ -42,9 +42,9 @@ struct DialFailure {
 
 using Dialled = std::variant<std::shared_ptr<Link>, DialFailure>;
 
-/// Makes connections, one at a time: looks the name up and tries every address, each with an even
-/// share of the time that is left. The link is not started yet; over TLS its handshake, which
-/// checks that the certificate is for `host`, has the rest of the time.
+/// Makes connections, one at a time: looks the name up and tries its addresses in turn; each may
+/// take an equal share of the time that is left. The link that it makes is not started yet. With
+/// TLS, the handshake, which checks that the certificate is for `host`, has the rest of the time.
 /// Thread: that of the io_context, which must outlive it.
 class Dialler {
  public:
@@ -55,7 +55,8 @@ class Dialler {
   Dialler(const Dialler&) = delete;
   Dialler& operator=(const Dialler&) = delete;
 
-  /// Calls `on_dialled` once, never from within dial(), unless cancelled or replaced before.
+  /// Calls `on_dialled` once, never from within dial(), and not at all if cancel() or another
+  /// dial() comes before.
   void dial(DialOptions options, OnDialled on_dialled);
   void cancel();
 
@@ -68,10 +69,10 @@ class Dialler {
 
   NameLookup lookup_;
   asio::ip::tcp::socket socket_;
-  asio::steady_timer timer_;  ///< of the name, then of each address
+  asio::steady_timer timer_;  ///< for the name, then for each address
   DialOptions options_;
   OnDialled on_dialled_;
-  std::uint64_t attempt_ = 0;  ///< handlers of an earlier one mean nothing
+  std::uint64_t attempt_ = 0;  ///< handlers of an earlier attempt are ignored
   Instant until_{};
   Addresses addresses_;
   std::size_t next_address_ = 0;

@@ -11,8 +11,8 @@
 namespace aucast::link {
 
 /// A link whose bytes go through a Layer (tls::Layer, web::Layer) over the link below: what all
-/// such links have in common. Every call from below keeps this object alive until it has returned,
-/// for the user may drop it meanwhile.
+/// such links have in common. A call from the link below keeps this object alive until it returns,
+/// since the user may drop it meanwhile.
 template <typename Layer>
 class LayerLink : public Link,
                   public LinkUser,
@@ -20,7 +20,7 @@ class LayerLink : public Link,
  public:
   ~LayerLink() override { below_->close(); }
 
-  // === What the user asks for.
+  // === Called by the user.
 
   void hand_over(LinkUser& user) override { user_ = &user; }
   void write(std::string_view bytes) override {
@@ -48,7 +48,7 @@ class LayerLink : public Link,
   [[nodiscard]] std::size_t unsent_bytes() const override { return below_->unsent_bytes(); }
   [[nodiscard]] std::uint64_t wire_bytes() const override { return below_->wire_bytes(); }
 
-  // === What the link below tells.
+  // === Called by the link below.
 
   void on_closed(const Ending& ending) override {
     const auto alive = this->shared_from_this();
@@ -60,7 +60,7 @@ class LayerLink : public Link,
   LayerLink(std::shared_ptr<Link> below, Layer layer)
       : below_(std::move(below)), layer_(std::move(layer)) {}
 
-  /// The user wants to know.
+  /// Whether the user is still told of bytes and events.
   [[nodiscard]] bool listening() const { return user_ != nullptr && !finishing_ && !ending_; }
 
   void flush() {
@@ -71,7 +71,7 @@ class LayerLink : public Link,
   Layer layer_;
   LinkUser* user_ = nullptr;
   bool finishing_ = false;
-  std::optional<Ending> ending_;  ///< told when what waits has been drained
+  std::optional<Ending> ending_;  ///< reported once what waits has been drained
 };
 
 }  // namespace aucast::link

@@ -13,48 +13,48 @@ namespace aucast::link {
 /// Why a connection is closed.
 struct Ending {
   enum class Why : std::uint8_t {
-    Finished,   ///< after finish(): everything was sent and the peer has ended, or the drain ran
-                ///< into a limit or an error
+    Finished,   ///< after finish(): everything was sent and the peer has ended, or draining met a
+                ///< limit or an error
     Lost,       ///< it broke before finish()
     NotTls,     ///< the peer does not speak TLS
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
     TlsFailed,  ///< anything else that went wrong with TLS, such as a slow handshake
-    NotMade,    ///< of a link that dials itself: it never opened
+    NotMade,    ///< a link that dials itself never opened
     WebSocketFailed,  ///< the peer's frames break the rules of WebSocket
   };
   Why why = Why::Finished;
   std::string reason{};  ///< a clause for the user; peer text escaped
 };
 
-/// What a link tells its user. A link calls none of these from within a call that its user makes,
-/// except on_open() from within start().
+/// What a link tells its user. It makes none of these calls from within a call by its user, except
+/// on_open() from within start().
 class LinkUser {
  public:
   virtual ~LinkUser() = default;
 
-  /// write() may be called from now on. Comes at most once, and not at all if the link fails before
-  /// it opens; nothing but on_failure() and on_closed() comes without it.
+  /// write() may be called from now on. Called at most once, and not at all if the link fails
+  /// before it opens; then only on_failure() and on_closed() are called.
   virtual void on_open() = 0;
   virtual void on_bytes(std::string_view bytes) = 0;
-  /// The peer has ended its sending side. Comes at most once.
+  /// The peer has ended its sending side. Called at most once.
   virtual void on_peer_end() = 0;
-  /// The link was blocked() and everything has been taken since.
+  /// The link was blocked() and is not any more: everything that waited was sent.
   virtual void on_room() {}
   /// The time asked for by wake_at() has come.
   virtual void on_time() = 0;
   /// TLS or the WebSocket has failed. What is still to be sent is drained, then on_closed() says
   /// the same.
   virtual void on_failure(const Ending& /*failure*/) {}
-  /// The link has closed; nothing is told any more. Does not come after close().
+  /// The link has closed; it makes no more calls. Not called after close().
   virtual void on_closed(const Ending& ending) = 0;
 };
 
 /// One byte connection: dialled or accepted, plain, TLS or WebSocket, over TCP or over another
 /// link. Its user sees plain bytes, one timer and now(), and knows neither socket nor clock.
 ///
-/// finish() drains, by the same rule everywhere: what was written is sent to the end, the sending
-/// side is shut, and what still comes is read and dropped until the peer ends, so that no reset
-/// loses the last bytes; Limits bounds the time and the bytes.
+/// finish() drains, in every kind of link alike: all that was written is sent, the sending side is
+/// shut, and what the peer still sends is read and dropped until it ends, so that no reset loses
+/// the last bytes. Limits bounds the time and the bytes.
 /// Thread: that of the executor it was made with. A link that tells its user something stays alive
 /// until the call has returned, so the user may let go of it there.
 class Link {
@@ -64,13 +64,13 @@ class Link {
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
 
-  /// Begins. `user` must live until on_closed() or close().
+  /// Opens the link and begins to read. `user` must live until on_closed() or close().
   virtual void start(LinkUser& user) = 0;
   /// Changes the user of an open link.
   virtual void hand_over(LinkUser& user) = 0;
   /// Sends at once what the system takes; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;
-  /// Nothing more will be written: drains, then on_closed(). Nothing else is told meanwhile.
+  /// Nothing more will be written: drains, then calls on_closed(), and nothing else before.
   virtual void finish() = 0;
   /// Closes at once, whatever is under way.
   virtual void close() = 0;
@@ -83,9 +83,9 @@ class Link {
   [[nodiscard]] virtual Instant now() const = 0;
   /// The smoothed round trip as the system measured it; zero when unknown.
   [[nodiscard]] virtual Duration round_trip() const = 0;
-  /// The peer takes no more for now, so that what is written waits.
+  /// Whether the peer takes no more for now, so that what is written waits.
   [[nodiscard]] virtual bool blocked() const = 0;
-  /// Since when the link is blocked and no byte has been taken; nullopt: it is not blocked.
+  /// Since when the link has been blocked without a byte being taken; nullopt: it is not blocked.
   [[nodiscard]] virtual std::optional<Instant> stuck_since() const = 0;
   [[nodiscard]] virtual std::size_t unsent_bytes() const = 0;
   /// Bytes sent so far, as they go over the wire.

@@ -23,7 +23,8 @@ std::string without_brackets(const std::string& bind) {
   return bracketed ? bind.substr(1, bind.size() - 2) : bind;
 }
 
-/// The address is none of this host's, so another address of the same name may do.
+/// Whether the error means that the address is not one of this host: another address of the same
+/// name may be.
 bool is_elsewhere(const std::error_code& cause) {
   // Asio's category maps only some of errno to std::errc, so the numbers are compared.
   return cause.category() == asio::error::get_system_category() &&
@@ -180,7 +181,7 @@ void Listener::accept() {
                          });
 }
 
-/// Whoever is waiting already. An error is left for accept() to meet.
+/// Accepts those who are already waiting. accept() will meet any error.
 void Listener::accept_waiting() {
   for (int taken = 1; taken < limits_.in_a_row && acceptor_.is_open(); ++taken) {
     std::error_code error;

@@ -14,10 +14,11 @@
 
 namespace aucast::link {
 
-/// Every client needs a descriptor: raises this process's limit as far as the system allows.
+/// Raises this process's limit of descriptors, of which every client needs one, as far as the
+/// system allows.
 void raise_descriptor_limit();
 
-/// The address; IPv4 within IPv6 as IPv4.
+/// The address; an IPv4 address that is mapped into IPv6 becomes plain IPv4.
 [[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 
 /// ADDR:PORT, with brackets around an IPv6 address.
@@ -27,7 +28,7 @@ void raise_descriptor_limit();
 struct ListenOptions {
   const char* address = "--bind";
   const char* port = "--port";
-  /// Other processes of the same user that set this too may listen on the same port: the system
+  /// Several processes of one user that all set this may listen on the same port; the system
   /// spreads the clients over them.
   bool shared = false;
 };
@@ -44,8 +45,8 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   /// Listens on `bind`, an address or a name (brackets allowed), and `port`, 0 for any free one.
-  /// Network error naming both, the cause and what to do. The advice names the options that the
-  /// address and the port are from.
+  /// Fails with a Network error that names both, the cause, and the remedy in terms of the options
+  /// that set them.
   [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port,
                                   const ListenOptions& options = {});
   /// Takes over a socket that is already listening.
@@ -55,10 +56,10 @@ class Listener {
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return endpoint_; }
 
   void start(OnSocket on_socket);
-  /// Hands out no more connections. May be opened again.
+  /// Hands out no more connections. open() may be called again.
   void stop();
 
-  /// How often accepting had to pause.
+  /// How many times accepting had to pause.
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
 
  private:
@@ -73,7 +74,7 @@ class Listener {
   asio::ip::tcp::endpoint peer_;  ///< of the connection being accepted
   OnSocket on_socket_;
   std::uint64_t failures_ = 0;
-  std::uint64_t stops_ = 0;  ///< what began before the last of them is over
+  std::uint64_t stops_ = 0;  ///< a handler begun before the last stop() is ignored
   bool failing_ = false;     ///< the last accept failed and was reported
 };
 

@@ -14,14 +14,15 @@ namespace aucast::link {
 /// The way from other threads to an event loop: work that is posted runs there, in order, until the
 /// gate is closed. Every thread that may still post holds the gate; the work may use whatever lives
 /// until the gate is closed.
-/// Thread: any; close() that of the loop.
+/// Thread: any; close() only that of the loop.
 class LoopGate : public std::enable_shared_from_this<LoopGate> {
  public:
   using Work = std::function<void()>;
-  /// How many bytes of unlimited work may wait for the loop. More is left out and counted.
+  /// How many bytes of work from post_if_room() may wait for the loop. More is left out and
+  /// counted.
   static constexpr std::size_t kBytesMax = std::size_t{4} << 20U;
-  /// What each piece of such work counts beside its own bytes: about the memory that it takes while
-  /// it waits, so that empty pieces are limited too.
+  /// How many bytes each piece of such work counts on top of its own: about the memory that it
+  /// takes while it waits, so that empty pieces are limited too.
   static constexpr std::size_t kBytesEach = 256;
 
   /// `on_full`: runs on the loop when something is left out for the first time.
@@ -32,7 +33,8 @@ class LoopGate : public std::enable_shared_from_this<LoopGate> {
   /// Posts work that is never left out, because there is little of it, such as the answer to a
   /// question.
   void post(Work work);
-  /// Posts work of which any amount may come. `bytes`: the size of what it holds from outside.
+  /// Posts work of which any amount may come, or leaves it out. `bytes`: the size of the data from
+  /// outside that it owns.
   void post_if_room(Work work, std::size_t bytes);
   /// No work runs any more, and the loop is not touched again.
   void close();

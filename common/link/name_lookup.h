@@ -15,11 +15,12 @@ namespace aucast::link {
 
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
 
-/// The addresses that need no look-up: of a numeric address, and of localhost. Else none.
+/// The addresses of a host that needs no look-up: a numeric address, or localhost. Empty for any
+/// other.
 [[nodiscard]] Addresses known_addresses(const std::string& host, std::uint16_t port);
 
-/// The addresses of a host. The system's own look-up cannot be interrupted, so it runs in a thread
-/// that nobody waits for, and a late result is dropped.
+/// Finds the addresses of a host. The system's own look-up cannot be interrupted, so it runs in a
+/// thread that nobody waits for, and a late result is dropped.
 class NameLookup {
  public:
   /// `failure`: cause and remedy; empty when there are addresses.
@@ -30,14 +31,14 @@ class NameLookup {
   NameLookup(const NameLookup&) = delete;
   NameLookup& operator=(const NameLookup&) = delete;
 
-  /// Calls `on_found` in the thread of the io_context, never from within start(), unless cancelled
-  /// before. One at a time: a new one cancels the previous one.
+  /// Calls `on_found` once in the thread of the io_context, never from within start(), and not at
+  /// all if it is cancelled before. One look-up at a time: a new one cancels the previous one.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
   void cancel();
 
  private:
   asio::io_context& io_;
-  std::shared_ptr<LoopGate> gate_;  ///< of the look-up that is under way; null: none was
+  std::shared_ptr<LoopGate> gate_;  ///< of the latest look-up; null: there was none
   OnFound on_found_;
 };
 

@@ -23,7 +23,7 @@ void set_option(int socket, int level, int option, int value) {
   static_cast<void>(::setsockopt(socket, level, option, &value, sizeof value));
 }
 
-/// Has the system end the connection when the peer has vanished without a word.
+/// Lets the system end the connection when the peer has vanished without closing it.
 void find_vanished_peer(int socket, const Limits& limits) {
   const auto seconds = [](Milliseconds time) {
     return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(time).count());
@@ -163,7 +163,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     }
   }
 
-  /// How much was taken, which is everything when the connection is broken.
+  /// Returns how many bytes were taken: all of them when the connection is broken.
   std::size_t send(std::string_view bytes) {
     std::size_t taken = 0;
     while (taken < bytes.size() && !blocked_) {
@@ -250,11 +250,11 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   }
 
   tcp::socket socket_;
-  LinkUser* user_ = nullptr;  ///< nothing: not started, or closed
-  std::string output_;        ///< what waits
+  LinkUser* user_ = nullptr;  ///< null: not started, or closed
+  std::string output_;        ///< waits to be sent
   std::size_t sent_ = 0;      ///< of it
   bool blocked_ = false;      ///< a wait for the socket is under way
-  bool broken_ = false;       ///< by a write; told when the running call is over
+  bool broken_ = false;       ///< by a write; reported after the running call has returned
   bool reading_ = false;      ///< a read is under way
   bool reading_wanted_ = true;
   bool peer_ended_ = false;

@@ -9,9 +9,9 @@
 
 namespace aucast::link {
 
-/// The link of a connected socket, plain. `held_back_max`: what the system may hold back unsent
-/// before the link counts as blocked, for streams of which only the newest matters; 0: as much as
-/// it likes.
+/// A link over a connected socket, without TLS. `held_back_max`: how many unsent bytes the system
+/// may hold before the link counts as blocked, for streams of which only the newest data matters;
+/// 0: as many as the system likes.
 [[nodiscard]] std::shared_ptr<Link> tcp_link(asio::ip::tcp::socket socket, const Limits& limits,
                                              int held_back_max = 0);
 

@@ -109,7 +109,7 @@ class WebLink final : public LayerLink<web::Layer> {
     }
   }
 
-  /// The WebSocket is over; what waits is drained, then it is told.
+  /// The WebSocket has ended: drains what waits, then reports it.
   void end(Ending ending) {
     ending_ = std::move(ending);
     below_->finish();
@@ -120,7 +120,7 @@ class WebLink final : public LayerLink<web::Layer> {
   std::optional<Instant> wake_at_;  ///< for the user
   std::optional<Instant> look_at_;  ///< for the peer
   Instant heard_at_;
-  bool asked_ = false;  ///< by a Ping, and not heard since
+  bool asked_ = false;  ///< a Ping was sent, and nothing has come since
 };
 
 }  // namespace

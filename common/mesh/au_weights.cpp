@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kFeaturesMax = 1000;
 constexpr int kUnitMax = 99;
-/// Of an eye at rest, as in scripts/train_camera/fit.py; one that was shut all the while is no
-/// measure.
+/// The smallest aperture of an eye at rest, as in scripts/train_camera/fit.py; an eye that was
+/// always shut gives no measure.
 constexpr double kLeastAperture = 0.15;
 constexpr const char* kSideNumbers = "18 numbers are expected";
 constexpr const char* kMiddleNumbers = "13 numbers are expected";
@@ -43,11 +43,11 @@ bool read_numbers(std::span<const std::string_view> words, std::span<double> num
   return true;
 }
 
-/// Reads the file line by line: "quiet-side", "raised-side", the same of the middle, "feature" and
-/// "au", and their words.
+/// Reads the file line by line. A line begins with "quiet-side", "quiet-middle", "raised-side",
+/// "raised-middle", "feature" or "au".
 class WeightsReader {
  public:
-  /// What is wrong with the line; nothing if it is right.
+  /// What is wrong with the line; nullopt if it is right.
   std::optional<std::string> read(const Words& words) {
     const std::span<const std::string_view> rest = std::span(words).subspan(1);
     if (words[0] == "quiet-side") {

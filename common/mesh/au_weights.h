@@ -12,18 +12,18 @@
 
 namespace aucast::mesh {
 
-/// What one side of a face sees of it, against the quiet face: its own side's measures, the other
-/// side's, those of the middle, and the head's turn. What goes to the left or right goes towards
-/// its own side here, so that both sides have the same weights. The aperture of the lids is in
-/// shares of what it is at rest: -1 is shut, also of narrow eyes.
+/// The inputs of the regressions for one side of a face: by how much its own measures, the other
+/// side's, those of the middle, and the head's turn differ from the quiet face. For the right side,
+/// directions are mirrored, so that both sides have the same weights. The aperture of the lids is
+/// relative to that at rest: -1 is shut, even for narrow eyes.
 inline constexpr std::size_t kInputs = 2 * kSideMeasures + kMiddleMeasures + 3;
 using Inputs = std::array<double, kInputs>;
 [[nodiscard]] Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left);
 
-/// How Action Units follow from measures: weights of linear regressions, in a file of ours
-/// (data/camera/action_units.txt, which scripts/train_camera writes).
+/// How Action Units are computed from measures: the weights of linear regressions, from a file of
+/// ours (data/camera/action_units.txt, which scripts/train_camera writes).
 struct AuWeights {
-  /// A number that is weighed: an input, its part above 0, or the product of two.
+  /// A number that has a weight: an input, its part above 0, or the product of two inputs.
   struct Feature {
     std::size_t input = 0;
     bool above = false;
@@ -31,28 +31,29 @@ struct AuWeights {
   };
   enum class Kind : std::uint8_t {
     Sided,    ///< each side has its own intensity
-    Whole,    ///< both have the mean of what they see
-    Turning,  ///< towards the left; its opposite is the next number
-    Signed,   ///< upwards; its opposite is the next number
+    Whole,    ///< both have the mean of the two sides
+    Turning,  ///< to the left; the AU with the next number is its opposite
+    Signed,   ///< upwards; the AU with the next number is its opposite
   };
   struct Unit {
     std::uint8_t number = 0;
     Kind kind = Kind::Whole;
-    double threshold = 0;  ///< what is below is noise
+    double threshold = 0;  ///< intensities up to this are noise, and become 0
     double bias = 0;
     std::vector<double> weights;  ///< one for each feature
   };
 
-  Measures typical;  ///< a quiet face of nobody in particular
-  /// What only seems to move with each radian by which the head is raised: landmarks are flatter
-  /// than a face, so that what lies before or behind the eyes does not turn back quite.
+  Measures typical;  ///< the quiet face of an average person
+  /// By how much each measure seems to change per radian by which the head is raised. The landmarks
+  /// are flatter than a real face, so undoing the turn leaves an error in front of and behind the
+  /// eyes.
   std::array<double, kSideMeasures> raised_side{};
   std::array<double, kMiddleMeasures> raised_middle{};
   std::vector<Feature> features;
   std::vector<Unit> units;
 };
 
-/// What is seen, without what only seems to move since the head is raised or lowered.
+/// The measures without the error that comes from raising or lowering the head (raised_side).
 [[nodiscard]] Measures levelled(const AuWeights& weights, const Measures& seen,
                                 const Measures& quiet);
 

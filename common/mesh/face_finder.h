@@ -16,12 +16,12 @@ namespace aucast::mesh {
 /// Thread: one at a time.
 class FaceFinder {
  public:
-  /// BadData, beginning with `file`, when it is another net.
+  /// BadData, beginning with `file`, when the bytes are not this net.
   [[nodiscard]] static Result<FaceFinder> make(std::span<const std::uint8_t> bytes,
                                                std::string_view file);
 
-  /// The squares that landmarks are looked for in: around each face, level with its eyes; the
-  /// clearest face first, at most `most` of them. Empty when none is surer than kSureMin.
+  /// The squares to look for landmarks in: one around each face, level with its eyes, the clearest
+  /// face first, at most `most`. Faces with a score below kSureMin are left out.
   [[nodiscard]] std::vector<Square> find(const Picture& picture, std::size_t most);
 
   static constexpr float kSureMin = 0.5F;

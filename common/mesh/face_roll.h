@@ -8,25 +8,26 @@
 
 namespace aucast::mesh {
 
-/// The faces of a film by numbers, which count from 0 as faces are first seen. One that was lost
-/// and is seen again where it was has its old number.
+/// Numbers the faces of a film from 0 in the order in which they are first seen. A face that was
+/// lost and is seen again at the same place gets its old number.
 /// Thread: none of its own.
 class FaceRoll {
  public:
   static constexpr std::size_t kFacesMax = 16;
 
-  /// How many have a number.
+  /// How many faces have a number.
   [[nodiscard]] std::size_t size() const { return faces_.size(); }
-  /// Where a face is looked for in the next picture; nothing: it is lost.
+  /// Where to look for a face in the next picture; nullopt: it is lost.
   [[nodiscard]] std::optional<Square> where(std::size_t number) const;
   /// Whether any face is followed.
   [[nodiscard]] bool follows_any() const;
-  /// The number of the face that was found at `square`. Nothing when it is being followed, or when
-  /// there are kFacesMax others.
+  /// The number, old or new, for a face that was found at `square`. nullopt when that face is
+  /// already being followed, or when there are kFacesMax others.
   [[nodiscard]] std::optional<std::size_t> number_of(const Square& square) const;
 
-  /// A face with a number of number_of() was seen; its square in the next picture. False, and the
-  /// face is lost: another one that is followed is there already.
+  /// Call when a face with a number from number_of() was seen; `next` is where to look for it in
+  /// the next picture. False: another face that is being followed is there already, and this one is
+  /// lost.
   bool seen(std::size_t number, const Square& next);
   void lost(std::size_t number) { faces_[number].followed = false; }
 

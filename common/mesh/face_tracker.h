@@ -15,7 +15,7 @@
 
 namespace aucast::mesh {
 
-/// The bytes of a model file, and what messages call it.
+/// The bytes of a model file, and the name that messages give it.
 struct ModelBytes {
   std::span<const std::uint8_t> bytes;
   std::string file;
@@ -27,41 +27,42 @@ struct SeenFace {
   Landmarks landmarks;
 };
 
-/// Faces, followed from picture to picture: one is looked for where it was, and in the whole
-/// picture when it is not there any more.
+/// Follows faces from picture to picture: looks for a face where it was, and in the whole picture
+/// when it is no longer there.
 /// Thread: one at a time.
 class FaceTracker {
  public:
-  /// BadData when a model is not what it should be.
+  /// BadData when a model is not the right net.
   [[nodiscard]] static Result<FaceTracker> make(const ModelBytes& detector,
                                                 const ModelBytes& landmarks);
 
-  /// The next picture of a film. Of several faces the clearest is followed; nothing when the
-  /// picture shows none.
+  /// Takes the next picture of a film and returns the face in it; of several, the clearest is
+  /// followed. nullopt when the picture shows none.
   [[nodiscard]] std::optional<Landmarks> follow(const Picture& picture);
-  /// The same for all faces, in the order of their numbers. For a film of its own: not mixed with
-  /// follow().
+  /// The same for all faces, in the order of their numbers. Do not mix it with follow() in one
+  /// film.
   [[nodiscard]] std::vector<SeenFace> follow_all(const Picture& picture);
 
   static constexpr double kPresenceMin = 0.5;
-  /// Pictures from one search for new faces to the next, while all that were there are seen.
+  /// Every how many pictures new faces are searched for, while none is lost.
   static constexpr int kSearchEvery = 10;
 
  private:
   FaceTracker(FaceFinder faces, LandmarkFinder landmarks)
       : faces_(std::move(faces)), landmarks_(std::move(landmarks)) {}
 
-  /// What the square shows, if that is a face.
+  /// The landmarks of the face in the square; nullopt when it shows none.
   [[nodiscard]] std::optional<Landmarks> look_in(const Picture& picture, const Square& square);
-  /// A face of the roll in this square, added to `seen`; false: there is none.
+  /// Looks in this square for the face of that number and adds it to `seen`; false: it is not
+  /// there.
   bool look_for(std::size_t number, const Picture& picture, const Square& square,
                 std::vector<SeenFace>& seen);
 
   FaceFinder faces_;
   LandmarkFinder landmarks_;
-  std::optional<Square> where_;  ///< of the one that follow() follows
+  std::optional<Square> where_;  ///< the square of the face that follow() follows
   FaceRoll roll_;
-  int since_search_ = 0;  ///< pictures
+  int since_search_ = 0;  ///< pictures since the last search
 };
 
 }  // namespace aucast::mesh

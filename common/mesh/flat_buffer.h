@@ -12,11 +12,11 @@
 
 namespace aucast::mesh {
 
-/// The bytes of a FlatBuffers file, read field by field. Nothing outside of them is ever read: what
-/// would lie there is 0 or empty, and broken() says so from then on.
+/// The bytes of a FlatBuffers file, read field by field. Never reads beyond them: what would lie
+/// outside is given as 0 or empty, and broken() is true from then on.
 class FlatBuffer {
  public:
-  /// Something that is not there.
+  /// The place of something that is missing.
   static constexpr std::size_t kNone = 0;
 
   explicit FlatBuffer(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -34,11 +34,11 @@ class FlatBuffer {
     return value;
   }
 
-  /// Where the distance at `place` points.
+  /// The place that the offset stored at `place` points to.
   [[nodiscard]] std::size_t target(std::size_t place) { return place + get<std::uint32_t>(place); }
   /// Where field `index` of the table at `table` is; kNone when the table does not have it.
   [[nodiscard]] std::size_t field(std::size_t table, std::size_t index);
-  /// The number in a table's field, or what it is when left out.
+  /// The number in a table's field; `otherwise` when the field is left out.
   template <typename T>
   [[nodiscard]] T number(std::size_t table, std::size_t index, T otherwise) {
     const std::size_t place = field(table, index);
@@ -47,8 +47,8 @@ class FlatBuffer {
   /// The table that a field points to; kNone when it is left out.
   [[nodiscard]] std::size_t table(std::size_t table, std::size_t index);
 
-  /// A vector in a table's field: where its items are and how many. Its items, of `item_bytes`
-  /// each, are within the file.
+  /// A vector in a table's field: where its items begin, and how many there are. All items, of
+  /// `item_bytes` each, lie within the file.
   struct Items {
     std::size_t begin = kNone;
     std::size_t count = 0;
@@ -64,11 +64,11 @@ class FlatBuffer {
 };
 
 /// The numbers under each key of a FlexBuffers map whose values are numbers or vectors of numbers,
-/// as the custom operators of TFLite have them; nothing when it is anything else.
+/// as the custom operators of TFLite have them; nullopt when it is anything else.
 using FlexMap = std::vector<std::pair<std::string, std::vector<double>>>;
 [[nodiscard]] std::optional<FlexMap> read_flex_map(std::span<const std::uint8_t> bytes);
 
-/// The value of an IEEE 754 half.
+/// The value of an IEEE 754 half-precision number.
 [[nodiscard]] float half_to_float(std::uint16_t half);
 
 }  // namespace aucast::mesh

@@ -8,19 +8,20 @@
 
 namespace aucast::mesh {
 
-/// How a head is turned in the picture, in radians by the subject's own left.
+/// How far a head is turned in the picture, in radians; left is the subject's own.
 struct HeadTurn {
   double left_rad = 0;
   double up_rad = 0;
   double tilt_left_rad = 0;  ///< the top of the head towards the left shoulder
 };
 
-/// Landmarks that no expression moves: corners of the eyes, bridge of the nose, temples.
+/// The landmarks that no expression moves: corners of the eyes, bridge of the nose, temples.
 inline constexpr std::array<std::size_t, 14> kStillLandmarks{33,  133, 362, 263, 168, 6,   197,
                                                              195, 5,   4,   127, 356, 234, 454};
 using StillPoints = std::array<Point, kStillLandmarks.size()>;
 
-/// Where they are on a typical face from the front, with the outer corners of the eyes 1 apart.
+/// Where they are on a typical face seen from the front, in units of the distance between the outer
+/// corners of the eyes.
 inline constexpr StillPoints kTypicalStillPoints{{{-0.5000, 0.0000, 0.0000},
                                                   {-0.2088, 0.0089, -0.0657},
                                                   {0.2088, 0.0089, -0.0657},
@@ -36,15 +37,15 @@ inline constexpr StillPoints kTypicalStillPoints{{{-0.5000, 0.0000, 0.0000},
                                                   {-0.8619, 0.2239, 0.6308},
                                                   {0.8619, 0.2239, 0.6308}}};
 
-/// A face laid on another one so that the still landmarks of both fit best.
+/// A face moved, turned and scaled onto another one so that their still landmarks fit best.
 struct FittedHead {
-  std::array<Point, kLandmarks> points{};  ///< in the other one's places and unit
-  HeadTurn turn;                           ///< against the other one
-  double scale = 1;  ///< how much larger than the other one it is in the picture
+  std::array<Point, kLandmarks> points{};  ///< in the other face's coordinates and unit
+  HeadTurn turn;                           ///< relative to the other face
+  double scale = 1;  ///< the size of this face in the picture, in units of the other face
 };
 
-/// The similarity of least squares (Horn 1987, "Closed-form solution of absolute orientation using
-/// unit quaternions").
+/// Fits by least squares (Horn 1987, "Closed-form solution of absolute orientation using unit
+/// quaternions").
 [[nodiscard]] FittedHead fit_head(const Landmarks& landmarks, const StillPoints& onto);
 
 }  // namespace aucast::mesh

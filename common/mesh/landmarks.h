@@ -20,22 +20,22 @@ struct Point {
 };
 
 inline constexpr std::size_t kFacePoints = 468;
-inline constexpr std::size_t kIrisPoints = 5;  ///< its middle, and four of its rim
+inline constexpr std::size_t kIrisPoints = 5;  ///< its middle, and four points of its rim
 inline constexpr std::size_t kRightIris = kFacePoints;
 inline constexpr std::size_t kLeftIris = kRightIris + kIrisPoints;
 inline constexpr std::size_t kLandmarks = kLeftIris + kIrisPoints;
 
-/// MediaPipe's landmarks of one face. Which is which: its canonical face model.
+/// MediaPipe's landmarks of one face, in the order of its canonical face model.
 struct Landmarks {
   std::array<Point, kLandmarks> points{};
   double presence = 0;  ///< [0,1]: how sure it is that this is a face
 };
 
-/// Finds the landmarks within a square that shows a face, with MediaPipe's face mesh with
-/// attention. Thread: one at a time.
+/// Finds the landmarks in a square that shows a face, with MediaPipe's net "face mesh with
+/// attention". Thread: one at a time.
 class LandmarkFinder {
  public:
-  /// BadData, beginning with `file`, when it is another net.
+  /// BadData, beginning with `file`, when the bytes are not this net.
   [[nodiscard]] static Result<LandmarkFinder> make(std::span<const std::uint8_t> bytes,
                                                    std::string_view file);
 
@@ -46,7 +46,7 @@ class LandmarkFinder {
   Net net_;
 };
 
-/// The square to look in, in the next picture.
+/// The square in which to look for this face in the next picture.
 [[nodiscard]] Square square_around(const Landmarks& landmarks);
 
 }  // namespace aucast::mesh

@@ -29,12 +29,12 @@ enum class SideMeasure : std::uint8_t {
   CheekOut,
   CheekFront,
   NasolabialUp,
-  GazeLeft,  ///< of the iris, in halves of the eye's width; to the subject's left for both eyes
+  GazeLeft,  ///< of the iris, in units of half the eye's width; to the subject's left for both eyes
   GazeUp,
 };
 inline constexpr std::size_t kSideMeasures = 18;
 
-/// What is measured across the middle.
+/// What is measured once per face, in the same units.
 enum class MiddleMeasure : std::uint8_t {
   BrowGap,
   MouthWidth,

@@ -13,7 +13,8 @@
 
 namespace aucast::mesh {
 
-/// What the engine can do; the numbers of TFLite's schema, and from 1000 on its custom operators.
+/// The operators that the engine knows, with the numbers of TFLite's schema; from 1000 on,
+/// MediaPipe's custom operators, which have none there.
 enum class Operator : std::uint16_t {
   Add = 0,
   Concatenation = 2,
@@ -34,13 +35,13 @@ enum class Operator : std::uint16_t {
 
 enum class Activation : std::uint8_t { None, Relu, Relu6 };
 
-/// Up to four dimensions, batch, height, width, channels; missing ones are 1 and come first.
+/// Four dimensions: batch, height, width, channels. Where a file has fewer, the first ones are 1.
 using Shape = std::array<std::size_t, 4>;
 [[nodiscard]] std::size_t count_of(const Shape& shape);
 
 struct Tensor {
   Shape shape{1, 1, 1, 1};
-  std::size_t rank = 4;  ///< of the four, how many the file names
+  std::size_t rank = 4;  ///< how many of the four the file has
   bool constant = false;
   std::vector<float> values;           ///< of constants
   std::vector<std::int32_t> integers;  ///< of constants: shapes and paddings
@@ -51,19 +52,19 @@ struct Step {
   Operator kind = Operator::Add;
   std::vector<std::size_t> inputs;
   std::vector<std::size_t> outputs;
-  bool same_padding = true;  ///< else none
+  bool same_padding = true;  ///< else no padding
   std::size_t stride_height = 1;
   std::size_t stride_width = 1;
   std::size_t filter_height = 1;
   std::size_t filter_width = 1;
   std::size_t depth_multiplier = 1;
-  std::size_t axis = 0;  ///< of the four dimensions
+  std::size_t axis = 0;  ///< which of the four dimensions
   Activation activation = Activation::None;
   FlexMap custom;
 };
 
 /// A net as its file describes it. Every index in it is within bounds; whether shapes fit each
-/// other is the engine's to check.
+/// other is checked by Net.
 struct Model {
   std::vector<Tensor> tensors;
   std::vector<Step> steps;
@@ -78,8 +79,8 @@ inline constexpr std::size_t kModelNumbersMax = std::size_t{1} << 25U;
 /// BadData: "file: not a model that can be used: why".
 [[nodiscard]] Error unusable_model(std::string_view file, std::string_view why);
 
-/// Reads a TFLite file with 32 or 16 bit floats. BadData, beginning with `file`, when it is no such
-/// file, is damaged or has operators that the engine does not know.
+/// Reads a TFLite file with 32 or 16 bit floats. BadData, beginning with `file`, when it is another
+/// kind of file, is damaged or has operators that the engine does not know.
 [[nodiscard]] Result<Model> read_model(std::span<const std::uint8_t> bytes, std::string_view file);
 
 }  // namespace aucast::mesh

@@ -12,8 +12,8 @@
 
 namespace aucast::mesh {
 
-/// A net that can be run: a model whose shapes were checked, and the numbers in it. Nothing is
-/// allocated while it runs. One for each thread.
+/// A net that can be run: a model whose shapes were checked, with the values of all tensors.
+/// Nothing is allocated while it runs. Thread: one at a time.
 class Net {
  public:
   /// BadData, beginning with `file`, when the bytes are no model (read_model), its shapes do not
@@ -22,28 +22,28 @@ class Net {
 
   static constexpr double kMultiplicationsMax = 2e9;
 
-  /// What run() reads; the first input's numbers.
+  /// Fill this before run(): the values of the net's input.
   [[nodiscard]] std::span<float> input() { return values_[inputs_[0]]; }
   [[nodiscard]] const Shape& input_shape() const { return shapes_[inputs_[0]]; }
   void run();
   [[nodiscard]] std::size_t outputs() const { return outputs_.size(); }
-  /// What the last run() has made.
+  /// The values of an output after run().
   [[nodiscard]] std::span<const float> output(std::size_t index) const {
     return values_[outputs_[index]];
   }
 
  private:
-  /// A step with all that is known before it runs.
+  /// A step with everything that can be computed before it runs.
   struct Planned {
     Operator kind = Operator::Add;
     std::vector<std::size_t> inputs;
     std::size_t output = 0;
     KernelWindow window;
     Activation activation = Activation::None;
-    std::vector<float> weights;  ///< of a convolution, arranged
+    std::vector<float> weights;  ///< of a convolution, as arranged_weights()
     std::vector<float> bias;
     std::size_t axis = 0;
-    Shape begin{};  ///< of a slice; zeros before, of a padding
+    Shape begin{};  ///< of a slice: its begin; of a padding: how many zeros come before
     Shape stride{};
     RegionOptions region;
   };

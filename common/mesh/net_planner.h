@@ -17,7 +17,7 @@ class Net::Planner {
   [[nodiscard]] Result<Net> plan();
 
  private:
-  /// Each plans one step and says whether it fits.
+  /// Each plans one step and returns whether it fits.
   [[nodiscard]] bool plan_step(const Step& step);
   [[nodiscard]] bool plan_convolution(const Step& step, Planned& planned);
   [[nodiscard]] bool plan_depthwise(const Step& step, Planned& planned);
@@ -38,7 +38,7 @@ class Net::Planner {
   Model model_;
   std::string file_;
   Net net_;
-  std::vector<bool> known_;  ///< which tensors have numbers before the next step runs
+  std::vector<bool> known_;  ///< which tensors have values before the next step runs
   double multiplications_ = 0;
 };
 

@@ -7,9 +7,9 @@
 
 #include "common/mesh/model_file.h"
 
-/// The arithmetic of the nets: one function for each operator, numbers in, numbers out. Numbers lie
-/// as TFLite has them, channels closest together, then columns, rows and batch (always 1 here).
-/// Whoever calls has checked that the shapes fit; the sizes of spans are those of their shapes.
+/// The arithmetic of the nets: one function for each operator, from numbers to numbers. They are
+/// laid out as in TFLite: channels vary fastest, then columns, rows and batch (always 1 here). The
+/// caller has checked that the shapes fit; the sizes of spans are those of their shapes.
 namespace aucast::mesh {
 
 /// How an operator's window lies on its input.
@@ -18,21 +18,22 @@ struct KernelWindow {
   std::size_t width = 1;
   std::size_t stride_height = 1;
   std::size_t stride_width = 1;
-  std::size_t above = 0;  ///< rows of padding before the first
-  std::size_t left = 0;   ///< columns
+  std::size_t above = 0;  ///< rows of padding before the first row
+  std::size_t left = 0;   ///< columns of padding before the first column
 };
 
 /// Padding before the first row or column, as TFLite's SAME distributes it.
 [[nodiscard]] std::size_t padding_before(std::size_t in, std::size_t window, std::size_t stride,
                                          std::size_t out);
-/// How many places a window has on an input.
+/// How many positions a window takes along one dimension of an input. `same`: with TFLite's SAME
+/// padding.
 [[nodiscard]] std::size_t places(std::size_t in, std::size_t window, std::size_t stride, bool same);
 
 void activate(std::span<float> numbers, Activation activation);
 
-/// Weights of a convolution as convolve() wants them: by row, column, input channel, output
-/// channel, of which there are `padded_channels()`, from TFLite's output channel, row, column,
-/// input channel.
+/// Reorders the weights of a convolution from TFLite's order (output channel, row, column, input
+/// channel) to that of convolve(): row, column, input channel, output channel, with
+/// padded_channels() output channels.
 [[nodiscard]] std::vector<float> arranged_weights(std::span<const float> weights,
                                                   const Shape& shape);
 /// How many output channels are computed at a time.
@@ -55,39 +56,40 @@ void prelu(std::span<const float> in, std::span<const float> slopes, std::span<f
 /// `b` repeats until it is as long as `a`.
 void add(std::span<const float> a, std::span<const float> b, std::span<float> out);
 void multiply(std::span<const float> a, std::span<const float> b, std::span<float> out);
-/// `before`: how many zeros come before each dimension; behind it comes what fills `out`.
+/// `before`: how many zeros come before the numbers in each dimension; zeros fill the rest of
+/// `out`.
 void pad(std::span<const float> in, const Shape& in_shape, const Shape& before,
          std::span<float> out, const Shape& out_shape);
 /// Every `stride`th number from `begin` on, in each dimension.
 void slice(std::span<const float> in, const Shape& in_shape, const Shape& begin,
            const Shape& stride, std::span<float> out, const Shape& out_shape);
-/// Copies `in` into `out` from place `at` of dimension `axis` on.
+/// Copies `in` into `out`, beginning at index `at` of dimension `axis`.
 void put(std::span<const float> in, const Shape& in_shape, std::size_t axis, std::size_t at,
          std::span<float> out, const Shape& out_shape);
 
 // === MediaPipe's own operators, of the face mesh with attention
 
-/// A 4x4 matrix by rows that leads from the places of a small map to the places of a large one.
+/// A 4x4 matrix, row by row, that turns coordinates in a small map into coordinates in a large one.
 using Matrix = std::array<float, 16>;
 
 /// A region around some landmarks, level with two of them.
 struct RegionOptions {
-  std::size_t left = 0;  ///< these two landmarks lie level
+  std::size_t left = 0;  ///< the landmark that is level with `right`
   std::size_t right = 0;
   double target_angle_rad = 0;
-  std::vector<std::size_t> landmarks;  ///< what the region is around; not empty
-  double scale_x = 1;                  ///< how many times as wide as the landmarks
+  std::vector<std::size_t> landmarks;  ///< those that the region surrounds; not empty
+  double scale_x = 1;                  ///< width of the region, in widths of the landmarks
   double scale_y = 1;
   double width = 16;  ///< of the small map
   double height = 16;
 };
 
-/// `landmarks`: x, y, z of each, in places of the large map.
+/// `landmarks`: x, y, z of each, in coordinates of the large map.
 [[nodiscard]] Matrix region_matrix(std::span<const float> landmarks, const RegionOptions& options);
-/// The small map: what the large one has at its places, between four of them; 0 outside.
+/// Samples the large map `in` at the points of the small map `out`, bilinearly; 0 outside of `in`.
 void sample_bilinear(std::span<const float> in, const Shape& in_shape, const Matrix& matrix,
                      std::span<float> out, const Shape& out_shape);
-/// x, y of each landmark, through the matrix.
+/// Transforms x and y of each landmark by the matrix.
 void transform_landmarks(std::span<const float> in, const Matrix& matrix, std::span<float> out);
 
 }  // namespace aucast::mesh

@@ -10,15 +10,15 @@
 namespace aucast::mesh {
 namespace {
 
-constexpr std::size_t kQuietPart = 5;  ///< one in so many counts as quiet
-/// The same for brows: who keeps them raised for seconds while nothing else shows is not at rest.
+constexpr std::size_t kQuietPart = 5;  ///< one picture in this many counts as quiet
+/// The same for brows: they may stay raised for seconds while nothing else moves.
 constexpr std::size_t kQuietBrowPart = 2;
-constexpr double kLoweredPart = 0.6;  ///< of the usual aperture: eyes that are less open look down
-constexpr std::size_t kMostSeen = 3000;  ///< no statistics gets better by more than this
+constexpr double kLoweredPart = 0.6;     ///< of the typical aperture; less open eyes look down
+constexpr std::size_t kMostSeen = 3000;  ///< more pictures would not change the medians
 constexpr double kKeptEach = 0.2;
-constexpr double kEaseSeconds = 1;  ///< in which the quiet face follows what was found
+constexpr double kEaseSeconds = 1;  ///< time constant of the changes of RunningQuietFace
 
-/// Everything that is measured, as numbers in a row.
+/// All measures as one array of numbers.
 constexpr std::size_t kQuietNumbers = 2 * kSideMeasures + kMiddleMeasures + 4;
 using Numbers = std::array<double, kQuietNumbers>;
 
@@ -46,7 +46,7 @@ Measures measures_of(const Numbers& numbers) {
   return measures;
 }
 
-/// Of head and gaze: where somebody mostly looks.
+/// Whether the number belongs to head or gaze: where somebody looks.
 bool is_direction(std::size_t number) {
   const auto gaze = static_cast<std::size_t>(SideMeasure::GazeLeft);
   const std::size_t of_side = number % kSideMeasures;
@@ -54,7 +54,7 @@ bool is_direction(std::size_t number) {
          (number < 2 * kSideMeasures && of_side >= gaze);
 }
 
-/// Of the brows.
+/// Whether the number belongs to the brows.
 bool is_brow(std::size_t number) {
   const std::size_t middle = 2 * kSideMeasures;
   if (number < middle) {
@@ -69,7 +69,7 @@ double median_of(std::vector<double>& values) {
   return *middle;
 }
 
-/// How much shows in a face; where it looks does not count.
+/// The sum of a face's AUs, without turns of head and eyes.
 double expression_of(const AuWeights& weights, const Measures& seen, const Measures& quiet) {
   const AuFrame frame = read_aus(weights, seen, quiet);
   double sum = 0;
@@ -98,8 +98,8 @@ Measures medians(std::span<const Measures* const> seen, std::size_t quiet_part,
   return measures_of(found);
 }
 
-/// Lips at rest are shut, also those of somebody who keeps them parted (AU 25): shut lips have the
-/// same gap on everybody. What hangs is the lower lip.
+/// Shuts the lips, in case they were always parted (AU 25): a face at rest has them shut, with the
+/// same gap on everybody. The lower lip is the one that moves.
 void shut_lips(Measures& quiet, const Measures& typical) {
   const auto of = [](Measures& face, MiddleMeasure what) -> double& {
     return face.middle[static_cast<std::size_t>(what)];
@@ -112,19 +112,19 @@ void shut_lips(Measures& quiet, const Measures& typical) {
   of(quiet, MiddleMeasure::LowerLipUp) += parted;
 }
 
-/// How far each eye is open before it counts as lowered.
+/// Lids with a smaller aperture count as lowered.
 double least_aperture(const Measures& typical) {
   return kLoweredPart * typical.left[static_cast<std::size_t>(SideMeasure::Aperture)];
 }
 
-/// Both eyes look down or are shut: that is no quiet face, how little else may show.
+/// Whether both eyes look down or are shut: that is no quiet face, however weak its other AUs are.
 bool lids_are_lowered(const Measures& seen, const Measures& typical) {
   const auto aperture = static_cast<std::size_t>(SideMeasure::Aperture);
   return std::max(seen.left[aperture], seen.right[aperture]) < least_aperture(typical);
 }
 
-/// Lids that are lowered are not at rest, even if they were never seen otherwise, as at the start
-/// of a film.
+/// Raises lowered lids: they are not at rest, even if they were never seen otherwise, as at the
+/// start of a film.
 void raise_lids(Measures& quiet, const Measures& typical) {
   for (const auto side : {&Measures::left, &Measures::right}) {
     const auto of = [side](auto& face, SideMeasure what) -> auto& {

@@ -10,24 +10,23 @@
 
 namespace aucast::mesh {
 
-/// The face at rest of somebody who was seen for a while: of the measures of the face the medians
-/// of the quietest fifth of what was seen, those in which the fewest AUs show; of brows, which may
-/// stay raised for seconds, of the quieter half; of head and gaze the medians of all, so that who
-/// mostly looks past the camera looks straight. Its lips are shut and
-/// its eyes open to 60 % of what is usual or more, whatever was seen. The typical face when nothing
-/// was seen.
+/// The face at rest of a person, from pictures of them. Each measure is a median: usually over the
+/// quietest fifth of the pictures, in which AUs are weakest; for brows, which may stay raised for
+/// seconds, over the quieter half; for head and gaze over all, so that somebody who mostly looks
+/// past the camera counts as looking straight. Lips are always shut, and eyes at least 60 % as open
+/// as the typical face's. The typical face when nothing was seen.
 [[nodiscard]] Measures find_quiet_face(std::span<const Measures> seen, const AuWeights& weights);
 
 /// The median of each measure; the typical face when nothing was seen.
 [[nodiscard]] Measures median_face(std::span<const Measures> seen, const AuWeights& weights);
 
-/// The same as find_quiet_face() of somebody who is still being watched: of the last
-/// kWatchedSeconds.
+/// find_quiet_face() for somebody who is still being watched, over the last kWatchedSeconds.
 class RunningQuietFace {
  public:
   explicit RunningQuietFace(const AuWeights& weights) : weights_(weights) {}
 
-  /// A face at `seconds`, later than the one before; the quiet face by then.
+  /// Takes the face seen at `seconds`, later than the last, and returns the quiet face as found so
+  /// far.
   [[nodiscard]] const Measures& watch(double seconds, const Measures& seen);
 
   static constexpr double kWatchedSeconds = 60;

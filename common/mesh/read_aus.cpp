@@ -26,7 +26,7 @@ double weighed(const AuWeights::Unit& unit, const std::vector<double>& features)
   return sum;
 }
 
-/// What rises above the noise, stretched so that full intensity stays what it is.
+/// The part above the threshold, scaled so that 1 stays 1.
 float above_noise(double value, double threshold) {
   return static_cast<float>(std::clamp((value - threshold) / (1 - threshold), 0.0, 1.0));
 }

@@ -9,11 +9,11 @@
 namespace aucast::mesh {
 
 /// Steadies the sideways gaze: each picture gets the median of itself and its two neighbours. The
-/// first and last stay.
+/// first and last picture stay as they are.
 void steady_gaze(std::span<Measures> film);
 
-/// The same for somebody being watched live: the median of the last three pictures, so a glance is
-/// told one picture late.
+/// The same for live pictures: each gets the median of the last three, so a glance shows one
+/// picture late.
 class RunningSteadyGaze {
  public:
   [[nodiscard]] Measures watch(const Measures& seen);

@@ -8,19 +8,19 @@
 
 namespace aucast::preview {
 
-/// Let others in at this address of this host.
+/// An order: let others connect at this address of this host.
 struct GoLive {
   std::string bind;
   std::uint16_t port = 0;
   friend bool operator==(const GoLive&, const GoLive&) = default;
 };
-/// Send them away again.
+/// An order: send the others away and let no more in.
 struct GoPrivate {
   friend bool operator==(const GoPrivate&, const GoPrivate&) = default;
 };
 using Order = std::variant<GoLive, GoPrivate>;
 
-/// A line, with its end.
+/// The order as a line, with its line end.
 [[nodiscard]] std::string order_text(const Order& order);
 /// Reads an order from a line without its end; nullopt if it is none.
 [[nodiscard]] std::optional<Order> parse_order(std::string_view line);

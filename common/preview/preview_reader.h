@@ -11,34 +11,37 @@
 
 namespace aucast::preview {
 
-/// The stream can be played there, on this host.
+/// The stream can be played at this address, on this host only.
 struct Listening {
   std::string address;  ///< ADDR:PORT
 };
-/// Others can connect there.
+/// Others can connect at this address.
 struct Live {
   std::string address;
 };
+/// Others can no longer connect.
 struct Private {};
-/// How many of them are connected.
+/// How many others are connected.
 struct Watching {
   std::size_t count = 0;
 };
+/// An order was refused; the sentence says why.
 struct Refused {
   std::string sentence;
 };
 using Record = std::variant<Listening, Seen, Live, Private, Watching, Refused>;
 
-/// Takes records out of bytes as they come, however they are cut. Holds no more than one record and
-/// what was fed last. Pure.
+/// Takes records out of bytes that come in pieces. Keeps no more than one record and what was fed
+/// last. Pure.
 class PreviewReader {
  public:
   void feed(std::string_view bytes) { bytes_ += bytes; }
 
-  /// The next record; nothing: more bytes are needed. BadData for anything else, and from then on.
+  /// The next record; nullopt: more bytes are needed. BadData for anything that is no record, and
+  /// in every later call.
   [[nodiscard]] Result<std::optional<Record>> next();
 
-  /// The longest line, and the longest text of AUs.
+  /// The most bytes of a line, and of a text of AUs.
   static constexpr std::size_t kTextMax = 4096;
 
  private:

@@ -15,13 +15,13 @@ namespace aucast::preview {
 [[nodiscard]] Seen small_picture(std::size_t width, std::size_t height,
                                  std::span<const std::uint8_t> rgb);
 
-/// The record of a picture that is small. Points outside of it are put onto its edge.
+/// The record for a picture from small_picture(). Points outside of it are moved to its edge.
 [[nodiscard]] std::string seen_record(const Seen& seen);
 /// "live ADDR:PORT"
 [[nodiscard]] std::string live_record(std::string_view address);
 [[nodiscard]] std::string private_record();
 [[nodiscard]] std::string watching_record(std::size_t count);
-/// The sentence in one line.
+/// The record for a refusal, with the sentence in one line.
 [[nodiscard]] std::string refused_record(std::string_view sentence);
 
 }  // namespace aucast::preview

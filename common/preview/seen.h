@@ -8,9 +8,9 @@
 
 namespace aucast::preview {
 
-/// The longest side of a picture.
+/// The longest side of a picture, in pixels.
 inline constexpr std::size_t kSideMax = 320;
-/// No net finds more landmarks.
+/// The most landmarks in one record; no net finds more.
 inline constexpr std::size_t kPointsMax = 1000;
 
 /// A place in a picture: 0 to 1 of its width from the left and of its height from the top.
@@ -25,8 +25,8 @@ struct Seen {
   std::size_t width = 0;
   std::size_t height = 0;
   std::vector<std::uint8_t> rgb;  ///< rows from the top
-  std::vector<Point> points;      ///< landmarks; none: no face is seen
-  std::vector<AuTerm> aus;        ///< of every AU that can be seen, even if absent
+  std::vector<Point> points;      ///< landmarks; empty: no face is seen
+  std::vector<AuTerm> aus;        ///< one for each AU that can be read, 0 % if absent
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 

@@ -24,14 +24,14 @@ struct ArkitTable {
   std::vector<ArkitCurve> curves;
 };
 
-/// Where the table comes from when it is needed.
+/// Loads the table; called only when it is needed.
 using LoadCurves = std::function<Result<ArkitTable>()>;
 
-/// The one in the data folder.
+/// Loads the table of the data folder.
 [[nodiscard]] Result<ArkitTable> load_arkit_table();
 
-/// Reads a table with the columns curve, au, side (L, R or B) and gain. BadData with
-/// file:line:column for what is wrong.
+/// Reads a table with the columns curve, au, side (L, R or B) and gain. BadData, with
+/// file:line:column, when something in it is wrong.
 [[nodiscard]] Result<ArkitTable> parse_arkit_table(std::string_view text, std::string_view file);
 
 }  // namespace aucast::sources

@@ -5,7 +5,7 @@
 
 namespace aucast::sources {
 
-/// HH:MM:SS:FF.fff taken apart.
+/// A time code HH:MM:SS:FF.fff, taken apart.
 struct Timecode {
   double whole_seconds = 0;  ///< since midnight
   double frames = 0;

@@ -12,7 +12,7 @@ constexpr double kDistanceSeconds = 1;
 constexpr std::array<std::size_t, 2> kDistanceChannels{channel_of(kHeadForward, false),
                                                        channel_of(kHeadForward, true)};
 
-/// Of head or eyes, the distance apart.
+/// Whether the channel is a turn of head or eyes; the distance is not.
 bool is_turn(std::size_t channel) {
   const std::size_t number = channel % kAuCount;
   return (number >= 51 && number <= 56) || (number >= 61 && number <= 64);
@@ -22,7 +22,8 @@ bool knows_distance(const Signals& neutral) {
   return is_signal(neutral[kDistanceChannels[0]]);
 }
 
-/// Nothing is to be done but to keep within bounds: what is off leaves no trace at all.
+/// Whether nothing is to be done except keeping within bounds, so that conditioning that is off
+/// changes nothing.
 bool is_off(const ConditioningSettings& settings) {
   const Profile& profile = settings.profile;
   return !settings.neutral_seconds && !settings.distance && !profile.filter &&
@@ -100,8 +101,8 @@ AuFrame Conditioning::apply(double seconds, const AuFrame& update) {
   return update_of(signals);
 }
 
-/// While it is measured, what has been seen so far is the neutral face: there is no jump when the
-/// seconds are over.
+/// During the measurement, what was measured so far is used as the neutral face, so that there is
+/// no jump at its end.
 void Conditioning::measure(double seconds, const Signals& signals) {
   if (!meter_) return;
   if (meter_->add(seconds, signals)) {

@@ -11,48 +11,51 @@
 
 namespace aucast::sources {
 
-/// What is known of one person in front of one camera, and how their signals are to be conditioned.
+/// What is known about one person in front of one camera, and how their signals are to be
+/// conditioned.
 struct Profile {
-  Signals neutral = no_signals();         ///< the neutral face; no data: not known
+  Signals neutral = no_signals();         ///< the neutral face; a signal without data is not known
   PerAu gain{1};                          ///< [0, 10]
   PerAu dead_band{2};                     ///< whole percent, 0-50
-  std::optional<OneEuroSettings> filter;  ///< nothing: off
+  std::optional<OneEuroSettings> filter;  ///< nullopt: off
 };
 
-/// A value for `neutral_seconds`: no end; NeutralMeter stops counting after ten minutes.
+/// A value for `neutral_seconds` that no recording reaches (NeutralMeter ignores what comes after
+/// ten minutes).
 inline constexpr double kWholeRecordingSeconds = 1e9;
 
 /// What happens to a recogniser's signals; by default, nothing but the dead band.
 struct ConditioningSettings {
   Profile profile;
-  /// Above 0: the neutral face is measured in so many first seconds of a face, and replaces the
-  /// profile's.
+  /// Above 0: the neutral face is measured in this many seconds from when a face is first seen, and
+  /// replaces the profile's. nullopt: it is not measured.
   std::optional<double> neutral_seconds;
-  /// Of the neutral face, subtract only the turns of head and eyes.
+  /// Of the measured neutral face, only the turns of head and eyes are used.
   bool neutral_turns_only = false;
-  bool distance = false;  ///< the head's distance is shown, as AUs 57 and 58
+  bool distance = false;  ///< whether the head's distance is shown, as AUs 57 and 58
 };
 
-/// Turns what a recogniser sees into what is to be shown, sample by sample: neutral face off ->
-/// gain -> One Euro filter -> intensities. A signal without data stays without; it is held and
-/// eased after this (Channels), and the dead band comes last of all.
+/// Turns what a recogniser sees into what is to be shown, sample by sample: the neutral face is
+/// subtracted, then come gain, One Euro filter, and conversion to intensities. A signal without
+/// data stays without; Channels holds and eases it after this, and the dead band comes last of all.
 ///
-/// Up to the end signals may be negative: the filter averages out noise around the neutral face,
-/// which would become a small expression if it were cut off at 0. The distance means nothing before
-/// a neutral distance is subtracted: the profile's, or the median of the first second.
+/// Signals may be negative until the conversion: the filter averages out noise around the neutral
+/// face, which would become a small expression if it were cut off at 0. The distance means nothing
+/// before a neutral distance is subtracted: the profile's, or the median of the first second.
 class Conditioning {
  public:
   explicit Conditioning(const ConditioningSettings& settings = {});
 
-  /// The sample at `seconds`, later than the last: intensities, negative where there is no data;
-  /// those of turns may be above 1. What comes back is not.
+  /// Takes the sample at `seconds`, later than the last, and returns what is to be shown. Both are
+  /// intensities, negative where there is no data; only in `update` may those of turns be above 1.
   [[nodiscard]] AuFrame apply(double seconds, const AuFrame& update);
 
-  /// Other settings from the next sample on; what was measured stays measured.
+  /// Uses other settings from the next sample on; a neutral face that was measured is kept.
   void change(const ConditioningSettings& settings);
-  /// Measures anew what was measured.
+  /// Measures the neutral face again.
   void forget_neutral();
-  /// The neutral face, once, when it was asked for and has been measured.
+  /// The neutral face, once it has been measured; given only once, and only if `neutral_seconds` is
+  /// set.
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral();
 
  private:
@@ -62,17 +65,20 @@ class Conditioning {
   ConditioningSettings settings_;
   Signals neutral_;
   std::optional<NeutralMeter> meter_;
-  std::optional<MeasuredNeutral> measured_;  ///< and not taken yet
+  std::optional<MeasuredNeutral> measured_;  ///< set until it is taken
   OneEuroBank filters_;
 };
 
-/// How long is measured: the neutral face's seconds, or those of the distance; or nothing is.
+/// For how many seconds something is measured, the neutral face or only the distance; nullopt:
+/// nothing is.
 [[nodiscard]] std::optional<double> seconds_to_measure(const ConditioningSettings& settings);
 
-/// The sample before anything happens to it; without the distance, unless it is asked for.
+/// The sample as signals, before anything is done to it; without the distance, unless
+/// settings.distance.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
-/// What is to be subtracted after this was measured: without --neutral only the distance.
+/// What is to be subtracted: the profile's neutral face, with what was measured in its place.
+/// Without `neutral_seconds` only the distance is taken from `measured`.
 [[nodiscard]] Signals neutral_with(const ConditioningSettings& settings,
                                    const MeasuredNeutral& measured);
 

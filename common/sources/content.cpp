@@ -15,7 +15,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// The numbers of a line between separators; none when anything else stands there.
+/// The numbers of a line between separators; empty when there is anything else.
 Numbers numbers_of(std::string_view line, char separator) {
   Numbers numbers;
   for (std::string_view cell : split(line, separator)) {

@@ -16,57 +16,55 @@ namespace aucast::sources {
 
 inline constexpr std::size_t kCsvLineBytesMax = std::size_t{256} << 10U;
 inline constexpr std::size_t kCsvColumnsMax = 8192;
-/// Characters around a cell or a line that mean nothing.
+/// Characters that are ignored around a cell or a line.
 inline constexpr std::string_view kCsvBlanks = " \t\r";
 
 /// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, CR, a
 /// UTF-8 byte order mark, a preamble (is_preamble()), blanks around cells, quoted cells, and ',',
 /// ';' or tab between cells (whichever the header has most of). Refers to the text, which must
-/// outlive it; holds one row at a time. Errors in rows and numbers are collected, the first 20 of
-/// them.
+/// outlive it; keeps one row at a time. Collects the first 20 errors in rows and numbers.
 class CsvReader {
  public:
   enum class Next : std::uint8_t {
     Row,             ///< a row with a cell for every column
     RepeatedHeader,  ///< the header once more: another recording was appended
-    Truncated,       ///< a last line without its end: its writer was stopped; it counts for nothing
-    Faulty,          ///< a line with too few or too many cells; noted in errors()
+    Truncated,       ///< a last line without a line end, since its writer was stopped; ignore it
+    Faulty,          ///< a line with too few or too many cells; noted in error()
     End,
   };
 
-  /// Reads the line with the names of the columns, the first that is not blank and no preamble.
-  /// BadData when there is none, it is too long or names too many columns. Asked to stop, next()
-  /// comes to the end at once.
+  /// Reads the line with the names of the columns: the first that is neither blank nor a preamble.
+  /// BadData when there is none, or it is too long or names too many columns. Asked to stop, next()
+  /// returns End at once.
   [[nodiscard]] static Result<CsvReader> open(std::string_view text, std::string_view file,
                                               std::stop_token stop = {});
 
   /// The names of the columns, trimmed.
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
-  /// The first column of that name; case matters, x_0 and X_0 are different things in OpenFace.
+  /// The first column of that name. Case matters: OpenFace has both x_0 and X_0.
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
 
-  /// Goes on to the next line that is not blank.
+  /// Reads the next line that is not blank.
   [[nodiscard]] Next next();
-  /// What next() gave may not be all.
+  /// Whether it was asked to stop, so that next() may have left out rows.
   [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
-  /// Takes a line that is not in the text, such as one that has just been written, as the present
-  /// one; it must outlive the use of its cells. `line`: its number, for messages. Not for a blank
-  /// line.
+  /// Makes a line that is not in the text, such as one that has just been written, the present one.
+  /// It must not be blank, and must outlive the use of its cells. `line`: its number, for messages.
   [[nodiscard]] Next take(std::string_view content, std::size_t line);
-  /// Goes back to before the first row; errors stay.
+  /// Goes back to before the first row; errors are kept.
   void rewind();
 
   /// The cell as text, trimmed, without quotes; empty when the table has no such column.
   [[nodiscard]] std::string_view text(std::optional<std::size_t> column) const;
   /// The cell as a number. nullopt when the table has no such column, and for values that mean "no
-  /// data": an empty cell, NaN, inf, NA, null, none. A decimal comma and thousands are understood
-  /// in a quoted cell, or where cells are separated by ';' or tab. Anything else is noted in
-  /// errors().
+  /// data": an empty cell, NaN, inf, NA, null, none. A decimal comma and separators of thousands
+  /// are understood in a quoted cell, or where cells are separated by ';' or tab. Anything else is
+  /// noted in error().
   [[nodiscard]] std::optional<double> number(std::optional<std::size_t> column);
 
   /// Number of the present line, from 1.
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// Notes that something is wrong with a cell of this row.
+  /// Adds an error about a cell of this row.
   void refuse(std::optional<std::size_t> column, const std::string& reason);
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
   /// All errors noted, one "file:line:column: reason" per line.
@@ -100,12 +98,12 @@ class CsvReader {
   ErrorList errors_;
 };
 
-/// Whether a line before a table is not part of it: "sep=;" for spreadsheets, a comment from '#'
-/// on, or what FaceReader says of a recording ("Face Model:" and so on).
+/// Whether a line before a table is to be skipped: "sep=;" for spreadsheets, a comment that begins
+/// with '#', or FaceReader's description of a recording ("Face Model:" and so on).
 [[nodiscard]] bool is_preamble(std::string_view line);
 
-/// A number as recognisers and spreadsheets write it: 1.5, 1,5 and 1,234.5 (`commas`). Nothing
-/// when it is none or not finite.
+/// A number as recognisers and spreadsheets write it: 1.5 and, with `commas`, 1,5 and 1,234.5.
+/// nullopt when it is none or not finite.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text, bool commas);
 
 }  // namespace aucast::sources

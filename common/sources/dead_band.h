@@ -6,17 +6,17 @@
 
 namespace aucast::sources {
 
-/// Suppresses a recogniser's noise: an intensity stays as it was until it has changed by the
-/// percent of its AU or more, and then takes its exact value. So it is off by at most that percent
-/// less one, and 0 is always taken at once. A percent of 0 or 1 changes nothing.
+/// Suppresses a recogniser's noise: an intensity stays as it was until it has changed by at least
+/// the percent set for its AU, and then takes its exact value. So it is wrong by less than that
+/// percent. 0 is always taken at once. A percent of 0 or 1 changes nothing.
 class DeadBand {
  public:
-  /// `percent`: whole ones.
+  /// `percent`: whole numbers.
   explicit DeadBand(const PerAu& percent) : percent_(percent) {}
 
-  /// The frame to be shown instead of the next one.
+  /// Takes the next frame and returns the one to be shown instead.
   [[nodiscard]] AuFrame settle(const AuFrame& frame);
-  /// From the next frame on.
+  /// Sets the percents from the next frame on.
   void change(const PerAu& percent) { percent_ = percent; }
 
  private:
@@ -24,7 +24,7 @@ class DeadBand {
   AuFrame shown_;
 };
 
-/// The same for a whole stream; as many keyframes, with their times.
+/// Applies a DeadBand to a whole stream. The keyframes keep their number and times.
 void apply_dead_band(protocol::StreamFile& stream, const PerAu& percent);
 
 }  // namespace aucast::sources

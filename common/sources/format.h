@@ -10,7 +10,7 @@
 
 namespace aucast::sources {
 
-/// How one kind of recogniser writes its tables. It looks its columns up by name when it is made.
+/// Reads the tables of one kind of recogniser. It looks its columns up by name when it is made.
 class Format {
  public:
   Format() = default;
@@ -22,26 +22,27 @@ class Format {
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// The largest AU value of the format: 1, 5, 100, or 0 when only the values can tell.
   [[nodiscard]] virtual double native_scale() const = 0;
-  /// What the reader decided or assumed, for reports; empty when there was nothing to decide. It
-  /// may change with the rows seen.
+  /// What the format decided or assumed, for reports; empty when there was nothing to decide. It
+  /// may change as rows are read.
   [[nodiscard]] virtual std::string note() const { return {}; }
-  /// Looks at every row once before any is read, for what single rows cannot tell.
+  /// Called with every row before any is read, for what single rows cannot tell.
   virtual void scan(CsvReader& /*row*/) {}
-  /// Reads the present row into `out`, which is empty.
+  /// Reads the present row into `out`, which the caller has cleared.
   virtual void read(CsvReader& row, Observation& out) const = 0;
 };
 
-/// The format whose columns these are, or null. `load_curves` is called for tables of ARKit's
-/// curves alone; its error is the result then.
+/// The format that has these columns; null when none has. `load_curves` is called only for tables
+/// of ARKit's curves; if it fails, so does this.
 [[nodiscard]] Result<std::unique_ptr<Format>> open_format(const CsvReader& table,
                                                           const LoadCurves& load_curves);
 
 /// Whether open_format() knows the columns.
 [[nodiscard]] bool is_known(const CsvReader& table);
 
-// === One per family: the format, or null when the columns are not its own.
+// === One per family of recognisers: returns its format, or null when the columns are not the
+// family's.
 
-/// What our own camera and film readers write.
+/// The tables that our own readers of cameras and films write.
 [[nodiscard]] std::unique_ptr<Format> open_camera_table(const CsvReader& table);
 /// OpenFace 1 and 2, and FACSvatar's cleaned form of them.
 [[nodiscard]] std::unique_ptr<Format> open_openface(const CsvReader& table);

@@ -49,7 +49,7 @@ std::string faces_of(const Found& found) {
   return text + (found.faces.size() > kShown ? ", ..." : "");
 }
 
-/// What reads the rows that were left out, if they are more than a hitch; else nothing.
+/// The setting that would read the rows that were left out; empty when they are few.
 std::string still_clock(const Found& found, const SettingNames& names) {
   if (found.left_out * 50 < found.rows || found.steps_a_second == 0) return {};
   return std::string(names.fps) + " " + fixed(found.steps_a_second, 0) + " reads them all";
@@ -61,14 +61,14 @@ std::string left_out_of(const Found& found) {
   return remedy.empty() ? text : text + "; " + remedy;
 }
 
-/// Nothing for a clock that a camera can have.
+/// Empty for a clock that a camera can have.
 std::string hasty_clock(const Found& found, const SettingNames& names) {
   if (found.rows_a_second <= kRowsASecondMax) return {};
   return fixed(found.rows_a_second, 0) +
          " rows a second are no camera's: " + std::string(names.fps) + " says how many";
 }
 
-/// Nothing for a face at rest.
+/// Empty for a face at rest.
 std::string unquiet_face(const Found& found, const SettingNames& names) {
   if (found.unquiet.empty()) return {};
   const std::string neutral(names.neutral);

@@ -7,23 +7,23 @@
 
 namespace aucast::sources {
 
-/// Splits bytes that come in pieces into lines. A line is complete when its end has come: LF, CRLF
-/// or CR. Of a line longer than `bytes_max` only the beginning is kept, so memory is bounded.
+/// Splits bytes that come in pieces into lines. A line is complete when its end, LF, CRLF or CR,
+/// has come. Of a line longer than `bytes_max` only the beginning is kept, which bounds the memory.
 class LineSplitter {
  public:
   struct Line {
     std::string text;        ///< without its end
     std::size_t number = 0;  ///< from 1
-    bool too_long = false;   ///< it was cut
+    bool too_long = false;   ///< `text` is only its beginning
   };
 
   explicit LineSplitter(std::size_t bytes_max) : bytes_max_(bytes_max) {}
 
-  /// Takes bytes; they must outlive the calls of next() up to the one that returns nothing.
+  /// Takes bytes, which must stay valid until next() returns nullopt.
   void feed(std::string_view bytes) { fed_ = bytes; }
-  /// The next whole line; nothing when the bytes are used up.
+  /// The next whole line; nullopt when the bytes are used up.
   [[nodiscard]] std::optional<Line> next();
-  /// Forgets a line without its end; true when there was one.
+  /// Drops the beginning of a line whose end has not come; true when there was one.
   bool drop_partial();
   /// Counts lines from 1 again.
   void restart();

@@ -8,9 +8,9 @@
 
 namespace aucast::sources {
 
-/// Keyframes of a live source on their way out. They go at once, even after the source has hung,
-/// unless the source's clock has come to be more than kLeadSeconds ahead of ours: then somebody
-/// feeds in a recording, which is played at its own speed.
+/// Keyframes of a live source on their way out. They go out at once, even after the source has
+/// hung, unless the source's clock gets more than kLeadSeconds ahead of ours. Then somebody is
+/// feeding in a recording, which is played at its own speed.
 class LiveQueue {
  public:
   static constexpr double kLeadSeconds = 1;
@@ -18,10 +18,10 @@ class LiveQueue {
   void push(LiveKeyframe keyframe, SteadySeconds now);
   /// The next keyframe, if it is due.
   [[nodiscard]] std::optional<LiveKeyframe> pop(SteadySeconds now);
-  /// When pop() has something; nothing while the queue is empty.
+  /// When pop() will return a keyframe; nullopt while the queue is empty.
   [[nodiscard]] std::optional<double> due() const;
   [[nodiscard]] std::size_t size() const { return queue_.size(); }
-  /// Keeps only the latest keyframe, which is due at once: the others are past.
+  /// Keeps only the latest keyframe, which becomes due at once.
   void skip_to_last(SteadySeconds now);
 
  private:
@@ -30,7 +30,7 @@ class LiveQueue {
     double due = 0;
   };
   std::deque<Waiting> queue_;
-  double begin_ = 0;         ///< ours, when the source's clock showed 0
+  double begin_ = 0;         ///< the time on our clock when the source's was 0
   double last_seconds_ = 0;  ///< of the latest keyframe, on the source's clock
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t";
 
-/// What comes closer together came at once: no recogniser is that fast.
+/// Rows closer together than this came at once: no recogniser is that fast.
 constexpr double kAtOnceSeconds = 0.005;
 /// The time of a row that came at once with the one before and has no clock.
 constexpr double kRowSeconds = 0.04;
@@ -31,7 +31,7 @@ bool may_be_header(std::string_view line) {
 
 }  // namespace
 
-/// A table whose header was read. What it refers to stays where it is.
+/// A table whose header was read. It is not moved, since its parts refer to each other.
 struct LiveReader::Table {
   Table(std::string header_line, CsvReader opened, std::unique_ptr<Format> found)
       : header(std::move(header_line)), csv(std::move(opened)), format(std::move(found)) {}
@@ -110,7 +110,7 @@ void LiveReader::say_of_run(bool warning, std::string text) {
   }
 }
 
-/// One good line between bad ones ends no run: they would fill the log.
+/// One good line does not end a run of bad ones, or they would fill the log.
 void LiveReader::understood() {
   if (++understood_ >= kRunEnds) complaints_ = 0;
 }
@@ -190,7 +190,7 @@ bool LiveReader::is_no_text(const LineSplitter::Line& line) {
   return labels_.has_value();
 }
 
-/// False when the line is none of a stream file.
+/// False when the line is not one of a stream file.
 bool LiveReader::read_text(const LineSplitter::Line& line, SteadySeconds now) {
   const std::string_view content =
       trimmed(std::string_view(line.text).substr(0, line.text.find('#')), kBlanks);
@@ -219,7 +219,8 @@ bool LiveReader::read_text(const LineSplitter::Line& line, SteadySeconds now) {
   return true;
 }
 
-/// `seconds` of a line is when the face sets out for it, as in a stream file that is sent live.
+/// The face begins to move to a line's keyframe when the line comes, as in a stream file that is
+/// sent live.
 void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadySeconds now) {
   timeline_.set_clocked(false);
   std::uint32_t duration_ms = keyframe.duration_ms.value_or(0);
@@ -234,7 +235,7 @@ void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadySeconds now
   unclocked_ += duration_ms / 1000.0;
 }
 
-/// Seconds since the last sample; `usual` for what came together with it.
+/// Seconds since the last sample; `usual` for one that came together with it.
 double LiveReader::arrival_step(SteadySeconds now, double usual) {
   if (!arrived_ || now - *arrived_ < kAtOnceSeconds) return usual;
   return now - *arrived_;
@@ -255,7 +256,7 @@ void LiveReader::read_row(const LineSplitter::Line& line, SteadySeconds now) {
   for (std::string& reason : csv.take_errors()) complain(reason + "; the row was left out");
 }
 
-/// False when the row was left out, which was said.
+/// False when the row was left out, with a message.
 bool LiveReader::take_row(const std::string& line, SteadySeconds now) {
   if (std::string note = table_->format->note(); note != table_->note) {
     say(at_place(file_, table_->csv.line(), 0, note + " from now on"));
@@ -283,7 +284,7 @@ bool LiveReader::take_row(const std::string& line, SteadySeconds now) {
   return true;
 }
 
-/// After as many as can be followed, the others are no news.
+/// Once kFacesReadMax faces were reported, others are not.
 void LiveReader::note_face(std::int64_t id, const std::string& line) {
   if (!options_.recording.all_faces || faces_seen_.size() >= kFacesReadMax) return;
   if (!faces_seen_.insert(id).second) return;
@@ -302,7 +303,8 @@ bool LiveReader::is_chosen(std::int64_t id, bool sure, SteadySeconds now) {
   return true;
 }
 
-/// What the largest value so far says of the scale. It can only grow, and it is said when it does.
+/// Sets the scale by the largest value so far. It can only grow, and a message says so when it
+/// does.
 void LiveReader::settle_scale() {
   if (options_.recording.au_scale) return;
   for (const AuValue& au : table_->row.aus) {

@@ -23,10 +23,10 @@ struct LiveOptions {
   RecordingOptions recording;
   std::optional<double> rate;  ///< keyframes a second, at most
   ConditioningSettings conditioning;
-  std::uint32_t keyframe_ms = 250;  ///< the longest time of a line that names none
+  std::uint32_t keyframe_ms = 250;  ///< the longest time that a line without a time takes
 };
 
-/// Something to say about a live source.
+/// A message about a live source, for the log.
 struct LiveMessage {
   bool warning = false;
   std::string text;  ///< "file:line:column: reason", or a sentence that begins with the file
@@ -35,20 +35,21 @@ struct LiveMessage {
 /// A face that needs its own reader.
 struct NewFace {
   std::int64_t id = 0;
-  std::string beginning;  ///< for that reader: the names of the columns, and the face's first row
+  std::string beginning;  ///< to feed to that reader first: the names of the columns, and the
+                          ///< face's first row
 };
 
-/// A live source, byte by byte: tables of every recogniser and lines of stream files, recognised by
-/// the first line. Pure: bytes and seconds on any steady clock go in, keyframes and messages come
-/// out.
+/// A live source, byte by byte: a table of any known recogniser, or lines of a stream file; the
+/// first line tells which. Pure: bytes and seconds on any steady clock go in, keyframes and
+/// messages come out.
 ///
-/// No input ends it. A line that is not understood is left out with a message; of a run of such
-/// lines, which kRunEnds good lines end, only the first kSaidMax get one. A line without its end
-/// waits for the rest. A header in the middle (the same, or of another format) begins a new table
-/// whose clock goes on from the last sample. So does the clock if kRefusalsMax rows in a row are
-/// not later than the last sample, but each is later than its predecessor: the clock was set, or
-/// one time was wrong. Rows without a clock (Py-Feat without --fps) and lines without a time take
-/// the time since the previous one.
+/// No input makes it fail. A line that is not understood is left out with a message; in a run of
+/// such lines only the first kSaidMax get one, until kRunEnds good lines have come. The beginning
+/// of a line waits for the rest. A header in the middle (the same, or of another format) begins a
+/// new table whose clock goes on from the last sample. The clock also goes on from there if
+/// kRefusalsMax rows in a row are not later than the last sample, but each is later than its
+/// predecessor: the clock was set back, or one time was wrong. Rows without a clock (Py-Feat
+/// without --fps) and lines without a time take the time since the previous one.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
@@ -63,26 +64,26 @@ class LiveReader {
 
   /// Takes bytes that came at `now`.
   void feed(std::string_view bytes, SteadySeconds now);
-  /// The writer has gone, for now at least: a line without its end is left out.
+  /// The writer has gone, at least for now: the beginning of an unfinished line is dropped.
   void end_input(SteadySeconds now);
   /// The file begins anew: the next line is its first.
   void restart();
-  /// Call when idle_due() has come: a face of which nothing comes is led to neutral.
+  /// Call when idle_due() has come: leads a face of which no more data comes to neutral.
   void idle(SteadySeconds now);
   [[nodiscard]] std::optional<double> idle_due() const;
-  /// Since when nothing has come from a source that has begun. Lines of a stream file hold until
-  /// their input or their stream ends.
+  /// Since when a source that has begun has been silent; nullopt: it is not. After a line of a
+  /// stream file silence begins only when the input or that stream ends.
   [[nodiscard]] std::optional<double> silent_since() const { return silent_since_; }
-  /// What came before is only shown now: silence begins here at the earliest.
+  /// What has come is shown only now, so silence begins at `now` or later.
   void hold_off(SteadySeconds now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
   [[nodiscard]] std::vector<LiveMessage> take_messages();
-  /// With all_faces: the faces that are seen for the first time since the last call.
+  /// With all_faces: the faces first seen since the last call.
   [[nodiscard]] std::vector<NewFace> take_new_faces() { return std::exchange(new_faces_, {}); }
-  /// The neutral face, once, when it was asked for and has been measured.
+  /// As Conditioning::take_neutral().
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() { return timeline_.take_neutral(); }
-  /// Other settings from the next row on; what was measured stays measured.
+  /// As Conditioning::change(), from the next row on.
   void condition(const ConditioningSettings& settings) { timeline_.change(settings); }
 
  private:
@@ -101,7 +102,7 @@ class LiveReader {
   void settle_scale();
   [[nodiscard]] std::optional<double> time_of_row(SteadySeconds now);
   [[nodiscard]] double arrival_step(SteadySeconds now, double usual);
-  /// A message that may come again and again.
+  /// Adds a message that may be repeated; the run limits how often.
   void say_of_run(bool warning, std::string text);
   void complain(std::string text) { say_of_run(true, std::move(text)); }
   void say(std::string text) { messages_.push_back({false, std::move(text)}); }
@@ -110,21 +111,21 @@ class LiveReader {
   LiveOptions options_;
   LoadCurves load_curves_;
   LineSplitter splitter_;
-  std::unique_ptr<Table> table_;  ///< nothing: lines of a stream file, or nothing known yet
+  std::unique_ptr<Table> table_;  ///< null: lines of a stream file, or not known yet
   bool text_ = false;             ///< lines of a stream file are read
   LiveTimeline timeline_;
   SourceClock clock_;
-  double unclocked_ = 0;           ///< time by arrival
+  double unclocked_ = 0;           ///< seconds by arrival, for a source without a clock
   std::optional<double> arrived_;  ///< when the last sample came
   std::optional<double> silent_since_;
-  std::optional<std::int64_t> face_;  ///< the one that is followed
+  std::optional<std::int64_t> face_;  ///< the face that is followed
   double face_seen_ = 0;
   std::set<std::int64_t> faces_seen_;
   std::vector<NewFace> new_faces_;
-  std::string beginning_;  ///< the first lines of what is no table
+  std::string beginning_;  ///< the first lines, to recognise label files by
   std::size_t beginning_lines_ = 0;
-  std::optional<std::string> labels_;  ///< what they are said to be, when they are labels
-  std::size_t complaints_ = 0;         ///< of this run
+  std::optional<std::string> labels_;  ///< the message, if they are a label file
+  std::size_t complaints_ = 0;         ///< in this run
   std::size_t understood_ = 0;         ///< lines since the last complaint
   std::vector<LiveMessage> messages_;
 };

@@ -8,17 +8,17 @@
 namespace aucast::sources {
 namespace {
 
-/// Time of a keyframe that eases. Short, so that who comes back is not waited for.
+/// Time of a keyframe that eases. Short, so that the face reacts at once when data comes again.
 constexpr double kEaseStepSeconds = 0.1;
 constexpr std::size_t kEaseSteps = 10;
 
-/// What seconds since some start may be off by.
+/// The rounding error that a time in seconds may have.
 constexpr double kRounding = 1e-6;
 
-/// The usual step is no longer than this: a source that slow is not waited for by its own stop.
+/// The usual step is no longer than this: after a pause, a slow source's face need not move slowly.
 constexpr double kUsualSecondsMax = 0.1;
 
-/// A sample that comes this much of a step before the rate's next one is taken for it.
+/// A sample may come this share of a step before the time that `rate` wants, and is still taken.
 constexpr double kEarlyShare = 0.3;
 
 }  // namespace

@@ -16,40 +16,41 @@ namespace aucast::sources {
 struct LiveKeyframe {
   protocol::Keyframe keyframe;
   double seconds = 0;    ///< its time on the source's clock
-  bool begins = false;   ///< the clock began, began anew, or jumped
+  bool begins = false;   ///< the clock began, began again, or jumped
   bool clocked = false;  ///< the source has a clock of its own
 };
 
-/// Turns the samples of a live face into keyframes, one by one, as they come. A keyframe takes as
-/// long as passed between two samples on the source's clock; after a stop, the face goes on with
-/// the usual step and the stop is not made up for. Channels without data hold for kHoldSeconds,
-/// then ease to neutral; when nothing comes at all, idle() makes the keyframes for that.
+/// Turns the samples of a live face into keyframes, one by one, as they come. A keyframe takes the
+/// time between its sample and the previous one, on the source's clock; after a pause, it takes the
+/// usual time instead, and the pause is left out. Channels without data hold for kHoldSeconds, then
+/// ease to neutral; when nothing comes at all, idle() makes the keyframes for that.
 class LiveTimeline {
  public:
-  /// `rate`: at most so many keyframes a second; the samples between them are left out.
-  /// `settings` are for rows: lines of a stream file say what they mean.
+  /// `rate`: the most keyframes a second; samples between them are left out. nullopt: no limit.
+  /// `settings` apply to rows of a table, not to lines of a stream file.
   explicit LiveTimeline(std::optional<double> rate, const ConditioningSettings& settings = {})
       : rate_(rate), conditioning_(settings), dead_band_(settings.profile.dead_band) {}
 
-  /// Takes a sample of the source, later than the previous one: the intensities of `update` where
-  /// it is not negative. `duration` instead of the clock's, if the source says so.
+  /// Takes a sample of the source, later than the previous one: the intensities of `update`; a
+  /// negative one is no data. `duration_ms`: the line's own time, of a stream file; nullopt: a row,
+  /// whose time is the clock's.
   void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> duration_ms = {});
-  /// The clock began anew: the next sample comes one usual step after the last.
+  /// The clock began again: the next sample comes one usual step after the last.
   void restart() { restarted_ = true; }
-  /// Other settings from the next sample on; a neutral face that was measured stays measured.
+  /// Uses other settings from the next sample on; a neutral face that was measured is kept.
   void change(const ConditioningSettings& settings);
-  /// The scale has changed: what was measured is measured anew.
+  /// The scale has changed: the neutral face is measured again.
   void forget_neutral() { conditioning_.forget_neutral(); }
-  /// The neutral face, once, when it has been measured.
+  /// As Conditioning::take_neutral().
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral() {
     return conditioning_.take_neutral();
   }
-  /// For the samples to come.
+  /// Whether the source has a clock of its own, for the samples that follow.
   void set_clocked(bool clocked) { clocked_ = clocked; }
 
-  /// Nothing has come for `silence` seconds: the keyframes due until then.
+  /// Nothing has come for `silence` seconds: makes the keyframes that are due by now.
   void idle(double silence);
-  /// The silence after which idle() has something to do; nothing once the face is neutral.
+  /// The silence, in seconds, after which to call idle(); nullopt once the face is neutral.
   [[nodiscard]] std::optional<double> idle_due() const;
 
   /// The keyframes since the last call.
@@ -66,8 +67,8 @@ class LiveTimeline {
   std::vector<LiveKeyframe> keyframes_;
   std::optional<double> last_seconds_;  ///< on the source's clock
   double usual_ = 0.04;                 ///< seconds between two samples
-  double age_clock_ = 0;                ///< by which data grows old
-  double place_ = 0;                    ///< of the last sample among the keyframes
+  double age_clock_ = 0;                ///< seconds; by this clock data gets old
+  double place_ = 0;                    ///< of the last sample, in seconds on the keyframes' clock
   std::int64_t emitted_ms_ = 0;         ///< place of the last keyframe
   std::size_t idle_steps_ = 0;          ///< keyframes that eased, since the last sample
   bool restarted_ = true;

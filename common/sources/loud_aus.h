@@ -8,18 +8,18 @@
 
 namespace aucast::sources {
 
-/// An AU that is stronger than a face at rest has it.
+/// An AU that is too strong for a face at rest.
 struct LoudAu {
   AuName au;
   int percent = 0;
   friend bool operator==(const LoudAu&, const LoudAu&) = default;
 };
 
-/// No AU of a face at rest is stronger: recognisers see up to a quarter in one.
+/// The strongest that an AU of a face at rest may be; recognisers see up to 25 % in one.
 inline constexpr double kRestPercentMax = 30;
 
-/// The AUs of a neutral face that are stronger than kRestPercentMax, the strongest first. Where
-/// head and eyes are turned to says nothing: a camera may stand aside.
+/// The AUs of a neutral face that are stronger than kRestPercentMax, the strongest first. Turns of
+/// head and eyes do not count, since the camera may be to one side.
 [[nodiscard]] std::vector<LoudAu> loud_aus(const Signals& neutral);
 
 /// "AU12 100 %, AU1 40 %: no face at rest was taken off": what is to be known of these.

@@ -5,13 +5,13 @@
 namespace aucast::sources {
 namespace {
 
-/// No median gets better by more values than this; a faster source gives every second row or less.
+/// More values would not change a median; of a faster source, rows are left out.
 constexpr double kRowsMax = 2000;
 
-/// Nor by what comes later than this.
+/// Nor would rows that come later than this.
 constexpr double kSecondsMax = 600;
 
-/// What times, which are sums of steps, may be off by.
+/// The rounding error that times, which are sums of steps, may have.
 constexpr double kSpanRounding = 1e-6;
 
 float median(const std::vector<float>& sorted) {

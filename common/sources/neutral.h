@@ -12,24 +12,24 @@ namespace aucast::sources {
 /// A neutral face that was measured.
 struct MeasuredNeutral {
   Signals signals = no_signals();  ///< no data: none was seen
-  double seconds = 0;              ///< that were asked for
+  double seconds = 0;              ///< how long was to be measured
   std::size_t rows = 0;            ///< with data
 };
 
-/// `signals` less the neutral face; those that `neutral` has no data for stay.
+/// Subtracts the neutral face; a signal for which `neutral` has no data stays as it is.
 void take_off(Signals& signals, const Signals& neutral);
 
-/// The median of each signal over the first seconds in which a face is seen.
+/// Measures the median of each signal, over the first seconds in which a face is seen.
 class NeutralMeter {
  public:
   /// `seconds` above 0.
   explicit NeutralMeter(double seconds) : wanted_(seconds) {}
 
-  /// Takes a sample, later than the last; what has no data at all does not count. False when the
-  /// seconds are over, and nothing is taken any more.
+  /// Takes a sample, later than the last; one without any data does not count. False when the
+  /// seconds have passed: it takes no more.
   bool add(double seconds, const Signals& signals);
   [[nodiscard]] bool done() const { return done_; }
-  /// Of what was taken so far.
+  /// The medians of the samples taken so far.
   [[nodiscard]] MeasuredNeutral measured() const;
 
  private:

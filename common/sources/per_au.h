@@ -30,12 +30,13 @@ class PerAu {
   [[nodiscard]] double of(std::size_t number, bool right) const {
     return values_[channel_of(number, right)];
   }
-  /// The number of all AUs that were not set on their own.
+  /// The number that set_all() set last.
   [[nodiscard]] double all() const { return all_; }
   /// Sets the number of every AU.
   void set_all(double value);
   void set(const AuName& au, double value);
-  /// The AUs whose number differs from all(), in order, equal sides as one.
+  /// The AUs whose number differs from all(), ascending; where both sides are equal, as one of
+  /// Side::Both.
   [[nodiscard]] std::vector<std::pair<AuName, double>> exceptions() const;
 
   friend bool operator==(const PerAu&, const PerAu&) = default;

@@ -168,7 +168,8 @@ class ProfileReader {
   Profile profile_;
 };
 
-/// The neutral face as a number for each AU, of one direction alone where there are two.
+/// The neutral face as a number for each AU; where two AUs are opposite directions, only one has
+/// it.
 PerAu neutral_percents(const Signals& neutral) {
   PerAu percents(0);
   for (const bool right : {false, true}) {

@@ -9,17 +9,17 @@
 
 namespace aucast::sources {
 
-/// Turns what a live stream serves into the lines of a stream file of the same length: the
-/// keyframes as they are and, before one that came after a pause, the face that was held meanwhile,
-/// with its time. Pure.
+/// Turns the keyframes that a live stream serves into lines of a stream file that takes the same
+/// time. They are kept as they are; before one that came after a pause, the face that was shown
+/// meanwhile is added, with the length of the pause. Pure.
 class RecordTimeline {
  public:
-  /// The keyframe that is served at `now`, in seconds of any steady clock. `free`: the source's own
-  /// clock does not tie it to the previous one, so that there may have been a pause; otherwise a
-  /// late keyframe is only late.
+  /// Takes the keyframe that is served at `now`, in seconds of any steady clock, and returns its
+  /// lines. `free`: the source's own clock does not say how long after the previous keyframe it
+  /// follows, so there may have been a pause. Otherwise a late keyframe is only late.
   [[nodiscard]] std::vector<protocol::Keyframe> add(const protocol::Keyframe& keyframe,
                                                     SteadySeconds now, bool free);
-  /// The stream ended for the clients: the time until it goes on is not kept.
+  /// The stream ended for the clients: the time until it goes on is left out.
   void end() { begin_.reset(); }
 
  private:

@@ -209,7 +209,7 @@ NeutralMeter RecordingReader::measured_in(std::int64_t face, double seconds) {
   return meter;
 }
 
-/// What is taken off, if it is to be measured: from the first seconds of each chosen face.
+/// Measures what is to be subtracted, if asked to: in the first seconds of each chosen face.
 void RecordingReader::measure(std::int64_t face, Track& track) {
   const auto seconds = seconds_to_measure(conditioning_);
   if (!seconds) return;
@@ -224,7 +224,8 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
   track.timeline = Timeline(settled);
 }
 
-/// Whether what is taken off is a face at rest; if not, whether other first seconds have one.
+/// Checks that what is subtracted is a face at rest; if not, looks for a number of first seconds in
+/// which it is one.
 void RecordingReader::judge_quiet(std::int64_t face, Found& found) {
   if (conditioning_.neutral_turns_only) return;
   found.unquiet = loud_aus(found.neutral->signals);

@@ -9,10 +9,10 @@ namespace aucast::sources {
 
 inline constexpr double kRateMax = 1000;
 
-/// The same face at `rate` keyframes a second, (0, kRateMax]: between the given keyframes (an
-/// untimed one takes `keyframe_ms`) intensities go in straight lines, from neutral on, as the
-/// player draws them. Durations are differences of rounded places; the last place is that of the
-/// stream. Asked to stop, the result breaks off.
+/// The same stream at `rate` keyframes a second, (0, kRateMax]. Intensities are interpolated
+/// linearly between the given keyframes (an untimed one takes `keyframe_ms`), beginning at neutral,
+/// as the player draws them. Durations are differences of rounded places; the result ends where the
+/// stream does. Asked to stop, it returns what it has so far.
 [[nodiscard]] protocol::StreamFile resample(const protocol::StreamFile& stream, double rate,
                                             std::uint32_t keyframe_ms,
                                             const std::stop_token& stop = {});

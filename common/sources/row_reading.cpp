@@ -9,7 +9,7 @@
 namespace aucast::sources {
 namespace {
 
-/// Turns beyond are no head's.
+/// No head turns further.
 constexpr double kTurnMax = 10;
 
 /// Latest time that a source's clock may show.

@@ -7,23 +7,23 @@
 #include "common/action_unit.h"
 #include "common/sources/observation.h"
 
-/// From the rows of a table to samples of a face: what recordings and live sources share.
+/// What recordings and live sources share: turns the rows of a table into samples of a face.
 namespace aucast::sources {
 
-/// The scale that the format has, unless the values say otherwise. `native`: as the format says, 0
-/// when only values can tell; `largest` of them.
+/// The value that is full intensity in the file. `native` is Format::native_scale(), 0 when only
+/// the values can tell; `largest`, the largest value so far, can prove it wrong.
 [[nodiscard]] double scale_for(double native, double largest);
 
-/// Whether the row has any data of a face.
+/// Whether the row has data: the face was tracked, with enough confidence, and there are AUs.
 [[nodiscard]] bool is_sure(const Observation& row, double confidence_min);
 
 /// The row's intensities; -1 where it has no data, and everywhere if it is not sure. Those of turns
-/// may be above 1, and that of the distance is how far the head is from the camera: a Conditioning
-/// turns both into what can be shown.
+/// may be above 1. That of AU 58 is the head's distance from the camera, in units of the mesh. A
+/// Conditioning turns both into what can be shown.
 [[nodiscard]] AuFrame update_of(const Observation& row, double scale, bool sure);
 
-/// Which face a row is of. A format that does not name faces writes one row for each, with the same
-/// picture number; they are counted within the picture.
+/// Tells which face a row is about. A format that does not name faces writes a row for each, all
+/// with the same picture number; they are then numbered from 0 within the picture.
 class FaceNames {
  public:
   std::int64_t of(const Observation& row);
@@ -33,32 +33,32 @@ class FaceNames {
   std::int64_t ordinal_ = 0;
 };
 
-/// Where a face is on a SourceClock.
+/// The times of one face on a SourceClock.
 struct FaceTimes {
   std::optional<double> last;
   double rows = 0;
   std::optional<double> refused;  ///< the last row's time, if it was not later than `last`
-  std::size_t refusals = 0;       ///< of a run whose times ascend
+  std::size_t refusals = 0;       ///< refused rows in a row, with ascending times
 };
 
-/// Times from the first row on, by the source's own clock or by the pictures' numbers. Faces of
-/// one source share it, so that what they did together stays together.
+/// Gives each row its time in seconds since the first row, by the source's own clock or by the
+/// number of the picture. All faces of a source share it, so that they stay synchronous.
 class SourceClock {
  public:
-  /// `refusals_max`: after so many rows of a face that are not later than its last, but ascend
-  /// among themselves, the clock must have been set back, or one time was wrong: time goes on from
-  /// there. 0: never.
+  /// `refusals_max`: this many rows of a face in a row that are not later than its last, but ascend
+  /// among themselves, mean that the clock was set back or that one time was wrong; time then goes
+  /// on from there. 0: never.
   explicit SourceClock(std::optional<double> fps, std::size_t refusals_max = 0)
       : fps_(fps), refusals_max_(refusals_max) {}
 
-  /// Another recording was appended: if its clock starts again, it follows one step later.
+  /// Another recording follows: if its clock starts again, it begins one step later.
   void restart() { restarted_ = true; }
 
   /// nullopt when the row has no time, or one that is not later than the last of its face.
   std::optional<double> time_of(const Observation& row, FaceTimes& face);
   /// The same for a source of which only one face is read.
   std::optional<double> time_of(const Observation& row) { return time_of(row, only_); }
-  /// Whether the last sample was the first after the clock was set back.
+  /// Whether the last row was the first after the clock was set back.
   [[nodiscard]] bool was_set() const { return was_set_; }
 
  private:

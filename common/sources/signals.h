@@ -9,20 +9,20 @@
 
 namespace aucast::sources {
 
-/// An AU on a side: the left side's by number, then the right side's.
+/// A channel is an AU on a side: first the left side's by number, then the right side's.
 inline constexpr std::size_t kChannels = 2 * std::size_t{kAuCount};
 
 [[nodiscard]] constexpr std::size_t channel_of(std::size_t number, bool right) {
   return right ? kAuCount + number : number;
 }
 
-/// The distance of the head: AUs 57 and 58, of which the first has the signal.
+/// The AUs that show the head's distance; the first has the signal.
 inline constexpr std::size_t kHeadForward = 57;
 inline constexpr std::size_t kHeadBack = 58;
 
-/// One sample of a face: its signals, one for each channel; 1 is full intensity. AUs that are the
-/// two directions of one movement (head left and right, eyes up and down) are one signal, with the
-/// number of the first; it is negative for the second, which has none of its own.
+/// One sample of a face: its signals, one for each channel; 1 is full intensity. Two AUs that are
+/// opposite directions of one movement (head left and right, eyes up and down) share the signal of
+/// the first; it is negative for the second, whose own is unused.
 using Signals = std::array<float, kChannels>;
 
 inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
@@ -31,10 +31,10 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
   return !std::isnan(value);
 }
 
-/// Without any data.
+/// Signals without any data.
 [[nodiscard]] Signals no_signals();
 
-/// As intensities the same: -1 everywhere.
+/// The same as intensities: -1 everywhere.
 [[nodiscard]] AuFrame no_data();
 
 /// The other direction of the same movement: 52 for 51 and back, ... 64 for 63; else 0.
@@ -43,14 +43,14 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
 /// Whether the AU is the second direction: 52, 54, 56, 58, 62, 64.
 [[nodiscard]] bool is_second_direction(std::size_t number);
 
-/// The AU that shows this signal of AU `number`: its opposite where there is one and it is
-/// negative.
+/// The AU that shows this signal of AU `number`: the opposite AU for a negative signal, if there is
+/// one, else `number`.
 [[nodiscard]] std::size_t shown_by(std::size_t number, float signal);
 
-/// From intensities; a negative one is no data.
+/// Turns intensities into signals; a negative intensity is no data.
 [[nodiscard]] Signals signals_of(const AuFrame& update);
 
-/// Back to intensities in [0,1]; -1 where there is no data.
+/// Turns signals into intensities in [0,1]; -1 where there is no data.
 [[nodiscard]] AuFrame update_of(const Signals& signals);
 
 }  // namespace aucast::sources

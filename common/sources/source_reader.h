@@ -18,31 +18,32 @@ namespace aucast::sources {
 /// How a file is read as keyframes.
 struct ReadOptions {
   RecordingOptions recording;
-  std::optional<double> rate;         ///< keyframes a second, (0, kRateMax]; else as they are
+  std::optional<double> rate;         ///< keyframes a second, (0, kRateMax]; nullopt: as they are
   ConditioningSettings conditioning;  ///< its dead band is not applied
-  std::uint32_t keyframe_ms = 250;    ///< of an untimed keyframe
+  std::uint32_t keyframe_ms = 250;    ///< the time of an untimed keyframe
 };
 
-/// What a file holds, whichever kind it is.
+/// The content of a file of either kind.
 struct SourceContent {
   protocol::StreamFile stream;
-  std::optional<Found> found;  ///< of a recording; nothing for a stream file
+  std::optional<Found> found;  ///< of a recording; nullopt for a stream file
 };
 
-/// Reads a stream file or a recogniser's recording, told apart by what is in it. Of several faces
-/// one. The path "-" is stdin, read to its end.
+/// Reads a stream file or a recogniser's recording, told apart by the content; of several faces it
+/// takes one. The path "-" is stdin, which is read to its end.
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const ReadOptions& options = {});
 
-/// The text of the source at `path`, and what messages call it. Asked to stop, a file is read no
-/// further: stopped_early().
+/// The text of the source at `path`. Asked to stop, it reads a file no further and returns
+/// stopped_early().
 [[nodiscard]] Result<std::string> read_text(const std::filesystem::path& path,
                                             const std::stop_token& stop = {});
+/// What messages call the source at `path`: "stdin" for "-", else the path.
 [[nodiscard]] std::string name_of(const std::filesystem::path& path);
 
-/// Reads a text that messages call `file`, and keeps its keyframes as they are: one stream for each
-/// face when recording.all_faces, the most frequent first. Asked to stop, it returns
-/// stopped_early() at the next line.
+/// Reads a text that messages call `file`, with its keyframes as they are. With
+/// recording.all_faces, returns one stream for each face, the most frequent first; otherwise one
+/// stream. Asked to stop, it returns stopped_early() at the next line.
 [[nodiscard]] Result<std::vector<SourceContent>> parse_streams(
     std::string_view text, const std::string& file, const RecordingOptions& recording,
     const ConditioningSettings& conditioning, const std::stop_token& stop = {});

@@ -10,7 +10,7 @@
 namespace aucast::sources {
 namespace {
 
-/// Before a face comes back it is awaited for no longer than this.
+/// The longest time that a face takes to return from neutral after a gap.
 constexpr double kReturnSecondsMax = 0.1;
 
 }  // namespace

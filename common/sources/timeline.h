@@ -11,12 +11,13 @@
 
 namespace aucast::sources {
 
-/// The latest data of every channel (an AU on a side) and when it came.
+/// Keeps the latest data of every channel (an AU on a side), and when it came.
 class Channels {
  public:
-  /// Takes what `update` has; a negative intensity is no data.
+  /// Takes the intensities of `update`; a negative one is no data.
   void take(double seconds, const AuFrame& update);
-  /// The face at that time: a channel that has no data any more holds, then eases to neutral.
+  /// The face at that time. A channel without new data holds for kHoldSeconds, then eases to
+  /// neutral.
   [[nodiscard]] AuFrame at(double seconds) const;
 
  private:
@@ -25,20 +26,19 @@ class Channels {
   std::array<double, kAuCount> right_seen_{};
 };
 
-/// Rows on the source's clock become keyframes. Durations are differences of places rounded to
-/// whole milliseconds, so that nothing drifts. A channel (an AU on a side) without data holds, then
-/// eases to neutral; where whole rows are missing, keyframes are inserted for that. Samples go
-/// through a Conditioning first.
+/// Turns the samples of a recording into keyframes. Durations are differences of places rounded to
+/// whole milliseconds, so that rounding errors do not add up. A channel (an AU on a side) without
+/// data holds, then eases to neutral; where whole rows are missing, keyframes are inserted for
+/// that. Samples go through a Conditioning first.
 class Timeline {
  public:
   explicit Timeline(const ConditioningSettings& settings = {}) : conditioning_(settings) {}
 
-  /// Takes a sample: the intensities of `update` where it is not negative, the rest has no data.
-  /// `seconds` from the first sample on, ascending; false when it falls into the same millisecond
-  /// as the last one and is left out.
+  /// Takes a sample: the intensities of `update`; a negative one is no data. `seconds` ascend.
+  /// False when the sample falls into the same millisecond as the last one and is left out.
   bool add(double seconds, const AuFrame& update);
 
-  /// The keyframes. The first one takes the usual time between two.
+  /// The keyframes. The first one takes the median of the other durations.
   [[nodiscard]] protocol::StreamFile finish();
 
  private:
@@ -53,7 +53,8 @@ class Timeline {
   std::int64_t last_ms_ = 0;
 };
 
-/// How much of a value is left when its data is `age` seconds old: 1, then less, then 0.
+/// The share of a value that is left when its data is `age` seconds old: 1 while it is held, then
+/// less, then 0.
 [[nodiscard]] double remaining(double age);
 
 }  // namespace aucast::sources

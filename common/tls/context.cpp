@@ -32,7 +32,7 @@ Bio bio_of(std::string_view bytes) {
   return {BIO_new_mem_buf(bytes.data(), static_cast<int>(bytes.size())), BIO_free};
 }
 
-/// `option`: what named the file.
+/// `option`: the option that named the file.
 Error with_option(const Error& error, std::string_view option) {
   return {error.kind, error.message + " (" + std::string(option) + ")"};
 }
@@ -73,7 +73,7 @@ bool use_key(SSL_CTX* context, BIO* pem) {
   return used;
 }
 
-/// What is said of the key's file; empty: nothing.
+/// The warning about the key's file; empty: none.
 Result<std::string> use_own(SSL_CTX* context, const Files& files, const std::string& options) {
   const auto certificate = read_file(files.certificate, kPemBytesMax);
   if (!certificate) return with_option(certificate.error(), options + "-cert");

@@ -14,9 +14,9 @@ namespace aucast::tls {
 
 /// PEM files; which of them are needed depends on the side.
 struct Files {
-  std::filesystem::path certificate;  ///< our own, with those of its authorities after it
+  std::filesystem::path certificate;  ///< our own, followed by those of the authorities in between
   std::filesystem::path key;          ///< of the certificate
-  std::filesystem::path authorities;  ///< which must have issued the peer's certificate
+  std::filesystem::path authorities;  ///< one of these must have issued the peer's certificate
   friend bool operator==(const Files&, const Files&) = default;
 };
 
@@ -35,9 +35,9 @@ class Context {
   [[nodiscard]] static Result<Context> for_client(const Files& files,
                                                   const std::string& options = "--tls");
 
-  /// The DNS names that our own certificate is for; "*.example.org" among them.
+  /// The DNS names that our own certificate is for; they may be like "*.example.org".
   [[nodiscard]] std::vector<std::string> names() const;
-  /// For the log: other users have access to the key; else empty.
+  /// A sentence for the log when other users have access to the key; else empty.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
  private:

@@ -86,8 +86,8 @@ std::string names_of(X509* certificate) {
   return escaped(subject.data());
 }
 
-/// What is wrong with the peer's certificate, and what to do about it, by the option that names
-/// whom we believe.
+/// What is wrong with the peer's certificate, with the remedy in terms of the option that names the
+/// authorities.
 std::string verdict(long code, X509* certificate, const std::string& host, bool server,
                     const std::string& option) {
   const std::string whose = server ? "the client's certificate " : "the server's certificate ";
@@ -114,7 +114,7 @@ std::string verdict(long code, X509* certificate, const std::string& host, bool 
   return whose + "is not believed: " + X509_verify_cert_error_string(code);
 }
 
-/// An alert of the peer about certificates.
+/// Whether an alert of the peer is about certificates.
 bool about_certificates(int reason) {
   return reason == SSL_R_TLSV1_ALERT_UNKNOWN_CA || reason == SSL_R_SSLV3_ALERT_BAD_CERTIFICATE ||
          reason == SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED ||

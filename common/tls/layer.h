@@ -12,13 +12,13 @@ struct ssl_st;
 namespace aucast::tls {
 
 /// The TLS of one connection without its socket: what comes over the wire goes in, what is to go
-/// over the wire comes out. So one way of reading and writing serves connections with and without
-/// it. Uses no clock except to check certificates; the owner decides how long a handshake may take.
-/// After a failure nothing more goes in; what take_output() still gives tells the peer why.
+/// over the wire comes out. Thus the same code reads and writes with and without TLS. Uses no clock
+/// except to check certificates; the owner decides how long a handshake may take. After a failure
+/// nothing more goes in; what take_output() still gives tells the peer why.
 /// Thread: none of its own.
 class Layer {
  public:
-  /// Why a failed layer failed, as far as the owner's next step goes.
+  /// Why a layer failed, as far as its owner treats failures differently.
   enum class Why : std::uint8_t {
     None,
     NotTls,     ///< the peer's first bytes are not TLS
@@ -32,7 +32,7 @@ class Layer {
   Layer(Layer&&) noexcept;
   Layer& operator=(Layer&&) noexcept;
 
-  /// Bytes from the wire; what they mean is appended to `plain`. False when it failed.
+  /// Takes bytes from the wire and appends the decrypted ones to `plain`. False when it failed.
   bool received(std::string_view wire, std::string& plain);
   /// Only when ready().
   void send(std::string_view plain);
@@ -41,12 +41,12 @@ class Layer {
   /// Bytes for the wire.
   [[nodiscard]] std::string take_output();
 
-  /// The handshake is done.
+  /// Whether the handshake is done.
   [[nodiscard]] bool ready() const;
-  /// The peer has sent its close_notify.
+  /// Whether the peer has sent its close_notify.
   [[nodiscard]] bool ended() const;
   [[nodiscard]] Why why() const { return why_; }
-  /// A sentence about the failure; peer text escaped.
+  /// A sentence about the failure; text from the peer is escaped.
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
  private:
@@ -61,7 +61,7 @@ class Layer {
 
   std::unique_ptr<Peer> peer_;
   std::unique_ptr<ssl_st, Free> ssl_;
-  bool heard_ = false;  ///< anything has come
+  bool heard_ = false;  ///< whether any bytes have come
   bool ended_ = false;
   Why why_ = Why::None;
   std::string reason_;

@@ -9,27 +9,28 @@
 
 namespace aucast::voice {
 
-/// Opus packets to the bytes of an Ogg Opus file (RFC 7845): the packets as they are, gaps filled
-/// with packets of silence. A page is complete every second, so that what has been written plays
-/// wherever it is cut. Makes bytes only; writing them is the owner's.
+/// Turns Opus packets into the bytes of an Ogg Opus file (RFC 7845), without encoding them again;
+/// gaps are filled with packets of silence. A page is complete every second, so that a file that is
+/// cut off still plays. Makes only the bytes; the owner writes them.
 /// Thread: none of its own.
 class OggOpusWriter {
  public:
-  /// The file's clock begins at `begin` on the stream's. Equal packets and `serial` give equal
-  /// bytes.
+  /// `begin`: the place on the stream's clock at which the file's clock is 0. The same packets and
+  /// `serial` give the same bytes.
   OggOpusWriter(Milliseconds begin, std::uint32_t serial);
   ~OggOpusWriter();
   OggOpusWriter(OggOpusWriter&&) noexcept;
   OggOpusWriter& operator=(OggOpusWriter&&) noexcept;
 
-  /// The headers, first, then all pages that are complete.
+  /// The pages that became complete since the last call; the first call also gives the headers.
   [[nodiscard]] std::string take();
-  /// Adds the next packet. False: it begins before the end of the last one, and is left out.
+  /// Adds the next packet. False: it was left out, since it is no Opus packet or begins before the
+  /// end of the last one.
   bool add(const protocol::VoicePacket& packet);
   /// Whether any packet was added.
   [[nodiscard]] bool any() const;
-  /// Silence up to `end`, on the stream's clock; then the last page. The sound ends there to the
-  /// sample, or with the last packet that was added if that ends later.
+  /// Fills up with silence to `end`, on the stream's clock, and returns the remaining pages. The
+  /// sound ends there to the sample, or with the last packet that was added if that ends later.
   [[nodiscard]] std::string finish(Milliseconds end);
 
  private:

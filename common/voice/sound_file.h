@@ -16,17 +16,17 @@ namespace aucast::voice {
 /// Thread: none of its own.
 class SoundFile {
  public:
-  /// Unreadable when the file is missing or no regular file, BadData when it holds no sound.
+  /// Unreadable when the file is missing or no regular file, BadData when there is no sound in it.
   [[nodiscard]] static Result<SoundFile> open(const std::filesystem::path& path);
   ~SoundFile();
   SoundFile(SoundFile&&) noexcept;
   SoundFile& operator=(SoundFile&&) noexcept;
 
-  /// Fills `samples` as far as the file goes and returns how many; fewer than asked for: the end.
+  /// Reads the next samples, in [-1,1], and returns how many; fewer than asked for only at the end.
   [[nodiscard]] std::size_t read(std::span<float> samples);
-  /// Why read() stopped before the file's end, with its name; empty: it did not.
+  /// Why read() stopped before the file's end, with the file's name; empty: it did not.
   [[nodiscard]] std::string complaint() const;
-  /// As the file's own header has it.
+  /// The length that the file's header gives.
   [[nodiscard]] Milliseconds duration() const;
 
  private:

@@ -9,11 +9,12 @@ struct OpusDecoder;
 
 namespace aucast::voice {
 
-/// Samples a second of what is decoded, mono: what sound systems play without resampling.
+/// Samples a second of decoded sound, which is mono; sound systems play this rate without
+/// resampling.
 inline constexpr int kDecoderRate = 48000;
 inline constexpr int kDecoderSamplesPerMs = kDecoderRate / 1000;
 
-/// Opus packets to samples. Thread: none of its own.
+/// Turns Opus packets into samples. Thread: none of its own.
 class VoiceDecoder {
  public:
   VoiceDecoder();

@@ -12,20 +12,20 @@ struct OpusEncoder;
 
 namespace aucast::voice {
 
-/// Samples a second of what is encoded: mono, wideband speech.
+/// Samples a second of the sound to be encoded: wideband speech, mono.
 inline constexpr int kEncoderRate = 16000;
 inline constexpr int kEncoderSamplesPerMs = kEncoderRate / 1000;
 
 struct VoiceSettings {
   int bits_per_second = 10000;  ///< 6000-64000; below 8000 wideband speech falls apart
-  Milliseconds frame{60};       ///< 20, 40 or 60: of each packet
+  Milliseconds frame{60};       ///< length of each packet: 20, 40 or 60
   friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };
 
-/// Speech to Opus packets. The packet at a place decodes to the sound from that very place on: the
-/// codec's delay is compensated here. Silence makes no packets (-52 dBFS or less for 240 ms), but
-/// the end of the sound does. The same samples and settings give the same packets, however they are
-/// cut.
+/// Turns speech into Opus packets. The packet at a place decodes to the sound from that very place
+/// on: the codec's delay is compensated here. Silence (-52 dBFS or less for 240 ms) makes no
+/// packets, except at the end of the sound. The same samples and settings give the same packets,
+/// however they are cut.
 /// Thread: none of its own.
 class VoiceEncoder {
  public:
@@ -37,10 +37,10 @@ class VoiceEncoder {
 
   /// Takes mono samples at kEncoderRate, in [-1,1], and appends the packets that they complete.
   void add(std::span<const float> samples, std::vector<protocol::VoicePacket>& packets);
-  /// No more samples: appends the packets of the rest, filled up with silence, so that what decodes
-  /// ends where the sound did or less than a packet later.
+  /// No more samples follow: appends the packets of the rest, filled up with silence. They end
+  /// where the sound did or less than a packet later.
   void finish(std::vector<protocol::VoicePacket>& packets);
-  /// What comes next does not continue what came: it begins at `place`, later than all before.
+  /// The next samples do not continue the last: they begin at `place`, later than all before.
   /// Samples that do not yet make a whole packet are dropped.
   void go_on_at(Milliseconds place);
 
@@ -58,9 +58,9 @@ class VoiceEncoder {
   std::unique_ptr<OpusEncoder, Destroy> encoder_;
   Milliseconds frame_;
   Milliseconds place_;          ///< of the next packet
-  std::vector<float> pending_;  ///< from that place on
-  std::size_t lookahead_ = 0;   ///< samples that the codec is late by
-  std::size_t skipped_ = 0;     ///< of those, at the beginning
+  std::vector<float> pending_;  ///< samples from place_ on
+  std::size_t lookahead_ = 0;   ///< the codec's delay in samples
+  std::size_t skipped_ = 0;     ///< how many of them were left out at the beginning
   Milliseconds silent_{0};      ///< how long there has been no sound
 };
 

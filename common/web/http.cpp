@@ -89,7 +89,7 @@ struct Field {
   std::string_view value;
 };
 
-/// A header field; nothing when the line is none.
+/// A header field; nullopt when the line is none.
 std::optional<Field> field_of(std::string_view line) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos || !is_token(line.substr(0, colon))) return std::nullopt;
@@ -102,7 +102,7 @@ std::optional<Field> field_of(std::string_view line) {
   return Field{lowered(line.substr(0, colon)), trimmed(value, " \t")};
 }
 
-/// All fields of a head, its request line taken off; nothing when one is malformed.
+/// All fields of a head, whose request line was taken off; nullopt when one is malformed.
 std::optional<std::map<std::string, std::string, std::less<>>> fields_of(std::string_view head) {
   std::map<std::string, std::string, std::less<>> fields;
   while (!head.empty()) {

@@ -36,7 +36,7 @@ constexpr int kNotAcceptable = 1003;
 constexpr int kNotText = 1007;
 constexpr int kTooBig = 1009;
 
-/// Those that may stand in a Close (RFC 6455, 7.4).
+/// Whether a Close may have this code (RFC 6455, 7.4).
 bool is_close_code(int code) {
   return (code >= 1000 && code <= 1003) || (code >= 1007 && code <= 1014) ||
          (code >= 3000 && code <= 4999);
@@ -110,7 +110,7 @@ void Layer::take_head_byte(unsigned char byte) {
   if (head_bytes_ == head_size()) begin_frame();
 }
 
-/// Of the whole head, as far as its first two bytes are known.
+/// The size of the frame's head, once its first two bytes are known.
 std::size_t Layer::head_size() const {
   return 2 + length_bytes(head_[1] & kLength) + kMaskBytes;
 }

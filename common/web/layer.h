@@ -9,28 +9,29 @@
 namespace aucast::web {
 
 /// The server's side of one WebSocket (RFC 6455) without its socket: what comes over the wire after
-/// the upgrade goes in, what is to go over the wire comes out. Text messages are a flow of ASCII
-/// bytes, wherever they and their fragments are cut. Answers pings and the peer's Close by itself.
-/// After a failure or a Close of either side nothing more goes in or out but what take_output()
-/// still gives, which tells the peer why.
+/// the upgrade goes in, what is to go over the wire comes out. Text messages are read as one flow
+/// of ASCII bytes; where messages and fragments begin does not matter. Answers pings and the peer's
+/// Close on its own. After a failure or a Close of either side nothing more goes in; what
+/// take_output() still gives tells the peer why.
 /// Thread: none of its own.
 class Layer {
  public:
-  /// `frame_bytes_max`: of one frame's payload; a longer one is a failure as soon as it is named.
+  /// `frame_bytes_max`: the longest payload of a frame; the header of a longer one is a failure.
   explicit Layer(std::size_t frame_bytes_max) : frame_bytes_max_(frame_bytes_max) {}
 
-  /// Bytes from the wire; the text that they carry is appended to `text`. False when it failed.
+  /// Takes bytes from the wire and appends the text that they carry to `text`. False when it
+  /// failed.
   bool received(std::string_view wire, std::string& text);
-  /// One text message of ASCII.
+  /// Sends one text message, ASCII only.
   void send(std::string_view text);
-  /// Asks the peer, which must answer with a Pong, whether it is there.
+  /// Sends a Ping, which a peer that is still there answers with a Pong.
   void ping();
-  /// Our last word: Close 1000.
+  /// Sends Close 1000; nothing can be sent after it.
   void end();
   /// Bytes for the wire.
   [[nodiscard]] std::string take_output();
 
-  /// The peer has sent its Close.
+  /// Whether the peer has sent its Close.
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] bool failed() const { return !reason_.empty(); }
   /// A clause about the failure.
@@ -49,11 +50,11 @@ class Layer {
   void fail(int code, std::string reason);
 
   std::size_t frame_bytes_max_;
-  std::array<unsigned char, 14> head_{};  ///< of the frame that comes: at most 2 + 8 + 4 bytes
+  std::array<unsigned char, 14> head_{};  ///< of the frame being read: at most 2 + 8 + 4 bytes
   std::size_t head_bytes_ = 0;
   bool in_payload_ = false;
-  std::uint64_t payload_bytes_ = 0;  ///< of the frame
-  std::uint64_t payload_taken_ = 0;  ///< of those
+  std::uint64_t payload_bytes_ = 0;  ///< of that frame
+  std::uint64_t payload_taken_ = 0;  ///< how many of them were read
   std::string control_;              ///< payload of a control frame
   bool in_message_ = false;          ///< a text's last fragment is still to come
   bool closed_ = false;              ///< our Close is out

@@ -6,18 +6,18 @@
 
 namespace aucast::web {
 
-/// Whether a Host field, "NAME[:PORT]", is for this server: an IP address, localhost or one of its
-/// names, of which "*.example.org" stands for one more label; or nothing. A page of another name
-/// that leads its reader's browser here (DNS rebinding) names itself.
+/// Whether a Host field, "NAME[:PORT]", may mean this server: an IP address, localhost, one of
+/// `names` ("*.example.org" is any name with one more label), or empty. This stops DNS rebinding: a
+/// foreign page that makes its name resolve to this server arrives with its own name in Host.
 [[nodiscard]] bool is_own_host(std::string_view host, const std::vector<std::string>& names);
 
 /// Whether a page of this origin, "SCHEME://NAME[:PORT]", may talk to the server that it reaches as
-/// `host`: one of the same host, of the reader's own computer, or of one of the server's names.
-/// Browsers name the origin truthfully; other programs send none, which is no reason to refuse.
+/// `host`: one of the same host, of the reader's own computer, or of one of `names`. Browsers name
+/// the origin truthfully; other programs send none, so an empty one is accepted.
 [[nodiscard]] bool is_own_origin(std::string_view origin, std::string_view host,
                                  const std::vector<std::string>& names);
 
-/// The host alone of "NAME[:PORT]": in small letters, without port, brackets and final dot.
+/// Only the host of "NAME[:PORT]": in small letters, without port, brackets and final dot.
 [[nodiscard]] std::string host_of(std::string_view host_and_port);
 
 }  // namespace aucast::web

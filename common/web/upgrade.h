@@ -8,14 +8,15 @@
 
 namespace aucast::web {
 
-/// Why a request cannot become a WebSocket (RFC 6455, 4.2.1): the reply that says so, with the
-/// remedy. Nothing: it can.
+/// Checks that a request can become a WebSocket (RFC 6455, 4.2.1). Returns nullopt if it can, else
+/// the reply that says why not, with the remedy.
 [[nodiscard]] std::optional<HttpReply> refuse_upgrade(const HttpRequest& request);
 
-/// The reply to a request that is not refused. No subprotocol and no extension is taken.
+/// The bytes of the reply to a request that is not refused. It accepts no subprotocol and no
+/// extension.
 [[nodiscard]] std::string accept_upgrade(const HttpRequest& request);
 
-/// What Sec-WebSocket-Accept answers to a Sec-WebSocket-Key.
+/// The value of Sec-WebSocket-Accept for a Sec-WebSocket-Key.
 [[nodiscard]] std::string accept_key(std::string_view key);
 
 }  // namespace aucast::web

@@ -9,19 +9,19 @@
 
 namespace aucast::server {
 
-/// What an engine does for us: carries messages to all subscribers of their subject.
-/// Thread: that of the event loop, on which it tells its events too, never from within a call.
+/// A connection to an engine, which carries messages to all subscribers of their subject.
+/// Thread: that of the event loop. Events are called there too, never from within a call.
 class Bus {
  public:
   struct Message {
     std::string subject;
-    std::string reply_to;  ///< where an answer is to go; empty: none is wanted
+    std::string reply_to;  ///< the subject for an answer; empty: none is wanted
     std::string bytes;
   };
   struct Events {
     std::function<void(Message)> on_message;
-    /// Connected: messages go now, over that server. Called again when another one replaces a lost
-    /// one.
+    /// Messages can be sent from now on, over this server. Called again after on_disconnected(),
+    /// perhaps with another server.
     std::function<void(const std::string& server)> on_connected;
     std::function<void()> on_disconnected;
   };
@@ -42,7 +42,7 @@ class Bus {
 
 using OpenBus = std::function<Result<std::unique_ptr<Bus>>(Bus::Events)>;
 
-/// The subjects of a stream: for its batches, and for the questions of those who join.
+/// The subjects of a stream: one for its batches, and one for requests (protocol::EngineJoin).
 [[nodiscard]] inline std::string batch_subject(const std::string& stream) {
   return "au." + stream + ".p";
 }

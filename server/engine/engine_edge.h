@@ -21,8 +21,8 @@ namespace aucast::server {
 /// Thread: that of the io_context, which must outlive it.
 class EngineEdge final : public Upstream {
  public:
-  /// `options.name`: of the stream there. `open`: as the bus opens. `on_moment`: the stream has
-  /// something new.
+  /// `options.name`: the stream's name at the engine. `open` opens the bus. `on_moment` is called
+  /// when the stream has something new.
   EngineEdge(asio::io_context& io, const Reception::Options& options, OpenBus open,
              std::function<void()> on_moment);
 
@@ -49,10 +49,10 @@ class EngineEdge final : public Upstream {
   Reception reception_;
   Follower follower_;
   std::unique_ptr<Bus> bus_;
-  std::shared_ptr<JoinedLink> link_;  ///< null: nothing has begun
-  bool over_ = false;                 ///< the receiver has left it, in the running call
-  std::string server_;                ///< of the engine; empty: none is connected
-  std::string reason_;                ///< why it was left, as logged last
+  std::shared_ptr<JoinedLink> link_;  ///< null: the stream has not begun
+  bool over_ = false;   ///< the Reception has ended the connection during the running call
+  std::string server_;  ///< the engine's server; empty: none is connected
+  std::string reason_;  ///< the last logged reason why it ended
   asio::steady_timer timer_;
   bool stopped_ = false;
 };

@@ -26,26 +26,26 @@ class EngineOrigin {
  public:
   struct Options {
     std::string stream;     ///< its name at the engine
-    Milliseconds batch{0};  ///< what comes within this time goes together
+    Milliseconds batch{0};  ///< what comes within this time is sent as one batch
   };
   using Catalogue = std::function<std::shared_ptr<const protocol::ServerCatalogue>()>;
 
-  /// How often it says that it lives when there is nothing new.
+  /// How often it sends an empty batch, to show that it is alive, when there is nothing new.
   static constexpr Milliseconds kBeat{500};
-  /// More questions are left out, and counted.
+  /// Further requests are left out and counted.
   static constexpr std::size_t kAnswersPerSecond = 1'000;
 
   EngineOrigin(asio::io_context& io, Options options, Catalogue catalogue);
   EngineOrigin(const EngineOrigin&) = delete;
   EngineOrigin& operator=(const EngineOrigin&) = delete;
 
-  /// As the bus opens.
+  /// Opens the bus. Errors are those of `open`.
   [[nodiscard]] Result<void> start(const OpenBus& open);
-  /// A stream may have something new.
+  /// Call when a stream may have something new.
   void on_moment();
-  /// Tells who watches that it has ended.
+  /// Tells those who watch that the stream has ended.
   void stop();
-  /// Adds how it goes.
+  /// Adds its state.
   void describe(Status& status) const;
 
  private:
@@ -70,7 +70,7 @@ class EngineOrigin {
   bool batch_waits_ = false;
   asio::steady_timer beat_timer_;
   Instant second_begin_{};
-  std::size_t answers_ = 0;  ///< in that second
+  std::size_t answers_ = 0;  ///< sent in that second
   std::uint64_t unanswered_ = 0;
   bool stopped_ = false;
 };

@@ -78,7 +78,7 @@ void Follower::take_batch(Message message, Instant now) {
   }
 }
 
-/// What is wrong with a state that is otherwise what was asked for.
+/// Why a state that was asked for cannot be used; nullopt: it can.
 std::optional<std::string> Follower::objection(const Message& state) const {
   protocol::ServerPacketDecoder decoder;
   std::string_view bytes = state.packets;
@@ -124,7 +124,7 @@ void Follower::pass(const Message& message) {
   if (!packets.empty()) events_.emplace_back(GoOn{std::move(packets)});
 }
 
-/// Passes on what waited, as far as it follows.
+/// Passes on the waiting batches that follow the last one.
 void Follower::drain() {
   std::stable_sort(waiting_.begin(), waiting_.end(),
                    [](const Message& a, const Message& b) { return a.seq < b.seq; });
@@ -160,7 +160,7 @@ std::vector<Follower::Event> Follower::on_over(Instant now) {
   return take_events();
 }
 
-/// Asks now, or as soon as it may.
+/// Asks now, or as soon as ask_at_ allows.
 void Follower::want(Instant now) {
   asking_ = true;
   if (!connected_ || now < ask_at_) return;
@@ -175,7 +175,8 @@ void Follower::want(Instant now) {
   ask_at_ = now + std::min(kAskFirst * (1U << std::min(asked_++, kDoublingsMax)), kAskMax);
 }
 
-/// What still waits and does not follow may be of nobody: the next batch tells.
+/// Ends the request. Batches that still wait are dropped; if any are missing, the next batch shows
+/// it.
 void Follower::answered(Instant now) {
   asking_ = false;
   waiting_.clear();

@@ -14,24 +14,26 @@
 
 namespace aucast::server {
 
-/// Puts in order what comes over an engine, as ENGINE.md says: joins one origin, notices a gap by
-/// the numbers and asks for what is missing, takes nothing twice, and leaves an origin that is
-/// silent. No connection and no clock: messages and the time go in, events come out.
+/// Puts the messages of an engine in order, as ENGINE.md says. It joins one origin (a publisher's
+/// run), finds gaps by the batches' numbers and asks for what is missing, takes nothing twice, and
+/// leaves an origin that is silent. No connection and no clock: messages and the time go in, events
+/// come out.
 /// Thread: none of its own.
 class Follower {
  public:
-  static constexpr Milliseconds kSilence{2'000};  ///< after which an origin is taken for lost
-  static constexpr Milliseconds kAskFirst{250};   ///< until the question is asked again, ...
-  static constexpr Milliseconds kAskMax{4'000};   ///< ... twice as long each time, up to this
+  static constexpr Milliseconds kSilence{2'000};  ///< after this long, an origin counts as lost
+  static constexpr Milliseconds kAskFirst{250};   ///< wait before a request is repeated, ...
+  static constexpr Milliseconds kAskMax{4'000};   ///< ... which doubles each time, up to this
   static constexpr Milliseconds kSayEvery{60'000};
-  /// Batches that may wait for an answer; beyond that the oldest are dropped, and counted.
+  /// The most batches that wait for an answer. When more come, the oldest are dropped and counted.
   static constexpr std::size_t kWaitingMax = 128;
   static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20U;
 
   struct Ask {
     std::string request;
   };
-  /// Another beginning: hello, the whole face, and places on a clock that begins here.
+  /// The stream begins, or begins anew: the hello, the whole face, and places on a clock that
+  /// begins here.
   struct Begin {
     std::string origin;
     std::string packets;
@@ -39,7 +41,7 @@ class Follower {
   struct GoOn {
     std::string packets;  ///< on the same clock
   };
-  /// What began has ended here.
+  /// The stream that began is lost.
   struct Lose {
     std::string reason;  ///< a clause
   };
@@ -48,7 +50,7 @@ class Follower {
   };
   using Event = std::variant<Ask, Begin, GoOn, Lose, Say>;
 
-  /// `id`: of this server, by which it finds its own stream.
+  /// `id`: of this server, by which it sees its own stream come back.
   explicit Follower(std::string id) : id_(std::move(id)) {}
 
   /// Call when the engine is connected, for the first time or again: something may have been
@@ -59,7 +61,7 @@ class Follower {
   [[nodiscard]] std::vector<Event> on_broadcast(std::string_view bytes, Instant now);
   /// Takes an answer to a question of ours.
   [[nodiscard]] std::vector<Event> on_answer(std::string_view bytes, Instant now);
-  /// Call when the receiver has left what began: it has ended, or makes no sense.
+  /// Call when the receiver has left the stream, because it has ended or is invalid.
   [[nodiscard]] std::vector<Event> on_over(Instant now);
   [[nodiscard]] std::vector<Event> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
@@ -70,7 +72,7 @@ class Follower {
  private:
   using Message = protocol::EngineMessage;
 
-  /// What there is to say again and again, once in a while.
+  /// Limits how often a warning is repeated.
   struct Complaint {
     Instant next{};
     std::uint64_t times = 0;
@@ -91,16 +93,16 @@ class Follower {
 
   std::string id_;
   std::optional<std::string> origin_;
-  std::uint64_t last_ = 0;     ///< batch that was passed on
-  std::uint64_t base_ms_ = 0;  ///< place on the origin's clock where this clock began
-  Instant heard_at_{};         ///< anything of the origin
-  Instant begun_at_{};         ///< a state was taken
+  std::uint64_t last_ = 0;     ///< the last batch that was passed on
+  std::uint64_t base_ms_ = 0;  ///< place on the origin's clock where ours is 0
+  Instant heard_at_{};         ///< when the origin was last heard
+  Instant begun_at_{};         ///< when a state was last taken
   bool connected_ = false;
-  bool asking_ = false;          ///< an answer is wanted
-  Instant ask_at_{};             ///< not before
-  Instant asked_at_{};           ///< last
-  unsigned asked_ = 0;           ///< times since what began has lasted a while
-  std::deque<Message> waiting_;  ///< came while an answer was wanted
+  bool asking_ = false;          ///< whether an answer is awaited
+  Instant ask_at_{};             ///< when to ask again at the earliest
+  Instant asked_at_{};           ///< when it last asked
+  unsigned asked_ = 0;           ///< how often, since a stream last went on for kSilence
+  std::deque<Message> waiting_;  ///< batches that came while an answer was awaited
   std::size_t waiting_bytes_ = 0;
   std::uint64_t left_out_ = 0;
   Complaint garbage_;

@@ -8,13 +8,15 @@
 
 namespace aucast::server {
 
-/// What comes after one join, as a connection: its user gets the hello, the whole face and all that
-/// follows, as from any server. What the user sends is dropped, for an engine takes no answers.
+/// Presents what follows one join at an engine as a connection: its user gets the hello, the whole
+/// face and all that follows, as from any server. What the user sends is dropped, since an engine
+/// takes no answers.
 class JoinedLink final : public link::Link, public std::enable_shared_from_this<JoinedLink> {
  public:
-  /// Hands these on one by one, each a moment of its own, unless the user has closed.
+  /// Passes these packets to the user one by one, each as a moment of its own, unless the user has
+  /// closed the link.
   void deliver(std::string_view packets);
-  /// Ends it for the user, if it is still there.
+  /// Reports a loss to the user, unless the user has closed the link.
   void lose(const std::string& reason);
 
   void start(link::LinkUser& user) override;
@@ -23,7 +25,7 @@ class JoinedLink final : public link::Link, public std::enable_shared_from_this<
   void finish() override { user_ = nullptr; }
   void close() override { user_ = nullptr; }
   void set_reading(bool /*reading*/) override {}
-  /// A session waits for nothing once it has the hello, which comes at once.
+  /// Not needed: a session has no deadline once it has the hello, which comes at once.
   void wake_at(std::optional<Instant> /*when*/) override {}
 
   [[nodiscard]] Instant now() const override;

@@ -21,7 +21,7 @@
 namespace aucast::server {
 namespace {
 
-constexpr std::size_t kSaidMax = 200;  ///< of what the library says, in the log
+constexpr std::size_t kSaidMax = 200;  ///< of a text of the library, in the log
 
 NatsServers servers_of(const NatsOptions& options) {
   const EngineSettings& settings = options.settings;
@@ -50,15 +50,15 @@ void warn_of_full() {
       link::LoopGate::kBytesMax >> 20U);
 }
 
-/// What the library tells, once it has come to the loop.
+/// Gets what the library tells, on the loop.
 struct LibraryEvents {
   Bus::Events owner;
   /// The connection of this number is closed for good.
   std::function<void(int connection, const std::string& why)> on_given_up;
 };
 
-/// Posts what the library tells of a connection to the loop, nothing else. `events` are called
-/// there, and live until the gate is closed.
+/// Posts what the library tells about a connection to the loop, and does nothing else. `events` are
+/// called there, and live until the gate is closed.
 class Poster final : public NatsListener {
  public:
   Poster(std::shared_ptr<link::LoopGate> gate, const LibraryEvents& events, int connection)
@@ -132,8 +132,8 @@ class NatsBus final : public Bus {
   std::shared_ptr<link::LoopGate> gate_;
   asio::steady_timer timer_;
   int connections_ = 0;                         ///< made so far; the last is the present one
-  std::unique_ptr<NatsConnection> connection_;  ///< null: between one that is closed and the next
-  std::string connected_early_;  ///< the server that was told before there was a connection
+  std::unique_ptr<NatsConnection> connection_;  ///< null: one was closed, and the next is not open
+  std::string connected_early_;  ///< the server that was reported before connection_ was set
   std::vector<std::string> subjects_;
   std::string own_subject_;
 };
@@ -158,7 +158,7 @@ std::shared_ptr<Poster> NatsBus::new_listener() {
   return std::make_shared<Poster>(gate_, library_events_, ++connections_);
 }
 
-/// Nothing can be said yet over a connection that is still on its way to us.
+/// Nothing can be sent yet over a connection that has not been passed to us.
 void NatsBus::on_connected(const std::string& server) {
   if (connection_) {
     events_.on_connected(server);
@@ -167,8 +167,8 @@ void NatsBus::on_connected(const std::string& server) {
   }
 }
 
-/// The library gives up for ever when it is refused twice in the same way; we do not: who may come
-/// in may be changed at the servers.
+/// The library gives up when it is refused twice in the same way. We try again, since the servers'
+/// permissions may change.
 void NatsBus::ask_again_later(const std::string& why) {
   spdlog::warn("NATS refuses us: {}; it is asked again in {} s", escaped(why, kSaidMax),
                seconds(refused_pause_));

@@ -9,18 +9,18 @@
 
 namespace aucast::server {
 
-// What program and module (aucast-nats.so) agree on: the program has loop, log, clock and files,
-// the module has libnats, and no more. What is compiled into both has no state, and neither needs a
-// symbol of the other, so that nothing exists twice and no type has to be recognised by both.
+// The interface between the program and the module aucast-nats.so. The program has loop, log, clock
+// and files; the module only libnats. Code compiled into both has no state, and neither needs a
+// symbol of the other, so nothing exists twice and no type has to be recognised by both.
 
-/// Where servers of NATS are and what is shown to them. Empty: nothing.
+/// The addresses of NATS servers, and the credentials for them. Empty members are not used.
 struct NatsServers {
   std::vector<std::string> urls;  ///< in the order in which they are tried
   bool tls = false;
   std::string token;
   std::string user;
   std::string password;
-  std::string creds;  ///< a file, as are all below but the nkey
+  std::string creds;  ///< a file, like all members below except the nkey
   std::string nkey;
   std::string seed;
   std::string authorities;
@@ -28,8 +28,8 @@ struct NatsServers {
   std::string key;
 };
 
-/// Is told what becomes of a connection, in the words of the library and on its threads, even after
-/// the connection's end.
+/// Hears about a connection. Texts are the library's own. Called on the library's threads, even
+/// after the connection's end.
 class NatsListener {
  public:
   NatsListener() = default;
@@ -41,15 +41,16 @@ class NatsListener {
   virtual void on_disconnected() = 0;
   virtual void on_message(Bus::Message message) = 0;
   virtual void on_error(const std::string& text) = 0;
-  /// The library gives up.
+  /// The library has given up.
   virtual void on_given_up(const std::string& why) = 0;
 };
 
-/// A connection; the library tries for ever, unless it is refused. Thread: one at a time.
+/// A connection. The library tries to connect again and again, unless it is refused. Thread: one at
+/// a time.
 class NatsConnection {
  public:
   NatsConnection() = default;
-  /// Waits a moment for the last messages to go out.
+  /// Waits a moment for the last messages to be sent.
   virtual ~NatsConnection() = default;
   NatsConnection(const NatsConnection&) = delete;
   NatsConnection& operator=(const NatsConnection&) = delete;
@@ -59,17 +60,17 @@ class NatsConnection {
   [[nodiscard]] virtual Result<void> send(const Bus::Message& message) = 0;
 };
 
-/// What the module exports, under the name kNatsModule.
+/// The object that the module exports, under the name kNatsModule.
 struct NatsModule {
-  /// Stays the first member whatever becomes of the rest: the loader reads no further if it differs
-  /// from its own kNatsTag, AUCAST_NATS_TAG. server/CMakeLists.txt makes that of the version, of
-  /// the text of the headers that the two share, of the compiler and of the sanitizer.
+  /// Must stay the first member, however the others change: the loader reads no further if it
+  /// differs from the program's own AUCAST_NATS_TAG. server/CMakeLists.txt makes that from the
+  /// version, the text of the shared headers, the compiler and the sanitizer.
   const char* tag;
-  /// Takes up to a second for each server that does not answer. Network: it was refused; usage: the
-  /// library does not take these options. Messages are the library's own words.
+  /// Takes up to a second for each server that does not answer. Network error when it was refused,
+  /// Usage error when the library refuses the options. The messages are the library's own.
   Result<std::unique_ptr<NatsConnection>> (*connect)(const NatsServers& servers,
                                                      const std::shared_ptr<NatsListener>& listener);
-  /// A subject of our own, to which answers may go.
+  /// As Bus::own_subject().
   Result<std::string> (*new_subject)();
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kFile = "aucast-nats.so";
 
-/// Nobody else can have put it there: it belongs to root or to who owns this program.
+/// Whether nobody else can have put it there: it belongs to root or to the owner of this program.
 bool only_ours(const fs::path& path) {
   struct stat program {};
   struct stat status {};

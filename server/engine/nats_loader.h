@@ -8,14 +8,14 @@
 
 namespace aucast::server {
 
-/// Where the module is looked for: beside this program, as in a build folder, and where
+/// The folders in which the module may be: beside this program, as in a build folder, and where
 /// `cmake --install` puts it, relative to this program.
 [[nodiscard]] std::vector<std::filesystem::path> nats_module_folders();
 
-/// From the first of them that has it. Usage error, with what to install, where none has it.
-/// Unreadable: others could have put it there, the system cannot load it, or it is of another
-/// build. It is never unloaded: libnats has threads, and destructors of theirs, that outlive every
-/// connection.
+/// Loads the module from the first of these folders that has it. Usage error, with what to install,
+/// when none has it. Unreadable when other users could have put it there, the system cannot load
+/// it, or it is of another build. It is never unloaded: libnats has threads, with destructors, that
+/// outlive every connection.
 [[nodiscard]] Result<const NatsModule*> load_nats_module(
     const std::vector<std::filesystem::path>& folders);
 

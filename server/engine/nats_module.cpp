@@ -14,24 +14,25 @@
 namespace aucast::server {
 namespace {
 
-/// For each server that does not answer; at the start the loop waits meanwhile.
+/// For each server that does not answer. At the start, the loop waits for this.
 constexpr int kConnectMs = 1'000;
 constexpr int kReconnectMs = 250;  ///< between two rounds of all servers
 constexpr int kReconnectJitterMs = 100;
-/// A server that is gone without a word is found after the second unanswered ping.
+/// A server that has vanished is noticed after the second unanswered ping.
 constexpr int kPingMs = 2'000;
 constexpr int kPingsUnanswered = 2;
-/// Bytes that the library keeps to send them when it is connected again: none, for they would be
-/// old. 0 would be its own choice, 8 MB.
+/// How many bytes the library keeps for after a reconnect: as good as none, since they would be
+/// old. 0 would mean its default, 8 MB.
 constexpr int kKeptBytes = 1;
-constexpr int kFlushMs = 200;  ///< for the last words
+constexpr int kFlushMs = 200;  ///< for the last messages
 
 struct OptionsDeleter {
   void operator()(natsOptions* options) const { natsOptions_Destroy(options); }
 };
 using OptionsPtr = std::unique_ptr<natsOptions, OptionsDeleter>;
 
-/// What the library hands to its callbacks: holds the listener until the last of them.
+/// The object that the library passes to its callbacks: keeps the listener alive until the last of
+/// them.
 using Held = std::shared_ptr<NatsListener>;
 
 NatsListener& listener_of(void* held) {
@@ -88,7 +89,8 @@ void on_message(natsConnection* /*connection*/, natsSubscription* /*subscription
   listener_of(held).on_message(std::move(copy));
 }
 
-/// What the library says of its last failure, without the place in its sources; else the status.
+/// The library's text about its last failure, without the place in its sources; if there is none,
+/// the status.
 std::string reason_of(natsStatus status) {
   natsStatus last = status;
   const char* const said = nats_GetLastError(&last);

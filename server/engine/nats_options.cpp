@@ -16,7 +16,7 @@
 namespace aucast::server {
 namespace {
 
-/// Of files that the client library reads by itself: what it says of a missing one names no file.
+/// For files that the client library reads itself: its message about a missing one names no file.
 Result<void> check_readable(const EngineSettings& settings) {
   constexpr std::size_t kBytesMax = 65536;
   for (const std::filesystem::path& path :
@@ -49,7 +49,7 @@ Result<void> check_settings(const EngineSettings& settings) {
   return {};
 }
 
-/// NAME:PASSWORD, the only line of the file, parted; nothing when no file is given.
+/// Reads the file's only line, USER:PASSWORD, into `options`; does nothing without a file.
 Result<void> read_login(const std::filesystem::path& path, NatsOptions& options) {
   constexpr std::size_t kBytesMost = 1024;
   if (path.empty()) return {};

@@ -8,8 +8,8 @@
 
 namespace aucast::server {
 
-/// What an address of NATS and the settings come to: secrets that are words are read, files that
-/// the library reads by itself are only looked for.
+/// Everything needed to connect to an address of NATS. Secrets that are words have been read; files
+/// that the library reads itself have only been checked.
 struct NatsOptions {
   protocol::StreamAddress address;
   std::string token;  ///< empty: none
@@ -18,8 +18,8 @@ struct NatsOptions {
   EngineSettings settings;
 };
 
-/// Reads the address, the token's file and that of the login, and looks whether the others can be
-/// read. Usage, unreadable or bad data.
+/// Reads the address, the token's file and the login's, and checks that the others can be read.
+/// Fails as Usage, Unreadable or BadData.
 [[nodiscard]] Result<NatsOptions> nats_options(const std::string& address,
                                                const EngineSettings& settings);
 

@@ -12,7 +12,7 @@ namespace {
 
 using protocol::EngineMessage;
 
-/// With its place always, so that who begins with any batch knows where it belongs.
+/// A voice packet with its place, so that a watcher can begin with any batch.
 std::string placed(const protocol::EncodedVoice& voice) {
   constexpr std::string_view kOpening = "{a";
   std::string packet(kOpening);

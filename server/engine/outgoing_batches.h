@@ -13,31 +13,31 @@
 
 namespace aucast::server {
 
-/// A live stream on its way to an engine: numbered batches of what its channel has, and answers to
-/// those who join late or missed some. Places are those of the channel's clock.
+/// Turns a live stream into messages for an engine: numbered batches of what is new in its channel,
+/// and answers to those who join late or missed some. Places are on the channel's clock.
 /// Thread: none of its own; that of the channel.
 class OutgoingBatches {
  public:
   /// How long what was sent is kept for those who missed it.
   static constexpr Milliseconds kKept{2'000};
-  /// One answer holds it with its line.
+  /// The most bytes that are kept: they fit in one answer.
   static constexpr std::size_t kKeptBytesMax = std::size_t{48} * 1024;
-  static constexpr std::size_t kKeptMax = 256;  ///< batches, of which many may be empty
+  static constexpr std::size_t kKeptMax = 256;  ///< batches; many may be empty
 
   explicit OutgoingBatches(std::string origin) : origin_(std::move(origin)) {}
 
-  /// Adds to the next batch what is new in the channel. Sound comes before the keyframe during
+  /// Adds what is new in the channel to the next batch. Sound comes before the keyframe during
   /// which it is heard.
   void collect(const protocol::LiveChannel& channel);
-  /// Adds {-2}: nothing follows for now.
+  /// Adds {-2}: the stream has ended, at least for now.
   void collect_end();
-  /// The size of the next batch's packets.
+  /// The size in bytes of the next batch's packets.
   [[nodiscard]] std::size_t waiting_bytes() const { return waiting_.size(); }
-  /// Returns what was collected, with the next number. An empty batch says that the origin is
-  /// alive.
+  /// Returns the message with what was collected, under the next number. An empty batch tells that
+  /// the publisher is alive.
   [[nodiscard]] std::string next_batch();
 
-  /// The stream is running, so the state of the face can be told.
+  /// Whether the stream has begun and not ended.
   [[nodiscard]] bool running() const { return !full_.empty() && !ended_; }
   /// The answer to somebody who joins, as of the last batch. `hello`: of the stream. Nothing: it
   /// asks another origin, or nothing was sent.
@@ -53,7 +53,7 @@ class OutgoingBatches {
   struct State {
     std::string full;  ///< the whole face
     Milliseconds begin{0};
-    std::string caption;  ///< that stands; empty: none
+    std::string caption;  ///< that is shown; empty: none
   };
 
   void collect_sound(const protocol::LiveChannel& channel);
@@ -61,15 +61,15 @@ class OutgoingBatches {
   [[nodiscard]] std::optional<std::string> since(std::uint64_t after) const;
 
   std::string origin_;
-  std::uint64_t seq_ = 0;  ///< of the last batch; the first one has 1
+  std::uint64_t seq_ = 0;  ///< of the last batch; the first is 1
   std::string waiting_;
   std::optional<std::uint64_t> last_moment_;
   Milliseconds end_{0};            ///< of the last keyframe that was collected
   Milliseconds waiting_place_{0};  ///< where the next batch begins
-  std::uint64_t next_voice_ = 0;   ///< numbers in the channel
+  std::uint64_t next_voice_ = 0;   ///< number in the channel's Recent
   std::uint64_t next_caption_ = 0;
   bool ended_ = false;
-  std::string full_;  ///< of the last moment collected, ...
+  std::string full_;  ///< the state at the last moment collected, ...
   Milliseconds full_begin_{0};
   std::string caption_;
   State sent_;  ///< ... and of the last one in a batch that is out

@@ -8,7 +8,7 @@
 namespace aucast::server {
 namespace {
 
-/// Of a body, between two looks at whether the connection takes more.
+/// How much of a body is written before it is checked whether the connection takes more.
 constexpr std::size_t kPieceBytes = 16384;
 
 }  // namespace
@@ -49,7 +49,8 @@ void HttpExchange::reply(SharedReply reply, bool head) {
   send_more();
 }
 
-/// So much of the body as is taken; the rest waits where it is, for however many ask.
+/// Sends as much of the body as the link takes. The rest is not copied, however many clients want
+/// it.
 void HttpExchange::send_more() {
   if (!replied_) return;
   std::string_view rest = body_ ? std::string_view(*body_).substr(sent_) : std::string_view();

@@ -16,25 +16,25 @@
 
 namespace aucast::server {
 
-/// Bytes that several connections may be sending.
+/// Bytes that several connections may be sending at once.
 using SharedBytes = std::shared_ptr<const std::string>;
 
-/// A reply whose body may be large: it is not copied.
+/// A reply whose body may be large and is not copied.
 struct SharedReply {
   web::HttpReply head;
-  SharedBytes body;  ///< null: `head` has its own
+  SharedBytes body;  ///< null: the body is in `head`
 };
 
-/// One request and its reply on a link, or what becomes something else.
+/// One request and its reply on a link. The link may then be released, to become something else.
 /// Thread: that of the link.
 class HttpExchange final : public link::LinkUser,
                            public std::enable_shared_from_this<HttpExchange> {
  public:
-  /// What it leaves to others; outlives it.
+  /// What it leaves to its owner. Must outlive it.
   struct Hooks {
     std::size_t head_bytes_max = 0;  ///< of a request
     std::function<void(HttpExchange&, const web::HttpRequest&)> on_request;
-    /// What came is no request, for which this is the reply.
+    /// The bytes are no valid request; the reply says why.
     std::function<void(HttpExchange&, const web::HttpReply&)> on_fault;
     std::function<void(const HttpExchange&)> on_over;
   };
@@ -46,17 +46,17 @@ class HttpExchange final : public link::LinkUser,
   HttpExchange& operator=(const HttpExchange&) = delete;
 
   void start() { link_->start(*this); }
-  /// The answer to the request; of one for the head, only that.
+  /// Answers the request. `head`: it was a HEAD request, which gets no body.
   void reply(SharedReply reply, bool head);
-  /// Gives the link to whoever goes on with it; this exchange is over.
+  /// Gives the link to the caller; this exchange has then ended.
   [[nodiscard]] std::shared_ptr<link::Link> release() { return std::exchange(link_, nullptr); }
   [[nodiscard]] bool released() const { return link_ == nullptr; }
 
-  /// The request has not come yet.
+  /// Whether the request has not come yet.
   [[nodiscard]] bool asking() const { return !replied_; }
   [[nodiscard]] const asio::ip::tcp::endpoint& peer() const { return peer_; }
   [[nodiscard]] Instant now() const { return link_->now(); }
-  /// Bytes that have come: the request, and what was said behind it.
+  /// How many bytes have come: the request, and any after it.
   [[nodiscard]] std::size_t bytes() const { return request_.size(); }
 
  private:
@@ -76,15 +76,16 @@ class HttpExchange final : public link::LinkUser,
   std::string request_;
   bool replied_ = false;
   SharedBytes body_;
-  std::size_t sent_ = 0;  ///< of it
+  std::size_t sent_ = 0;  ///< how much of it was sent
 };
 
-/// The exchanges under way, in the order in which they came. One too many closes the oldest, but
-/// first those that have sent no request: a silent connection must not keep others out.
+/// The exchanges under way, in the order in which they began. When there are too many, one is
+/// closed: the oldest that has sent no request, so that silent connections do not keep others out,
+/// else the oldest.
 /// Thread: that of the links.
 class HttpExchanges {
  public:
-  /// `hooks`, but for its on_over.
+  /// `most`: how many may be under way. on_over of `hooks` is not used.
   HttpExchanges(std::size_t most, HttpExchange::Hooks hooks);
   HttpExchanges(const HttpExchanges&) = delete;
   HttpExchanges& operator=(const HttpExchanges&) = delete;

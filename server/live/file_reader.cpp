@@ -16,9 +16,10 @@ namespace aucast::server {
 namespace {
 
 constexpr std::size_t kFileChunkBytes = 16384;
-/// A file is looked at so often even if nobody says that it changed: not every file system does.
+/// How often a file is checked even without a report of a change: not every file system reports
+/// them.
 constexpr std::chrono::milliseconds kLookEvery{100};
-/// So many bytes before the present place are compared to see whether a file was rewritten.
+/// How many bytes before the present position are compared, to see whether a file was rewritten.
 constexpr std::size_t kTailBytes = 256;
 
 }  // namespace
@@ -68,7 +69,7 @@ void FileReader::stop() {
   timer_.cancel();
 }
 
-/// Goes on reading when there may be something.
+/// Reads on as soon as the event loop has time.
 void FileReader::await() {
   if (held_ || stopped_ || waiting_) return;
   waiting_ = true;

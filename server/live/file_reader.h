@@ -16,18 +16,18 @@
 
 namespace aucast::server {
 
-/// Reads a regular file, or whatever else the kernel says nothing of, to its end, or beyond: then
-/// it is read on as it grows, and anew when it got shorter, was replaced or was changed where it
-/// had been read.
+/// Reads a regular file, or another input for which the kernel cannot tell when there is more, to
+/// its end. With `follow` it goes on as the file grows, and begins again when the file got shorter,
+/// was replaced, or was changed in a part that had been read.
 class FileReader final : public InputReader {
  public:
-  /// `path`: by which the file is found again; "-" for stdin, which is read from its own place and
-  /// never found again. `follow`: it may grow. `events` must outlive it.
+  /// `path`: where to look for a file that replaces this one; "-" for stdin, which is read from its
+  /// present position and is never replaced. `follow`: the file may grow. `events` must outlive it.
   FileReader(asio::io_context& io, std::filesystem::path path, int descriptor, bool follow,
              const Events& events);
   ~FileReader() override;
 
-  /// Has the kernel tell of changes, as far as it can.
+  /// Begins to read, and asks the kernel to report changes, if it can.
   void start() override;
   void hold(bool held) override;
   void stop() override;
@@ -53,10 +53,10 @@ class FileReader final : public InputReader {
   asio::posix::stream_descriptor notify_;  ///< inotify
   asio::steady_timer timer_;
   std::int64_t position_ = 0;
-  std::string tail_;  ///< the last bytes that were read, to see whether they changed
+  std::string tail_;  ///< the last bytes that were read, to notice if they change
   std::vector<char> chunk_;
   bool held_ = false;
-  bool stopped_ = false;  ///< or ended
+  bool stopped_ = false;  ///< or the input has ended
   bool waiting_ = false;
   /// Cleared on destruction; handlers that still come see it.
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);

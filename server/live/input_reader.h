@@ -11,23 +11,23 @@
 
 namespace aucast::server {
 
-/// The error of the system call on the input at `path` that has just failed.
+/// The error for a system call on the input at `path` that has just failed.
 [[nodiscard]] inline Error unreadable_now(const std::filesystem::path& path) {
   return {ErrorKind::Unreadable,
           at_place(path.string(), "cannot be read: " + system_reason(errno))};
 }
 
-/// What reads an open descriptor on the event loop and owns it: a PipeReader or a FileReader.
+/// Reads an open descriptor, which it owns, on the event loop: a PipeReader or a FileReader.
 /// Thread: that of the loop.
 class InputReader {
  public:
-  /// What the owner is told. They may stop or hold the reader; on_end may destroy it.
+  /// Any of them may stop or hold the reader; on_end may destroy it.
   struct Events {
     std::function<void(std::string_view)> on_bytes;
     std::function<void(Error)> on_failure;  ///< a read failed
     std::function<void()> on_end;           ///< nothing more comes from this descriptor
     std::function<void()> on_caught_up;     ///< a growing file was read to its present end
-    std::function<void(const std::string& why)> on_anew;  ///< what follows begins at the beginning
+    std::function<void(const std::string& why)> on_anew;  ///< the file is read from its start again
   };
 
   InputReader() = default;
@@ -37,11 +37,11 @@ class InputReader {
 
   /// Begins to read.
   virtual void start() = 0;
-  /// Nothing is read for now, or again.
+  /// With true, stops reading for now; with false, goes on.
   virtual void hold(bool held) = 0;
-  /// Nothing is read any more, and no event comes.
+  /// Reads no more, and calls no more events.
   virtual void stop() = 0;
-  /// What is read may have been written before it was opened.
+  /// Whether what is read may have been written before it was opened.
   [[nodiscard]] virtual bool has_past() const = 0;
 };
 

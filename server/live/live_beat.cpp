@@ -11,15 +11,16 @@
 namespace aucast::server {
 namespace {
 
-/// A beat that takes longer than a moment lasts is followed by a part of its time for everything
-/// else: answers, and those who come. What is due meanwhile goes out with the next one.
+/// After a beat, the loop has 1/kBreath of the beat's time for everything else (answers, new
+/// clients), even if that is longer than a moment. What becomes due meanwhile is sent with the next
+/// beat.
 constexpr int kBreath = 4;
 
 Instant now() {
   return std::chrono::steady_clock::now();
 }
 
-/// Moments so far, those that were left out too.
+/// How many moments there were so far, including those that were left out.
 std::uint64_t begun(const protocol::LiveReplay& replay) {
   return replay.newest() == nullptr ? 0 : replay.newest()->number + 1;
 }

@@ -13,8 +13,9 @@
 
 namespace aucast::server {
 
-/// The timer of recorded streams that are sent live: moves each on to its next moment, for as long
-/// as anybody holds the stream, tells the owner when any has moved, and logs moments left out.
+/// The timer of recorded streams that are sent live: moves each on to its next moment for as long
+/// as the stream is in use, tells the owner when any has moved, and logs moments that were left
+/// out.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class LiveBeat {
  public:
@@ -32,8 +33,8 @@ class LiveBeat {
       const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
       std::shared_ptr<const protocol::SpokenTrack> spoken = nullptr);
   void stop();
-  /// Does now what is due. For callers that are about to do something lengthy, such as letting in
-  /// many clients: the event loop does not come to the timer until they are done.
+  /// Does now what is due. For callers that take long, such as when letting in many clients: the
+  /// timer has no turn until they have returned.
   void catch_up();
 
   /// How late the latest call of OnMoment was.
@@ -54,7 +55,7 @@ class LiveBeat {
   std::vector<Playing> playing_;
   Duration lag_{0};
   bool stopped_ = false;
-  /// Queued handlers hold it weakly, and so know when this object is gone.
+  /// Queued handlers have a weak pointer to it, and so know when this object is gone.
   std::shared_ptr<LiveBeat*> self_ = std::make_shared<LiveBeat*>(this);
 };
 

@@ -48,7 +48,7 @@ Result<void> LiveInput::start() {
   return {};
 }
 
-/// The reader of before is gone then.
+/// Replaces the reader.
 void LiveInput::read_from(int descriptor) {
   if (auto pipe = PipeReader::take(io_, descriptor)) {
     reader_ = std::make_unique<PipeReader>(std::move(*pipe), path_, reader_events_);

@@ -14,25 +14,25 @@
 
 namespace aucast::server {
 
-/// The bytes of a source that is still being written: stdin (the path "-"), a FIFO, which is opened
-/// again whenever its writer has gone, or a growing file. Opens it and chooses who reads it; a read
-/// error is reported once.
+/// Reads a source that is still being written: stdin (the path "-"), a FIFO, which is opened again
+/// whenever its writer has gone, or a growing file. Opens it and chooses its reader; reports a read
+/// error once.
 /// Thread: that of the io_context, which must outlive it.
 class LiveInput {
  public:
   struct Events {
     std::function<void(std::string_view)> on_bytes;
     std::function<void()> on_caught_up;  ///< a growing file was read to its present end
-    std::function<void()> on_end;        ///< whoever wrote has gone
+    std::function<void()> on_end;        ///< the writer has gone
     std::function<void(const std::string& why)> on_anew;
   };
 
-  /// Opens something else than the path: a descriptor that can be waited for. When it ends, nothing
-  /// more comes.
+  /// Opens something other than the path, and returns a descriptor that can be waited for. When
+  /// that ends, nothing more comes.
   using Opener = std::function<Result<int>()>;
 
-  /// `follow`: a regular file is read on when it grows. `open`: if not empty, opens the input in
-  /// place of the path.
+  /// `follow`: a regular file is read on when it grows. `open`: if set, opens the input instead of
+  /// the path.
   LiveInput(asio::io_context& io, std::filesystem::path path, bool follow, Events events,
             Opener open = {});
   LiveInput(const LiveInput&) = delete;
@@ -40,12 +40,12 @@ class LiveInput {
 
   /// Opens it and begins to read. Unreadable, with the system's reason.
   [[nodiscard]] Result<void> start();
-  /// Nothing is read for now, or again.
+  /// With true, stops reading for now; with false, goes on.
   void hold(bool held);
   void stop();
-  /// True for a file, which may already hold something; what comes through a pipe is new.
+  /// True for a file, which may already have content; what comes through a pipe is new.
   [[nodiscard]] bool has_past() const { return reader_ && reader_->has_past(); }
-  /// Nothing comes any more: stdin has ended, or a FIFO cannot be opened again.
+  /// Whether nothing more can come: stdin has ended, or a FIFO cannot be opened again.
   [[nodiscard]] bool ended() const { return ended_; }
   /// Why the last read failed; nullopt if it did not.
   [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }

@@ -91,7 +91,7 @@ Result<void> LiveSource::finish() {
   return {};
 }
 
-/// Reads on when there is room, and waits for what is due next.
+/// Reads on if there is room, and sets the timer for what is due next.
 void LiveSource::go_on() {
   if (stopped_) return;
   input_.hold(streams_.full());

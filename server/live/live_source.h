@@ -21,14 +21,14 @@ namespace aucast::server {
 struct LiveSourceOptions {
   LiveStreamsOptions streams;
   std::filesystem::path voice{};  ///< raw sound: "-" or a FIFO; empty: none
-  camera::CameraOptions camera;   ///< if the path is one
+  camera::CameraOptions camera;   ///< if the path is a camera
   camera::FaceOptions faces;      ///< of a camera
   camera::OnSight on_sight{};     ///< likewise
   camera::GivenUp given_up{};     ///< likewise
 };
 
-/// A source that is still being written, on the event loop: the bytes of a LiveInput, those of
-/// another one for its voice, and the time of a clock go into its LiveStreams.
+/// A source that is still being written, on the event loop. Feeds its LiveStreams with the bytes of
+/// a LiveInput, those of another one for its voice, and the time.
 /// Thread: that of the io_context, which must outlive it.
 class LiveSource {
  public:
@@ -43,7 +43,8 @@ class LiveSource {
   [[nodiscard]] Result<void> start();
   void stop();
 
-  /// What went wrong without stopping anything. Waits until the records are written.
+  /// Waits until the records are written. Fails with what went wrong without ending the source, if
+  /// anything did.
   [[nodiscard]] Result<void> finish();
 
   [[nodiscard]] LiveStreams& streams() { return streams_; }

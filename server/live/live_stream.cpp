@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// A recording that is poured in waits in its pipe, not in our memory.
+/// The longest queue: a recording that is fed in at once waits in its pipe, not in our memory.
 constexpr std::size_t kQueueMax = 256;
 
 }  // namespace
@@ -101,7 +101,7 @@ void LiveStream::send_due(SteadySeconds now) {
   reader_.hold_off(now);
 }
 
-/// `free` as RecordTimeline has it.
+/// `free`: see sources::RecordTimeline::add().
 void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadySeconds now) {
   if (voice_ && free) {
     // A keyframe's own time is part of what has passed.
@@ -110,7 +110,8 @@ void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadySe
   pass(keyframe.keyframe, free, now);
 }
 
-/// With a voice: the face that stood since the last keyframe, with the time that it stood.
+/// With a voice: sends the face that was held since the last keyframe, with the time for which it
+/// was held.
 void LiveStream::fill_pause(SteadySeconds now) {
   /// A gap shorter than this is no pause: it is how late a busy machine may be.
   constexpr Milliseconds kPauseLeast{100};
@@ -125,7 +126,7 @@ void LiveStream::fill_pause(SteadySeconds now) {
   pass(held, true, now);
 }
 
-/// What is kept is not thinned.
+/// The record is not thinned.
 void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, SteadySeconds now) {
   end_ += Milliseconds(keyframe.duration_ms.value_or(0));
   if (voice_) {
@@ -147,7 +148,7 @@ void LiveStream::show(const protocol::Keyframe& keyframe) {
   on_moment_();
 }
 
-/// What is due while nothing comes.
+/// Does what is due while nothing comes.
 void LiveStream::rest(SteadySeconds now) {
   reader_.idle(now);
   for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true, now);
@@ -181,14 +182,15 @@ void LiveStream::end() {
   on_moment_();
 }
 
-/// Since when neither face nor voice has come. Of what can come no more the voice does not count.
+/// Since when neither face nor voice has come. Once the face's input has ended for good, the voice
+/// does not count.
 std::optional<double> LiveStream::silent_since() const {
   const auto since = reader_.silent_since();
   if (!since || !voice_ || silence_.is_final()) return since;
   return std::max(*since, voice_at_);
 }
 
-/// With a voice: when the face that stands is sent again, so that the clock goes on.
+/// With a voice: when to send the held face again, so that the clock goes on.
 double LiveStream::beat() const {
   /// From the end of the last keyframe; by then the face is no longer held (kHoldSeconds).
   constexpr double kBeatSeconds = sources::kHoldSeconds + 0.25;

@@ -5,8 +5,8 @@
 
 #include "common/earlier.h"
 #include "common/log.h"
-#include "common/sources/profile.h"
 #include "common/sources/loud_aus.h"
+#include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
 #include "server/live/steady_seconds.h"
 #include "server/streams/film_source.h"
@@ -69,7 +69,8 @@ void LiveStreams::feed(std::string_view bytes, Instant at) {
   }
 }
 
-/// A face that is new on a line is read from that line on.
+/// Feeds the readers line by line, so that a new face is read from the line on which it is first
+/// seen.
 void LiveStreams::read_line_by_line(std::string_view bytes, SteadySeconds now) {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size() - 1) + 1;
@@ -158,12 +159,12 @@ void LiveStreams::end_input(Instant at, bool for_good) {
   go_on(now);
 }
 
-/// While a followed file is caught up with, nothing of it is due yet.
+/// While catching up with a followed file, nothing is due yet.
 void LiveStreams::advance(Instant now) {
   if (!catching_up_) go_on(steady_seconds(now));
 }
 
-/// The readers of single faces would only say the same.
+/// Logs messages of the first stream's reader; those of further faces would only repeat them.
 void LiveStreams::say() {
   say_neutral();
   for (const auto& stream : streams_) {

@@ -18,30 +18,30 @@ namespace aucast::server {
 
 struct LiveStreamsOptions {
   LiveStreamOptions each;
-  bool follow = false;           ///< what the source holds already is past
-  std::filesystem::path record;  ///< what --record says; empty: nothing is kept
-  bool record_first = true;      ///< this source is the one that a file is for
+  bool follow = false;  ///< the source is a file that is followed: what it already has is past
+  std::filesystem::path record;  ///< the value of --record; empty: nothing is recorded
+  bool record_first = true;      ///< if `record` is a file, it is for this source
 };
 
-/// The streams of one source that is being written. What a followed file already holds is past:
-/// only its last row is sent.
+/// The streams of one source that is being written. What a followed file already has is past: only
+/// its last row is sent.
 ///
-/// The first stream is there from the beginning, and a voice belongs to it; with --face-id all each
-/// face that is seen gets another one, read from the same bytes by its own reader.
+/// The first stream exists from the beginning, and has the voice, if there is one. With --face-id
+/// all, each further face that is seen gets another stream, whose own reader reads the same bytes.
 ///
-/// Knows no file except its records, and no clock: every call also sends what is due, and next()
+/// Uses no file except its records, and no clock: every call also sends what is due, and next()
 /// tells when advance() has to be called.
 /// Thread: none of its own.
 class LiveStreams {
  public:
-  /// More faces than this get no stream.
+  /// The most further streams; more faces get none.
   static constexpr std::size_t kFaceStreamsMax = 16;
 
   struct Events {
     std::function<void()> on_moment;  ///< a stream has something new
     /// A face is seen for the first time; its stream is the last of served().
     std::function<void()> on_face;
-    /// The neutral face of the first stream was asked for and has been measured.
+    /// The neutral face of the first stream has been measured; only if that was asked for.
     std::function<void(const sources::MeasuredNeutral&)> on_neutral =
         [](const sources::MeasuredNeutral&) {};
   };
@@ -50,36 +50,36 @@ class LiveStreams {
   LiveStreams(const LiveStreams&) = delete;
   LiveStreams& operator=(const LiveStreams&) = delete;
 
-  /// Opens the record, if there is one to be. Fails as Recorder::start().
+  /// Opens the record, if there is to be one. Fails as Recorder::start() does.
   [[nodiscard]] Result<void> start();
 
   void feed(std::string_view bytes, Instant now);
-  /// All that a followed file holds has been fed.
+  /// All that a followed file had has been fed.
   void caught_up(Instant now);
-  /// The file is read from its beginning again, for this reason.
+  /// The file is read from its beginning again; `why`, for the log, is a clause.
   void begin_anew(const std::string& why);
-  /// Whoever wrote has gone. `for_good`: nobody can write any more.
+  /// The writer has gone. `for_good`: nobody can write any more.
   void end_input(Instant now, bool for_good);
-  /// Raw sound, as LiveVoice takes it.
+  /// Takes raw sound, as LiveVoice::add() does.
   void feed_voice(std::string_view bytes, Instant now);
-  /// Whoever wrote the sound has gone.
+  /// The writer of the sound has gone.
   void end_voice(Instant now);
-  /// Sends what is due, or what silence brings.
+  /// As LiveStream::go_on(), for all streams.
   void advance(Instant now);
-  /// When advance() has something to do; nothing: not before something is fed.
+  /// When to call advance() next; nullopt: not before something is fed.
   [[nodiscard]] std::optional<Instant> next() const;
-  /// So much waits for its time that nothing should be fed for now.
+  /// Whether a stream's queue is full: feed nothing for now.
   [[nodiscard]] bool full() const;
 
-  /// What kept it from being recorded whole. Waits until the records are written.
+  /// Waits until the records are written. Fails with what ended one early, if anything did.
   [[nodiscard]] Result<void> finish_record();
-  /// Nothing can come any more, and everybody was told so.
+  /// Whether nothing can come any more, and all clients were told so.
   [[nodiscard]] bool over() const;
-  /// It has ended before the first keyframe.
+  /// Whether the source has ended before its first keyframe.
   [[nodiscard]] bool nothing_came() const { return ended_ && !first().begun(); }
-  /// The streams in the form in which they are served, the first one first.
+  /// The streams as they are served, the first one first.
   [[nodiscard]] std::vector<protocol::ServedStream> served() const;
-  /// Other settings of the signals from the next row on.
+  /// Uses other settings for the signals from the next row on.
   void condition(const sources::ConditioningSettings& settings);
 
  private:
@@ -95,7 +95,7 @@ class LiveStreams {
 
   LiveStreamsOptions options_;
   Events events_;
-  std::vector<std::unique_ptr<LiveStream>> streams_;  ///< the first one's reader speaks for all
+  std::vector<std::unique_ptr<LiveStream>> streams_;  ///< the first one's messages are logged
   std::optional<Error> not_recorded_;
   bool catching_up_;
   bool more_faces_said_ = false;

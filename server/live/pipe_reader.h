@@ -12,12 +12,12 @@
 
 namespace aucast::server {
 
-/// Reads what the kernel tells of when there is more: a pipe, a FIFO, a socket or a terminal, until
-/// its writer has gone.
+/// Reads an input for which the kernel tells when there is more, until its writer has gone: a pipe,
+/// a FIFO, a socket or a terminal.
 class PipeReader final : public InputReader {
  public:
-  /// Takes the descriptor if the kernel tells when there is more to read; nothing otherwise: files
-  /// and some devices have to be looked at by the clock.
+  /// Takes the descriptor if the kernel tells when there is more to read. nullopt otherwise: files
+  /// and some devices have to be polled.
   [[nodiscard]] static std::optional<asio::posix::stream_descriptor> take(asio::io_context& io,
                                                                           int descriptor);
 

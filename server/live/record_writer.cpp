@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// What a power cut may take.
+/// How much time of a record a power cut may destroy.
 constexpr std::chrono::seconds kSyncEvery{1};
 
 /// The most that may wait for the disk, some ten minutes of a face; beyond that recording ends.
@@ -75,7 +75,7 @@ void RecordWriter::Pieces::end_with(const Error& why) {
   spdlog::error("{}; the recording ends here, serving goes on", why.message);
 }
 
-/// One by one: of what no longer fits on the disk, what does is kept.
+/// Writes pieces one by one, so that those that still fit on the disk are kept.
 Result<void> RecordWriter::write(const std::vector<std::string>& pieces) {
   for (const std::string& piece : pieces) {
     if (auto added = file_.add(piece); !added) return added;

@@ -14,12 +14,12 @@
 
 namespace aucast::server {
 
-/// Writes a record on a thread of its own, so that a slow disk holds up no client; a full one ends
-/// the recording, not what is recorded.
+/// Writes a record on a thread of its own, so that a slow disk delays no client. A full disk ends
+/// the recording, but not the stream.
 /// Thread: its owner's; the Shared part is also used by the writing thread.
 class RecordWriter {
  public:
-  /// As RecordFile::create().
+  /// Errors are those of RecordFile::create().
   [[nodiscard]] static Result<std::unique_ptr<RecordWriter>> start(
       const std::filesystem::path& path, const RecordForm& form);
   RecordWriter(std::filesystem::path path, RecordFile file);
@@ -27,11 +27,11 @@ class RecordWriter {
   RecordWriter(const RecordWriter&) = delete;
   RecordWriter& operator=(const RecordWriter&) = delete;
 
-  /// Pieces that follow each other; each is written whole or not at all.
+  /// Adds successive pieces; each is written whole or not at all.
   void add(std::vector<std::string> pieces);
-  /// Waits until everything is written. The error that ended the recording, if one did.
+  /// Waits until everything is written. Fails with the error that ended the recording, if any.
   [[nodiscard]] Result<void> finish();
-  /// Pieces that are in the file; after finish().
+  /// How many pieces are in the file. Call it after finish().
   [[nodiscard]] std::size_t written() const { return written_; }
 
  private:

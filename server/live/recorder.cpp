@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// Of the one logical stream in each Ogg file: equal recordings are equal files.
+/// The serial number in every Ogg file, always the same, so that equal recordings are equal files.
 constexpr std::uint32_t kOggSerial = 1;
 
 }  // namespace

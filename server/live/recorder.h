@@ -15,48 +15,48 @@
 
 namespace aucast::server {
 
-/// Keeps a live stream in files (--record) while it is served: the face in a stream file, and its
-/// voice, from the first packet on, in an Ogg Opus file of the same name beside it.
+/// Records a live stream while it is served (--record): the face in a stream file, and the voice,
+/// from its first packet on, in an Ogg Opus file of the same name beside it.
 /// Thread: that of its owner.
 class Recorder {
  public:
-  /// As RecordFile::create().
+  /// Errors are those of RecordFile::create().
   [[nodiscard]] static Result<std::unique_ptr<Recorder>> start(const std::filesystem::path& path);
   Recorder(std::filesystem::path path, std::unique_ptr<RecordWriter> face);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Records a voice too from now on. Fails as RecordFile::create().
+  /// Records a voice too from now on. Errors are those of RecordFile::create().
   [[nodiscard]] Result<void> add_voice_file();
 
   /// Adds a keyframe; the arguments are those of RecordTimeline.
   void add(const protocol::Keyframe& keyframe, SteadySeconds now, bool free);
-  /// A packet that is heard so long `after` the end of the last keyframe, or, if negative, before
-  /// it.
+  /// Adds a voice packet that begins `after` the end of the last keyframe; negative: before it.
   void add_voice(protocol::VoicePacket packet, Milliseconds after);
   void end_of_stream() { timeline_.end(); }
-  /// Waits until everything is written. The error that ended the recording, if one did.
+  /// Waits until everything is written. Fails with the error that ended the recording, if any.
   [[nodiscard]] Result<void> finish();
 
  private:
   std::filesystem::path path_;
   std::unique_ptr<RecordWriter> face_;
-  std::unique_ptr<RecordWriter> voice_;  ///< null: it keeps none
+  std::unique_ptr<RecordWriter> voice_;  ///< null: no voice is recorded
   voice::OggOpusWriter pages_;
   sources::RecordTimeline timeline_;
-  Milliseconds end_{0};  ///< of the last keyframe, in the file
+  Milliseconds end_{0};  ///< of the last keyframe, on the file's clock
   bool finished_ = false;
 };
 
-/// The file that a stream is kept in. `record`: what --record says; in a folder each stream gets a
-/// file of its own, NAME-20261121T115000Z.txt by the time that it began, else only the `first` one
-/// is kept.
+/// The file in which a stream is recorded. `record` is the value of --record. If it is a folder,
+/// each stream gets a file of its own, named after the stream and the time,
+/// NAME-20261121T115000Z.txt; otherwise only the `first` stream is recorded. nullopt: this one is
+/// not.
 [[nodiscard]] std::optional<std::filesystem::path> record_path(const std::filesystem::path& record,
                                                                const std::string& stream,
                                                                bool first);
 
-/// Where the voice of a stream that is kept in `record` is kept.
+/// The file for the voice of a stream that is recorded in `record`.
 [[nodiscard]] std::filesystem::path voice_record_path(std::filesystem::path record);
 
 }  // namespace aucast::server

@@ -61,8 +61,7 @@ void ServedReplay::take_spoken(SteadySeconds now) {
   }
 }
 
-/// The next moment takes the time of those that were left out before it, so that both clocks stay
-/// one.
+/// The next moment takes the time of those that were left out before it, so that both clocks agree.
 void ServedReplay::take_moments() {
   for (const protocol::LiveMoment& moment : replay_.latest()) {
     if (moment.number < next_moment_) continue;

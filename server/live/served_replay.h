@@ -17,8 +17,8 @@ struct ReplayLimits {
   int classic_min = 20;             ///< percent, as in encode_classic()
 };
 
-/// A recorded stream that is sent live. With a voice, on a link with a limit, its keyframes are
-/// thinned as they are sent: what is left for them depends on what the voice takes at that moment.
+/// A recorded stream that is sent live. With a voice and a limit on the link, its keyframes are
+/// thinned as they are sent, since the voice leaves more or less for them at different times.
 /// Thread: none of its own.
 class ServedReplay {
  public:
@@ -26,11 +26,11 @@ class ServedReplay {
   ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop, Instant begin,
                std::shared_ptr<const protocol::SpokenTrack> spoken, const ReplayLimits& limits);
 
-  /// LiveReplay's; true also when a keyframe that had to wait was sent.
+  /// As LiveReplay's; also true when a keyframe that had to wait was sent.
   bool advance(Instant now);
   [[nodiscard]] std::optional<Instant> next_at() const;
   [[nodiscard]] const protocol::LiveReplay& replay() const { return replay_; }
-  /// What clients are sent.
+  /// The channel that clients are sent.
   [[nodiscard]] const protocol::LiveChannel& channel() const;
 
  private:
@@ -38,7 +38,7 @@ class ServedReplay {
   void take_moments();
 
   protocol::LiveReplay replay_;
-  std::optional<protocol::LiveFeed> feed_;  ///< nothing: the replay is sent as it is
+  std::optional<protocol::LiveFeed> feed_;  ///< nullopt: the replay is sent as it is
   LiveThinning thinning_;
   std::uint64_t next_voice_ = 0;
   std::uint64_t next_caption_ = 0;

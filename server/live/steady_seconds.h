@@ -6,12 +6,12 @@
 
 namespace aucast::server {
 
-/// The steady clock in seconds, which is what the readers of live sources count by.
+/// A time on the steady clock in seconds, as the readers of live sources want it.
 [[nodiscard]] inline double steady_seconds(Instant time) {
   return seconds(time.time_since_epoch());
 }
 
-/// Just after `at`, however it is rounded: what is waited for is due then.
+/// A time just after `at`, whatever the rounding: what is due at `at` is due then.
 [[nodiscard]] inline Instant just_after(double at) {
   return Instant(std::chrono::floor<Duration>(std::chrono::duration<double>(at)) + Duration(1));
 }

@@ -23,12 +23,12 @@ namespace aucast::server {
 namespace {
 
 constexpr std::size_t kReadBytes = 512;
-/// No order is longer.
+/// The longest order.
 constexpr std::size_t kOrderBytesMax = 512;
-/// A picture and the answers to many orders.
+/// Enough for a picture and the answers to many orders.
 constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20;
 
-/// Takes a copy, for closing ours must not close it.
+/// Takes a copy of the descriptor, since closing ours must not close the original.
 Result<void> take_stream(int descriptor, const char* name, asio::posix::stream_descriptor& stream) {
   struct stat status {};
   const bool can =

@@ -16,18 +16,19 @@
 
 namespace aucast::server {
 
-/// --preview: what the camera sees, on standard output, and orders, on standard input
-/// (common/preview). A picture that comes while the previous one is still being written is dropped.
-/// Thread: that of the io_context, which must outlive it; offer() from any.
+/// Does --preview: writes what the camera sees to standard output, and reads orders from standard
+/// input (common/preview). A picture that comes while the previous one is still being written is
+/// dropped.
+/// Thread: that of the io_context, which must outlive it, except for offer().
 class Preview {
  public:
   struct Hooks {
-    /// Others are let in; where.
+    /// Lets others in at this address. Returns the address with the real port.
     std::function<Result<std::string>(const std::string& bind, std::uint16_t port)> open;
     std::function<void()> close;
-    /// How many of them are here.
+    /// How many others are connected.
     std::function<std::size_t()> watching;
-    /// The program that it is for has gone. Called once.
+    /// The program that started us has gone. Called once.
     std::function<void()> on_gone;
   };
 
@@ -35,11 +36,11 @@ class Preview {
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
-  /// Takes orders from `in` and writes to `out`, of which copies are made. Failed when one of them
-  /// is not a pipe or a socket.
+  /// Reads orders from `in` and writes to `out`; makes copies of both descriptors. Failed when one
+  /// of them is not a pipe or a socket.
   [[nodiscard]] Result<void> start(int in = STDIN_FILENO, int out = STDOUT_FILENO);
   void stop();
-  /// The camera sees this.
+  /// Writes what the camera sees. From any thread.
   void offer(const camera::Sight& sight);
 
  private:
@@ -55,7 +56,7 @@ class Preview {
   asio::posix::stream_descriptor in_;
   asio::posix::stream_descriptor out_;
   std::string chunk_;
-  std::string orders_;   ///< as far as they have come
+  std::string orders_;   ///< bytes that are no whole line yet
   std::string waiting_;  ///< to be written
   std::string written_;  ///< being written now
   std::size_t said_watching_ = 0;

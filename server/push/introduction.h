@@ -9,11 +9,11 @@
 
 namespace aucast::server {
 
-/// The beginning of a connection that brings a stream: carries a PublishSession out on a link.
+/// The beginning of a connection over which a stream is offered: runs a PublishSession on a link.
 /// Thread: that of the link.
 class Introduction final : public link::LinkUser {
  public:
-  /// Called once, as this object's last act; the callee may destroy the object.
+  /// Called once, as the last thing that this object does; the callee may destroy it.
   using OnAnswer = std::function<void(const protocol::PublishSession::Answer&)>;
 
   Introduction(std::shared_ptr<link::Link> link, protocol::PublishSession session,
@@ -23,7 +23,7 @@ class Introduction final : public link::LinkUser {
   Introduction& operator=(const Introduction&) = delete;
 
   void start() { link_->start(*this); }
-  /// After the stream was taken: gives the link to whoever goes on with it.
+  /// After the stream was taken: gives the link to the caller.
   [[nodiscard]] std::shared_ptr<link::Link> release();
 
  private:
@@ -35,7 +35,7 @@ class Introduction final : public link::LinkUser {
 
   void answer(const protocol::PublishSession::Answer& answer);
 
-  std::shared_ptr<link::Link> link_;  ///< nullptr: released
+  std::shared_ptr<link::Link> link_;  ///< null: released
   protocol::PublishSession session_;
   OnAnswer on_answer_;
 };

@@ -11,14 +11,14 @@
 
 namespace aucast::server {
 
-/// A name, and what comes under it.
+/// A name, and the stream that publishers send under it.
 struct PushedStreams::Slot {
   Slot(asio::io_context& io, Reception::Options options, Reception::Events events)
       : name(options.name), reception(io, std::move(options), std::move(events)) {}
 
   std::string name;
-  std::string publisher;  ///< the ID of who sends it, or did last; may be empty
-  std::string said;       ///< last about its publishers
+  std::string publisher;  ///< the ID of the present or last publisher; may be empty
+  std::string said;       ///< what was last logged about its publishers
   Reception reception;
 };
 
@@ -78,7 +78,7 @@ void PushedStreams::add(const std::string& name) {
   events_.on_changed();
 }
 
-/// The oldest that nobody sends, if there are too many.
+/// Removes the oldest stream that nobody sends, if there are too many.
 void PushedStreams::make_room() {
   if (slots_.size() < kPushedStreamsMax) return;
   const auto idle = std::find_if(slots_.begin(), slots_.end(),
@@ -106,7 +106,7 @@ void PushedStreams::on_over(Slot& slot, const Parent::Outcome& outcome) {
   }
 }
 
-/// Not now: it is the slot that calls.
+/// Later, since the slot itself is calling.
 void PushedStreams::forget_later(const std::string& name) {
   asio::post(io_, [this, name] {
     const auto slot = find(name);
@@ -124,7 +124,8 @@ void PushedStreams::give_way(const std::string& name) {
   retire(slot);
 }
 
-/// What has happened to it and was not told yet finds it stopped, not gone.
+/// Stops a slot and destroys it later: events of it that are queued find it stopped, but still
+/// there.
 void PushedStreams::retire(std::shared_ptr<Slot> slot) {
   std::erase(slots_, slot);
   slot->reception.end();

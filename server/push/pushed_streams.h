@@ -17,15 +17,15 @@
 
 namespace aucast::server {
 
-/// The streams that publishers bring (--accept-push), one publisher per name. A live one, or one
-/// that did not come whole, is forgotten when no publisher has sent it for a while; a recorded one
-/// stays, until its publisher brings another or room is needed.
+/// The streams that publishers send here (--accept-push), one publisher per name. A live stream, or
+/// a recorded one that is incomplete, is forgotten when no publisher has sent it for Options::wait;
+/// a complete recorded stream is kept until its publisher sends another or room is needed.
 /// Thread: that of the io_context, which must outlive it.
 class PushedStreams {
  public:
   struct Options {
-    std::string id;     ///< of this server, to find loops by
-    Milliseconds wait;  ///< how long clients hold while nobody sends
+    std::string id;     ///< of this server, by which it sees its own streams come back
+    Milliseconds wait;  ///< how long clients wait while nobody sends
     int classic_min = 20;
   };
   struct Events {
@@ -34,21 +34,22 @@ class PushedStreams {
   };
 
   PushedStreams(asio::io_context& io, Options options, Events events);
-  ~PushedStreams();  // where a Slot is known
+  ~PushedStreams();  // in the .cpp, where Slot is complete
   PushedStreams(const PushedStreams&) = delete;
   PushedStreams& operator=(const PushedStreams&) = delete;
 
-  /// Why the stream cannot be taken now, if so: another publisher sends it, or there are too many.
+  /// Why the stream cannot be taken now: another publisher sends it, or there are too many.
+  /// nullopt: it can.
   [[nodiscard]] std::optional<protocol::ErrorReply> refusal(
       const protocol::HelloAsked& hello) const;
-  /// Takes the stream that the open `link` brings, unless there is a refusal(). It replaces an
+  /// Receives the stream over the open `link`; there must be no refusal(). The link replaces an
   /// earlier connection of the same publisher, which may be dead.
   void take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello, std::string peer);
-  /// Gives up the pushed stream of this name, which a stream of this server itself needs.
+  /// Gives up the pushed stream of this name, since this server has a stream of that name itself.
   void give_way(const std::string& name);
   void stop();
 
-  /// The streams in the form in which they are served, in the order in which they came.
+  /// The streams as they are served, in the order in which they came.
   [[nodiscard]] std::vector<protocol::ServedStream> streams() const;
   [[nodiscard]] std::vector<UpstreamStatus> statuses() const;
 

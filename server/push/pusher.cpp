@@ -27,7 +27,7 @@ void Pusher::stop() {
   introduction_.reset();
 }
 
-/// While there is nothing to bring nobody is told so.
+/// While there is nothing to send, no server is dialled.
 bool Pusher::ready() const {
   const protocol::ServedStream* const stream = hooks_.stream();
   if (stream == nullptr) return false;

@@ -19,30 +19,30 @@
 
 namespace aucast::server {
 
-/// Brings a stream of this server to another one (--push): dials that server, offers the stream
-/// and, when it is taken, serves the connection like any client's. When it is lost or refused,
-/// tries again for ever. A recorded stream that was sent whole is offered again now and then: a
-/// server that was restarted has forgotten it.
+/// Sends a stream of this server to another one (--push): dials that server, offers the stream and,
+/// when it is taken, serves the connection like any client's. When that is lost or refused, it
+/// tries again, without end. A recorded stream that was sent whole is offered again every
+/// kOfferAgain, since a server that was restarted has forgotten it.
 /// Thread: that of the io_context, which must outlive it.
 class Pusher {
  public:
   using OnServed = std::function<void(const ClientRecord&, const std::string& why)>;
   struct Hooks {
-    /// The stream that is brought, as it is now; null: there is none.
+    /// The stream to offer, as it is now; null: there is none.
     std::function<const protocol::ServedStream*()> stream;
-    /// Serves it on the open link, on which the bytes have come; reports the end.
+    /// Serves it on the open link, on which these bytes have come; calls OnServed at the end.
     std::function<void(std::string peer, std::shared_ptr<link::Link>, std::string_view, OnServed)>
         serve;
   };
 
-  /// `id`: of this server. `held_back_max`: of the links, as tcp_link() has it.
+  /// `id`: of this server. `held_back_max`: see link::tcp_link().
   Pusher(asio::io_context& io, DialledAddress to, std::string id, int held_back_max, Hooks hooks);
   ~Pusher() { stop(); }
   Pusher(const Pusher&) = delete;
   Pusher& operator=(const Pusher&) = delete;
 
   void start() { redialler_.dial(); }
-  /// Dials no more. What is being served goes on.
+  /// Dials no more. A stream that is being sent goes on.
   void stop();
 
   [[nodiscard]] PushStatus status() const;
@@ -59,9 +59,9 @@ class Pusher {
   std::string id_;
   Hooks hooks_;
   Redialler redialler_;
-  std::unique_ptr<Introduction> introduction_;  ///< while the answer is waited for
+  std::unique_ptr<Introduction> introduction_;  ///< while the answer is awaited; else null
   bool serving_ = false;
-  bool said_ = false;  ///< that it is taken
+  bool said_ = false;  ///< whether the log has said that it was taken
   std::uint64_t connects_ = 0;
   std::uint64_t losses_ = 0;
 };

@@ -17,11 +17,11 @@
 
 namespace aucast::server {
 
-/// All that --push brings to other servers, each stream over a connection of its own.
+/// Sends streams to other servers (--push), each over a connection of its own.
 /// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
 class Pushers {
  public:
-  /// Those of each Pusher; `name`: of its stream, as its address has it; empty: the first.
+  /// As Pusher::Hooks. `name`: the stream's name in the address; empty: the first stream.
   struct Hooks {
     std::function<const protocol::ServedStream*(const std::string& name)> stream;
     std::function<void(const std::string& name, std::string peer, std::shared_ptr<link::Link>,
@@ -31,13 +31,14 @@ class Pushers {
 
   Pushers(asio::io_context& io, Hooks hooks) : io_(io), hooks_(std::move(hooks)) {}
 
-  /// Reads the addresses and what is shown there; Pusher has the rest. As dialled_address() fails.
+  /// Reads the addresses, and the secrets for them. `id` and `held_back_max` as Pusher's. Errors
+  /// are those of dialled_address().
   [[nodiscard]] Result<void> open(const PushSettings& settings, const std::string& id,
                                   int held_back_max);
   void start();
-  /// Nothing is dialled any more. What is being served goes on.
+  /// Dials no more. Streams that are being sent go on.
   void stop();
-  /// Adds how each goes.
+  /// Adds the state of each.
   void describe(Status& status) const;
 
  private:

@@ -8,17 +8,17 @@
 
 namespace aucast::server {
 
-/// One household or host: an IPv4 address, or the first 64 bits of an IPv6 address, which is what
-/// one has for itself. IPv4 within IPv6 is the same as IPv4.
+/// Identifies one household or host: by its IPv4 address, or by the first 64 bits of its IPv6
+/// address, which belong to it alone. IPv4 mapped into IPv6 is the same as IPv4.
 using AddressKey = std::uint64_t;
 
 [[nodiscard]] AddressKey address_key(const asio::ip::address& address);
 
-/// How many clients there are from each address. Thread: none of its own.
+/// Counts the clients from each address. Thread: none of its own.
 class AddressCounts {
  public:
   void add(AddressKey address) { ++counts_[address]; }
-  /// One that was added.
+  /// The address must have been added.
   void remove(AddressKey address);
   [[nodiscard]] std::size_t count(AddressKey address) const;
 

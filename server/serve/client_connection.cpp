@@ -148,7 +148,7 @@ void ClientConnection::carry_out(std::vector<protocol::ServerEvent> events) {
   }
 }
 
-/// The connection ends here and goes on elsewhere.
+/// Ends this client and passes its link on as a publisher's.
 void ClientConnection::hand_over(const protocol::HelloAsked& hello) {
   note_end(EndedHere::HandedOver, "it brings the stream '" + hello.publish + "'", true);
   record_.bytes_total = link_->wire_bytes();
@@ -162,7 +162,8 @@ void ClientConnection::hand_over(const protocol::HelloAsked& hello) {
   on_publisher(std::move(link), hello, record_.peer);
 }
 
-/// A player that never heard of times shows a recording of 30 pictures a second at four a second.
+/// Logs that a classic client plays the stream at another speed: a player that does not know times
+/// shows a recording of 30 pictures a second at four a second.
 void ClientConnection::note_pace() {
   if (session_->level() != protocol::Level::Classic || session_->recorded() == nullptr) return;
   const auto length = protocol::classic_length(*session_->recorded());
@@ -191,8 +192,8 @@ void ClientConnection::flush() {
   gathered_.clear();
 }
 
-/// Whether what there is to write waits for more. The first packet, which a player is waiting for,
-/// and the last words do not.
+/// Whether bytes wait for more before they are written. The first packet, for which a player waits,
+/// and the last bytes do not.
 bool ClientConnection::gathers() {
   const bool may =
       !finishing_ && session_->sent().keyframes > 1 && gathered_.size() < kBatchBytesMax;
@@ -207,7 +208,7 @@ bool ClientConnection::gathers() {
   return false;
 }
 
-/// The last byte has been handed out. What the peer still says does not matter to the session.
+/// The last byte was sent. What the peer still sends does not matter to the session.
 void ClientConnection::finish_sending() {
   if (std::exchange(finishing_, true)) return;
   if (sending_since_) record_.send_time = link_->now() - *sending_since_;
@@ -261,7 +262,7 @@ std::size_t ClientConnection::output_bytes() const {
   return link_->unsent_bytes() + gathered_.size();
 }
 
-/// Starts whatever can be done next; called at the end of every call from outside.
+/// Does whatever can be done next; called at the end of every call from outside.
 void ClientConnection::go_on() {
   if (finishing_) return;
   flush();
@@ -274,8 +275,8 @@ void ClientConnection::go_on() {
   link_->wake_at(earlier(patience, gathered_until_));
 }
 
-/// When --client-timeout runs out: for an answer, which anything the client says puts off, or for
-/// the output, which any byte that is taken does. A paused client owes nothing.
+/// When --client-timeout ends: for an answer, counted from the client's last bytes, or for output,
+/// counted from the last byte that was taken. A paused client owes nothing.
 std::optional<Instant> ClientConnection::patience_ends() {
   if (settings_.client_timeout.count() == 0) return std::nullopt;
   const bool owes = session_->awaiting_answer();

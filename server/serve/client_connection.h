@@ -18,32 +18,34 @@
 
 namespace aucast::server {
 
-/// One client: carries a ServerSession's decisions out on a link, whatever that goes over.
+/// One client: carries out a ServerSession's decisions on a link of any kind.
 ///
 ///   link --bytes--> session --events--> link
 ///   the link's timer: the session's deadline, --client-timeout, --batch
 ///
-/// The session begins when the link opens. A keyframe of a live stream is handed out only when the
-/// link has taken all before it.
-/// Thread: that of the link. Stays alive until a call that the link makes to it has returned.
+/// The session begins when the link opens. A keyframe of a live stream is sent only when the link
+/// has taken everything before it.
+/// Thread: that of the link. A call from the link keeps it alive until that has returned.
 class ClientConnection final : public link::LinkUser,
                                public std::enable_shared_from_this<ClientConnection> {
  public:
-  /// `why`: a sentence or clause, for the owner of the connection.
+  /// `why`: a sentence or clause about the end, for the connection's owner.
   using OnClosed = std::function<void(const ClientRecord&, const std::string& why)>;
-  /// The client brings a stream, and may: the link, open, with what it said and from where.
+  /// The client is a publisher whose stream is to be taken: passes on the open link, the client's
+  /// hello and its address.
   using OnPublisher = std::function<void(std::shared_ptr<link::Link>, const protocol::HelloAsked&,
                                          std::string peer)>;
 
   struct Settings {
-    std::uint64_t number = 0;  ///< of the client, for the log and the record
+    std::uint64_t number = 0;  ///< of the client, for the log and the ClientRecord
     std::string peer;          ///< ADDR:PORT
-    ClientLog* log = nullptr;  ///< outlives the connection; nullptr: nothing is said
-    /// Longest wait for an answer that is owed, or for the link to take anything; 0: for ever.
+    ClientLog* log = nullptr;  ///< must outlive the connection; null: nothing is logged
+    /// Longest wait for an answer that the client owes, or for the link to take any bytes; 0: no
+    /// limit.
     Milliseconds client_timeout{0};
     protocol::Admission admission = protocol::Admission::Welcome;
-    Milliseconds batch{0};  ///< --batch: how long small writes wait for more; 0: they do not
-    protocol::TokenCount token_count;  ///< of wrong ones; outlives the connection
+    Milliseconds batch{0};  ///< --batch: how long small writes wait for more; 0: not at all
+    protocol::TokenCount token_count;  ///< of wrong tokens; must outlive the connection
     protocol::Silence silence = protocol::Silence::Classic;
     OnPublisher on_publisher{};  ///< needed where the catalogue has publishers
   };
@@ -57,29 +59,29 @@ class ClientConnection final : public link::LinkUser,
   ClientConnection& operator=(const ClientConnection&) = delete;
 
   void start();
-  /// In place of start(), for a link that is already open and on which `bytes` have come.
+  /// Instead of start(), for a link that is already open and on which `bytes` have come.
   void take_over(std::string_view bytes);
-  /// The clock of a live stream has moved on.
+  /// A stream has something new, see ServerSession::on_moment().
   void on_moment();
   /// The voice of a recorded stream has grown.
   void on_voice();
   /// The server stops: {-2}, then the link drains.
   void stop();
-  /// Another server could go on with it.
+  /// Whether send_away() would have an effect.
   [[nodiscard]] bool movable() const {
     return !finishing_ && !closed_ && session_ && session_->movable();
   }
-  /// The server stops and another one takes over: true if the client was told so, by a close
-  /// without {-2}.
+  /// The server stops and another one takes over: closes without {-2}, see
+  /// ServerSession::send_away(). False: this client cannot be sent away, and nothing was done.
   bool send_away();
-  /// Closes now, whatever is under way.
+  /// Closes at once, whatever is under way.
   void abort();
 
-  /// What the client got so far.
+  /// What the client was sent so far.
   [[nodiscard]] ClientRecord so_far() const;
-  /// Bytes not sent yet: those that the link has not taken and those that --batch holds back.
+  /// How many bytes are not sent yet, in the link or held back by --batch.
   [[nodiscard]] std::size_t output_bytes() const;
-  /// Since when the link is blocked without taking a byte; nullopt: it is not.
+  /// Since when the link has been blocked without taking a byte; nullopt: it is not blocked.
   [[nodiscard]] std::optional<Instant> unsent_since() const { return link_->stuck_since(); }
   [[nodiscard]] bool paused() const { return session_ && session_->paused(); }
 
@@ -111,7 +113,7 @@ class ClientConnection final : public link::LinkUser,
   void go_on();
   [[nodiscard]] std::optional<Instant> patience_ends();
 
-  std::shared_ptr<link::Link> link_;                            ///< nullptr: it was handed over
+  std::shared_ptr<link::Link> link_;                            ///< null: it was handed over
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
   std::optional<protocol::ServerSession> session_;              ///< nullopt: the link is not open
   bool finishing_ = false;
@@ -123,7 +125,7 @@ class ClientConnection final : public link::LinkUser,
   std::string gathered_;  ///< small writes that wait for more
   Settings settings_;
   OnClosed on_closed_;
-  std::string why_;  ///< it ended
+  std::string why_;  ///< why it ended
   ClientRecord record_;
 };
 

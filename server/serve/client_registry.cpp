@@ -80,7 +80,7 @@ void ClientRegistry::farewell(const ClientRecord& record) {
   if (came() == 0) on_empty_();
 }
 
-/// A client may leave when it is told something; it takes nobody with it.
+/// A client may leave while it is visited; the others stay.
 void ClientRegistry::for_each(const std::function<void(ClientConnection&)>& visit,
                               std::optional<Way> way) {
   for (auto next = clients_.begin(); next != clients_.end();) {

@@ -25,18 +25,18 @@
 
 namespace aucast::server {
 
-/// All connections from accept to close, including those that are read only to be refused: decides
-/// who may come in, and counts what was sent. Thread: that of the links.
+/// All client connections, from accept to close, including those that are only told that there is
+/// no room. Decides who is let in, and counts what was sent. Thread: that of the links.
 class ClientRegistry {
  public:
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
   using OnEmpty = std::function<void()>;
 
   /// Of `options` only the limits and times of clients are used. They and `stats`, which gets the
-  /// record of each client that leaves, outlive it. `on_empty`: no client is left except servers
-  /// that were dialled from here; called again when these leave. `on_publisher`: a client turned
-  /// out to be a publisher, and counts as a client no more. `room`: the bound where the options
-  /// have none.
+  /// record of each client that leaves, must outlive it. `on_empty` is called when no client is
+  /// left except servers that we have dialled, and again when each of these leaves. `on_publisher`
+  /// is called when a client turns out to be a publisher; it then no longer counts as a client.
+  /// `room` limits the number of clients if the options do not.
   ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
                  ClientConnection::OnPublisher on_publisher = {},
                  const ClientRoom& room = room_now())
@@ -48,56 +48,57 @@ class ClientRegistry {
   ClientRegistry(const ClientRegistry&) = delete;
   ClientRegistry& operator=(const ClientRegistry&) = delete;
 
-  /// How a client has come.
+  /// How a client is connected.
   enum class Way : std::uint8_t {
     Tcp,
-    Owner,  ///< the program that started us with --preview, or another one on this host
+    Owner,  ///< over TCP: the program that started us with --preview, or another one on this host
     WebSocket,
-    Dialled,  ///< by us: --push
-    Guest,    ///< over TCP, where --preview was told to let others in
+    Dialled,  ///< we have dialled it (--push)
+    Guest,    ///< over TCP, at the port for guests of --preview
   };
 
-  /// A connection has come in. While kRefusalsMax others are being refused, the link is not even
-  /// opened.
+  /// Takes a connection that has come in. While kRefusalsMax others are being refused, the link is
+  /// not even opened.
   void welcome(const asio::ip::tcp::endpoint& peer,
                std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                const OpenLink& open_link, Way way = Way::Tcp);
 
-  /// Another server, which we have dialled and which takes what is served here: `bytes` have come
-  /// on the link, which is open. No limit of clients counts, and the log is left to `on_closed`.
+  /// Serves another server, which we have dialled and which takes our stream. `link` is open, and
+  /// `bytes` have come on it. The limits on clients do not apply, and logging is left to
+  /// `on_closed`.
   void serve(std::string peer, std::shared_ptr<const protocol::ServerCatalogue> catalogue,
              std::shared_ptr<link::Link> link, std::string_view bytes,
              ClientConnection::OnClosed on_closed);
 
-  /// A live stream has moved on.
+  /// A stream has something new.
   void on_moment();
-  /// More of a voice is there.
+  /// A voice has grown.
   void on_voice();
-  /// {-2} to everybody, or to those that have come this way.
+  /// Ends the stream for all clients with {-2}, or for those connected in this way.
   void stop();
   void stop(Way way);
-  /// Cuts off so many clients of level 2, the oldest first, for another server to take over. Spares
-  /// those that were dialled from here, which could not come back.
+  /// Cuts off `count` clients of level 2, the oldest first, for another server to take over.
+  /// Servers that we have dialled are not cut off, since they could not come back.
   void send_away(std::size_t count);
-  /// Closes all connections now.
+  /// Closes all connections at once.
   void abort();
 
   [[nodiscard]] std::size_t size() const { return clients_.size(); }
   [[nodiscard]] bool empty() const { return clients_.empty(); }
-  /// Those that have come: all but the servers that were dialled from here.
+  /// How many connections came in: all except those to servers that we have dialled.
   [[nodiscard]] std::size_t came() const { return clients_.size() - dialled_; }
   [[nodiscard]] std::size_t count(Way way) const;
   /// How many send_away() could cut off.
   [[nodiscard]] std::size_t count_movable() const;
-  /// Fills in all that `status` says of clients.
+  /// Fills in everything about clients.
   void describe(Status& status, Instant now) const;
-  /// How many lines about clients the log left out, if any.
+  /// Logs how many lines about clients were left out, if any were.
   void say_left_out() { log_.say_left_out(); }
 
  private:
   struct Client {
     std::shared_ptr<ClientConnection> connection;
-    bool refused = false;  ///< it is read only to be told so; never for one that was dialled
+    bool refused = false;  ///< it is only told that there is no room; never true for Way::Dialled
     AddressKey address = 0;
     Way way = Way::Tcp;
   };
@@ -114,9 +115,9 @@ class ClientRegistry {
   ClientLog log_;
   protocol::WrongTokens wrong_tokens_;
   std::map<std::uint64_t, Client> clients_;  ///< by number
-  std::size_t refused_ = 0;                  ///< of those
-  std::size_t dialled_ = 0;                  ///< likewise
-  AddressCounts of_address_;                 ///< of the others
+  std::size_t refused_ = 0;                  ///< how many of them are being refused
+  std::size_t dialled_ = 0;                  ///< how many of them we have dialled
+  AddressCounts of_address_;                 ///< of all others
   std::uint64_t last_number_ = 0;
   std::uint64_t unheard_ = 0;
 };

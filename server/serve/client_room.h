@@ -6,17 +6,18 @@
 
 namespace aucast::server {
 
-/// What there is for clients; nothing: it is not known.
+/// What this process can use for clients; nullopt: not known.
 struct ClientRoom {
   std::optional<std::uint64_t> memory_bytes;
   std::optional<std::uint64_t> descriptors;
 };
 
-/// What this process may still take of memory, and all the descriptors that it may have.
+/// The memory that this process may still take, and the descriptors that it may have in all.
 [[nodiscard]] ClientRoom room_now();
 
-/// How many clients there is room for, at least one: each takes a descriptor, with kDescriptorsKept
-/// left, and up to kOutputBytesMax of memory if it reads nothing.
+/// How many clients there is room for, at least one. Each takes a descriptor and, if it reads
+/// nothing, up to kOutputBytesMax of memory. kDescriptorsKept descriptors are kept free, unless
+/// there are fewer than twice as many.
 [[nodiscard]] std::size_t clients_with_room(const ClientRoom& room);
 
 }  // namespace aucast::server

@@ -9,7 +9,7 @@
 namespace aucast::server {
 namespace {
 
-/// A shorter token may be found by trying.
+/// A shorter token can be guessed.
 constexpr std::size_t kTokenBytesGood = 16;
 
 Result<std::optional<tls::Context>> load_context(const tls::Files& files,

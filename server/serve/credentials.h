@@ -11,10 +11,10 @@
 
 namespace aucast::server {
 
-/// The certificates that a server shows; nullopt: its connections are plain.
+/// The certificates that the server shows; nullopt: no TLS.
 struct Certificates {
-  std::optional<tls::Context> tcp;  ///< at --port
-  std::optional<tls::Context> web;  ///< at --web
+  std::optional<tls::Context> tcp;  ///< for --port
+  std::optional<tls::Context> web;  ///< for --web
 };
 
 struct Credentials {
@@ -24,9 +24,9 @@ struct Credentials {
   std::shared_ptr<const protocol::Publishers> publishers;
 };
 
-/// Reads all of them and warns in the log of a secret that other users have access to and of a
-/// token that is easy to guess. Unreadable or BadData naming the file and the cause; the token of
-/// viewers is no publisher's.
+/// Reads all of them. Warns in the log of a secret to which other users have access, and of a token
+/// that is easy to guess. Unreadable or BadData, naming the file and the cause; BadData also when a
+/// publisher has the viewers' token.
 [[nodiscard]] Result<Credentials> load_credentials(const CredentialFiles& files);
 
 }  // namespace aucast::server

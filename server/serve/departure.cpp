@@ -7,7 +7,7 @@ namespace aucast::server {
 
 namespace {
 
-/// How often it is looked who is due.
+/// How often clients are sent away.
 constexpr Milliseconds kStep{20};
 
 }  // namespace

@@ -11,23 +11,23 @@
 
 namespace aucast::server {
 
-/// How many of `clients` must have been sent away after `passed` of `time`: evenly spread, all at
-/// the end.
+/// How many of `clients` must have been sent away when `passed` of `time` has passed, if they are
+/// spread evenly.
 [[nodiscard]] std::size_t gone_by(std::size_t clients, Duration passed, Duration time);
 
-/// Sends the clients of a server away, spread over a time, so that they do not all come to the
-/// next one at once. Thread: that of the io_context, which must outlive it.
+/// Sends the clients of a server away, spread over a time, so that they do not all come to the next
+/// server at once. Thread: that of the io_context, which must outlive it.
 class Departure {
  public:
   using SendAway = std::function<void(std::size_t count)>;
   using OnOver = std::function<void()>;
 
-  /// `send_away` is told how many more to send; `on_over`: the time is over.
+  /// `send_away` is called with how many more to send away, `on_over` when the time is over.
   Departure(asio::io_context& io, SendAway send_away, OnOver on_over)
       : timer_(io), send_away_(std::move(send_away)), on_over_(std::move(on_over)) {}
 
   void begin(std::size_t clients, Duration time);
-  /// Nobody is sent away any more, and on_over is not called.
+  /// Sends no more clients away, and does not call on_over.
   void stop() { timer_.cancel(); }
 
  private:

@@ -64,7 +64,7 @@ void Listeners::start() {
   if (web_) web_->start();
 }
 
-/// The window's, which are what its user can set.
+/// For messages: the fields of the window, since its user sets them there.
 constexpr link::ListenOptions kGuestFields{"Address", "the number beside Address", false};
 
 Result<std::string> Listeners::open_to_guests(const std::string& bind, std::uint16_t port) {

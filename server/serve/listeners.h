@@ -19,42 +19,44 @@
 
 namespace aucast::server {
 
-/// Where clients come in: --port, --web, and a port for guests while --preview is live.
+/// Accepts clients: at --port, at --web, and at a port for guests while --preview is live.
 /// Thread: that of the io_context, which must outlive it together with the options, the
 /// certificates and what the hooks refer to.
 class Listeners {
  public:
   struct Hooks {
-    /// What the system may hold back unsent for one client; 0: as much as it likes.
+    /// The `held_back_max` for link::tcp_link(), for each client.
     std::function<int()> held_back_max;
-    /// A connection has come in. Opens the link, unless there is no room even to say so.
+    /// A connection has come in. To be called with `open_link`, which the callee calls unless there
+    /// is no room even for a refusal.
     std::function<void(const asio::ip::tcp::endpoint& peer,
                        const ClientRegistry::OpenLink& open_link, ClientRegistry::Way way)>
         welcome;
   };
 
-  /// `certificates` is read for each connection, and may change in between.
+  /// `certificates` is read for each connection, and may change.
   Listeners(asio::io_context& io, const TransmitterOptions& options,
             const Certificates& certificates, Hooks hooks);
   Listeners(const Listeners&) = delete;
   Listeners& operator=(const Listeners&) = delete;
 
   /// Listens at --port, or on the socket that the service manager passed, and at --web. Network
-  /// error naming address, cause and what to do; Unreadable: the page.
+  /// error naming address, cause and remedy; Unreadable for the page of --web.
   [[nodiscard]] Result<void> open();
   /// Begins to accept connections.
   void start();
-  /// Lets guests in at this address, and nowhere else; where that is, with the real port.
+  /// Lets guests in at this numeric address, instead of any earlier one. Returns ADDR:PORT with the
+  /// real port.
   [[nodiscard]] Result<std::string> open_to_guests(const std::string& bind, std::uint16_t port);
   void close_to_guests() { guests_.stop(); }
-  /// Nobody comes any more.
+  /// Accepts no more clients.
   void close();
 
   /// Where --port listens; only after open().
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return tcp_.endpoint(); }
-  /// Where --web does, as ADDR:PORT; empty: nowhere.
+  /// Where --web listens, as ADDR:PORT; empty: there is no --web.
   [[nodiscard]] std::string web_endpoint_text() const;
-  /// How often accepting had to pause.
+  /// How many times accepting had to pause.
   [[nodiscard]] std::uint64_t accept_failures() const;
 
  private:

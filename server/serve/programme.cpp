@@ -14,7 +14,7 @@
 namespace aucast::server {
 namespace {
 
-/// By which relays find loops.
+/// An ID by which relays see their own streams come back.
 std::string random_id() {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::random_device random;
@@ -45,7 +45,7 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
   open_to_publishers(*catalogue_);
 }
 
-/// Streams may come to it, and be gone again.
+/// Lets publishers add streams to the catalogue, for which clients may wait.
 void Programme::open_to_publishers(protocol::ServerCatalogue& catalogue) {
   if (!takes_streams()) return;
   catalogue.patience = std::min<Milliseconds>(options_.upstream.wait, protocol::kStreamWaitMax);
@@ -78,7 +78,7 @@ std::optional<protocol::ErrorReply> Programme::publish_refused(
   return pushed_.refusal(hello);
 }
 
-/// Puts the streams that were brought behind our own, in place of those of before.
+/// Replaces the pushed streams in the catalogue by the present ones, after our own.
 void Programme::serve_pushed(protocol::ServerCatalogue& catalogue) {
   std::erase_if(catalogue.streams, [this](const protocol::ServedStream& stream) {
     return std::find(pushed_names_.begin(), pushed_names_.end(), stream.name) !=
@@ -117,7 +117,7 @@ void Programme::on_moment_of_source() {
   if (over()) asio::post(io_, events_.on_over);
 }
 
-/// Their names are this server's own from now on.
+/// Adds the streams of new faces. Their names are this server's own from now on.
 void Programme::add_faces() {
   if (stopped_) return;
   for (const protocol::ServedStream& own : sources_.streams()) pushed_.give_way(own.name);
@@ -125,8 +125,8 @@ void Programme::add_faces() {
   make_live(*catalogue_);
 }
 
-/// Gives each stream that is to be live its channel: of a source its feed, of a recording, with
-/// --live, one that plays it. A source's faces have streams too, but for names that are taken.
+/// Gives each stream that is to be live its channel: that of its source or, for a recording with
+/// --live, one that plays it. Adds streams for a source's faces, unless their names are taken.
 void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   for (protocol::ServedStream& stream : catalogue.streams) {
     const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
@@ -153,7 +153,8 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   });
 }
 
-/// Asked at every keyframe: while a source lasts, no list of streams is made.
+/// Called at every keyframe: returns early while a source goes on, before it makes a list of
+/// streams.
 bool Programme::over() const {
   if (takes_streams() || !sources_.over()) return false;
   const auto of_sources = sources_.streams();
@@ -194,7 +195,7 @@ bool Programme::take_over(Repertoire repertoire) {
   return true;
 }
 
-/// The streams with their voices, which grow from now on.
+/// Adds the voices to the streams; they grow from now on.
 protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
   protocol::ServerCatalogue catalogue = std::move(repertoire.catalogue);
   for (std::size_t i = 0; i < std::min(repertoire.voices.size(), catalogue.streams.size()); ++i) {
@@ -209,7 +210,7 @@ protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
   return catalogue;
 }
 
-/// What a stream held before is held once.
+/// Lets streams that have not changed share the memory of those served before.
 void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
   for (protocol::ServedStream& stream : catalogue.streams) {
     auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);

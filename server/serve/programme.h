@@ -22,18 +22,18 @@
 
 namespace aucast::server {
 
-/// What is served, as one catalogue: the streams as they were read last, those of the running
-/// sources, and those that publishers bring. A client keeps the catalogue that was current when it
-/// connected, which lives as long as any of its clients. Thread: that of the io_context, which must
-/// outlive it together with the events' captures and the options.
+/// Everything that is served, as one catalogue: the streams as they were read last, those of the
+/// running sources, and those that publishers send. A client keeps the catalogue that was current
+/// when it connected, which lives as long as any client uses it. Thread: that of the io_context,
+/// which must outlive it together with the events' captures and the options.
 class Programme {
  public:
   struct Events {
-    std::function<void()> on_moment;         ///< a live stream has moved on
-    std::function<void()> on_over;           ///< nothing is served any more and nothing can come
-    std::function<void()> on_voice = [] {};  ///< more of a voice is there
+    std::function<void()> on_moment;  ///< a stream has something new
+    std::function<void()> on_over;    ///< all streams are of running sources, and no more can come
+    std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
-    camera::GivenUp given_up{};              ///< while open_sources() waits for a camera
+    camera::GivenUp given_up{};              ///< asked while open_sources() waits for a camera
   };
 
   Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
@@ -41,42 +41,44 @@ class Programme {
   Programme(const Programme&) = delete;
   Programme& operator=(const Programme&) = delete;
 
-  /// Opens the sources that are still being written, and goes to other servers.
+  /// Opens the sources that are still being written, and begins to receive streams of other
+  /// servers.
   [[nodiscard]] Result<void> open_sources() { return sources_.open(); }
-  /// The clocks of the live streams begin.
+  /// Starts the clocks of the live streams.
   void begin() { make_live(*catalogue_); }
-  /// Nothing is live any more, and nothing that was read is taken over.
+  /// Ends all live streams; take_over() must not be called afterwards.
   void stop();
   [[nodiscard]] bool stopped() const { return stopped_; }
 
-  /// Serves `loaded` to clients that connect from now on, and logs it if the streams differ from
-  /// before; live sources stay. Whether they differ.
+  /// Serves `loaded` to clients that connect from now on, and keeps live sources. Returns whether
+  /// the streams differ from before, and logs it if so.
   bool take_over(Repertoire loaded);
-  /// The viewers' token, if one is needed, and who may bring streams.
+  /// Sets the viewers' token (empty: none is needed) and who may send streams here (null: nobody).
   void set_tokens(std::string token, std::shared_ptr<const protocol::Publishers> publishers);
-  /// Takes the stream that a publisher brings on this link.
+  /// Receives the stream that a publisher sends over this link.
   void take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello, std::string peer) {
     pushed_.take(std::move(link), hello, std::move(peer));
   }
-  /// The stream of that name, or else the first; null: there is none.
+  /// The stream with this name, or the first one if none has it; null: there are no streams.
   [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
-  /// For a server that we push to: only named(), under that name; without one under its own.
+  /// The catalogue for a server that we push to: only named(), under that name or, if `name` is
+  /// empty, its own.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
-  /// The profile of the signals may have changed: reads it for the live sources again.
+  /// Reads the profile of the signals again for the live sources.
   void condition_sources_anew() { sources_.condition_anew(); }
-  /// Sends what is due, before something that takes time.
+  /// Sends what is due now. Call it before something that takes long.
   void catch_up() { beat_.catch_up(); }
 
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> catalogue() const {
     return catalogue_;
   }
-  /// What the system may hold back unsent for a client; 0: as much as it likes.
+  /// The `held_back_max` for link::tcp_link(), for each client.
   [[nodiscard]] int held_back_max() const { return any_live() ? held_back_max_ : 0; }
-  /// Fills in all that `status` says of streams.
+  /// Fills in everything about streams.
   void describe(Status& status) const;
-  /// What went wrong with live sources without stopping anything. Waits until the records are
-  /// written.
+  /// Waits until the records are written. Fails with what went wrong with live sources without
+  /// ending them, if anything did.
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
 
  private:
@@ -97,14 +99,14 @@ class Programme {
   asio::io_context& io_;
   const TransmitterOptions& options_;
   Events events_;
-  const std::string id_;  ///< of this server, by which relays find loops
+  const std::string id_;  ///< of this server, by which relays see their own streams come back
   RunningSources sources_;
   PushedStreams pushed_;
-  std::vector<std::string> pushed_names_;  ///< as they are in the catalogue
+  std::vector<std::string> pushed_names_;  ///< the names of pushed streams in the catalogue
   LiveBeat beat_;
   VoiceTracks voices_;
   std::shared_ptr<protocol::ServerCatalogue> catalogue_;
-  int held_back_max_;  ///< of a live stream
+  int held_back_max_;  ///< for a live stream
   bool stopped_ = false;
 };
 

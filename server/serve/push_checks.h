@@ -7,9 +7,9 @@
 
 namespace aucast::server {
 
-/// Whether the addresses of --push, the secrets for them and the publishers of --accept-push are
-/// right; what --check says of the publishers, one line, or nothing. Errors of dialled_address()
-/// and load_credentials().
+/// Checks the addresses of --push, the secrets for them and the publishers of --accept-push.
+/// Returns the line that --check prints about the publishers; empty: there are none. Errors are
+/// those of dialled_address() and load_credentials().
 [[nodiscard]] Result<std::string> check_pushes(const TransmitterOptions& options);
 
 }  // namespace aucast::server

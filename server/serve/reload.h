@@ -17,40 +17,42 @@
 
 namespace aucast::server {
 
-/// What SIGHUP reads again: certificates, token and profile at once, the sources on a thread of
-/// their own, so that nobody who is being served waits for a disk. What cannot be read changes
-/// nothing. Thread: that of the io_context, where `on_done` is called too; the load function runs
-/// on the other one, must not touch what the first one uses, and returns soon when asked to stop.
+/// Reads settings and sources again on SIGHUP: certificates, tokens and profile at once, the
+/// sources on a thread of their own, so that no client waits for a disk. What cannot be read stays
+/// as it was. Thread: that of the io_context, where `on_done` is called too. The load function runs
+/// on the other thread, must not touch what the first one uses, and returns soon when asked to
+/// stop.
 class Reload {
  public:
   using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;
-  /// `changed`: clients that connect from now on get other streams.
+  /// `changed`: whether clients that connect from now on get other streams.
   using OnDone = std::function<void(bool changed)>;
 
-  /// Replaces `certificates` and what `programme` has. All references must outlive it. The
-  /// destructor stops a load that is under way, and waits for it.
+  /// Replaces `certificates`, and the tokens and streams of `programme`. All references must
+  /// outlive it. The destructor stops a load that is under way, and waits for it.
   Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
          Programme& programme, Load load, OnDone on_done);
   ~Reload();
   Reload(const Reload&) = delete;
   Reload& operator=(const Reload&) = delete;
 
-  /// Certificates and token; at the start too.
+  /// Reads the certificates and tokens; to be called at the start too.
   [[nodiscard]] Result<void> read_credentials();
-  /// All, now; the sources once more afterwards if they are being read already.
+  /// Reads everything again. If the sources are being read already, they are read once more
+  /// afterwards.
   void start();
-  /// Nothing is read any more, and what is being read is given up.
+  /// Reads no more; a load that is under way is asked to stop.
   void stop() { stop_.request_stop(); }
 
-  /// Sources are being read.
+  /// Whether sources are being read.
   [[nodiscard]] bool running() const { return running_; }
-  /// Those of which everything was taken over, and the others.
+  /// How many reloads took over everything, and how many did not.
   [[nodiscard]] std::uint64_t successes() const { return successes_; }
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
 
  private:
   void read_sources(bool failed);
-  void load();  ///< on the thread of its own
+  void load();  ///< on its own thread
   void done(Result<Repertoire> loaded);
   [[nodiscard]] bool take_over(Result<Repertoire> loaded);
 
@@ -62,9 +64,9 @@ class Reload {
   OnDone on_done_;
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
-  bool failed_ = false;  ///< the certificates and token of the order that is carried out
+  bool failed_ = false;  ///< the certificates and tokens of the present reload could not be read
   bool running_ = false;
-  std::optional<bool> next_failed_;  ///< the same of the latest order that came meanwhile
+  std::optional<bool> next_failed_;  ///< the same for the next reload; nullopt: none is waiting
   std::stop_source stop_;
   std::jthread thread_;
 };

@@ -20,41 +20,41 @@
 
 namespace aucast::server {
 
-/// What one client of a live stream may be sent.
+/// The limits on what one client of a live stream is sent.
 [[nodiscard]] LinkLimits link_limits(const TransmitterOptions& options);
 
-/// The sources whose streams come while they are served: those that are still being written, and
+/// The sources whose streams arrive while they are served: those that are still being written, and
 /// streams of other servers. Thread: that of the io_context, which must outlive it together with
 /// the events' captures and the options.
 class RunningSources {
  public:
   struct Events {
     std::function<void()> on_moment;  ///< a stream has something new, or has ended
-    std::function<void()> on_face;    ///< a source has a stream more
+    std::function<void()> on_face;    ///< a source has another stream
     camera::OnSight on_sight{};       ///< a camera sees something, on its own thread
-    camera::GivenUp given_up{};       ///< while open() waits for a camera
+    camera::GivenUp given_up{};       ///< asked while open() waits for a camera
   };
 
-  /// `id`: of this server, by which relays find loops.
+  /// `id`: of this server, by which relays see their own streams come back.
   RunningSources(asio::io_context& io, const TransmitterOptions& options, std::string id,
                  Events events);
   RunningSources(const RunningSources&) = delete;
   RunningSources& operator=(const RunningSources&) = delete;
 
-  /// Opens those among the options' sources.
+  /// Opens the options' sources of these kinds.
   [[nodiscard]] Result<void> open();
   void stop();
 
   [[nodiscard]] bool any() const { return !live_.empty() || !upstreams_.empty(); }
-  /// Nothing can come of any of them; also if there are none.
+  /// Whether nothing more can come from any of them; true if there are none.
   [[nodiscard]] bool over() const;
   [[nodiscard]] std::vector<protocol::ServedStream> streams() const;
-  /// The profile of the signals may have changed: reads it again.
+  /// Reads the profile of the signals again.
   void condition_anew();
-  /// Fills in what `status` says of streams of other servers.
+  /// Fills in everything about streams of other servers.
   void describe(Status& status) const;
-  /// What went wrong with those that are being written without stopping anything. Waits until the
-  /// records are written.
+  /// Waits until the records are written. Fails with what went wrong with live sources without
+  /// ending them, if anything did.
   [[nodiscard]] Result<void> finish();
 
  private:

@@ -13,27 +13,28 @@
 
 namespace aucast::server {
 
-/// Longest time between the signal that ends the streams and the end: a client that is dead or does
-/// not read is cut off then. The whole exit takes less than the promised two seconds.
+/// The longest time from the signal that ends the streams to the end of the run; clients that are
+/// left then are cut off. The whole exit takes less than the promised two seconds.
 inline constexpr Milliseconds kStopTimeMax{1700};
 
-/// How a run comes to its end: SIGTERM or SIGINT, or stop(), ends the streams, and the last client
-/// that leaves, kStopTimeMax or one more signal ends the run. With a drain time the first signal
-/// sends the clients to other servers instead, until they are gone, the time is over or a second
-/// signal comes; then the streams end. Thread: that of the io_context, which must outlive it
-/// together with the registry and what the hooks refer to.
+/// Ends a run. SIGTERM, SIGINT or stop() ends the streams; then the run ends when the last client
+/// has left, after kStopTimeMax, or on another signal. With a drain time, the first signal sends
+/// the clients to other servers instead, until they have left, the time is over or a second signal
+/// comes; then the streams end. Thread: that of the io_context, which must outlive it together with
+/// the registry and what the hooks refer to.
 class Shutdown {
  public:
   enum class Phase : std::uint8_t {
     Serving,
-    Leaving,   ///< clients are sent away, and nobody comes any more
-    Stopping,  ///< the streams have ended, and what was sent still arrives
+    Leaving,   ///< clients are sent away, and no more are accepted
+    Stopping,  ///< the streams have ended; clients receive what was sent
   };
 
   struct Hooks {
-    std::function<void(Milliseconds at_most)> on_leave;  ///< how long all may take
-    std::function<void()> on_stop;                       ///< clients are told by Shutdown
-    std::function<void()> on_end;                        ///< nobody is here any more
+    /// Clients begin to be sent away. `at_most`: how long it may take until the run ends.
+    std::function<void(Milliseconds at_most)> on_leave;
+    std::function<void()> on_stop;  ///< the streams end; Shutdown tells the clients itself
+    std::function<void()> on_end;   ///< no client is left
   };
 
   /// `drain_time` 0: clients are not sent away.
@@ -44,11 +45,11 @@ class Shutdown {
   [[nodiscard]] Phase phase() const { return phase_; }
 
   void await_signal();
-  /// As if this signal had come.
+  /// Acts as if this signal had come.
   void on_signal(int number);
-  /// Ends the streams, unless they have ended.
+  /// Ends the streams, unless they have ended. `why` is for the log.
   void stop(const char* why);
-  /// No client is left except servers that were dialled from here.
+  /// Call when no client is left except servers that we have dialled.
   void on_empty();
 
  private:

@@ -31,7 +31,7 @@ namespace {
 
 using asio::ip::tcp;
 
-/// Brings listeners, programme, clients, status and the end of one run together.
+/// One run: connects listeners, programme, clients, status and shutdown.
 class Transmitter {
  public:
   Transmitter(const TransmitterOptions& options, Repertoire repertoire, Stats& stats,
@@ -95,7 +95,8 @@ class Transmitter {
   }
 
  private:
-  /// What the camera of --preview sees is told; who started us may let others in, and out.
+  /// Writes what the camera of --preview sees; the program that started us may let others in and
+  /// send them away.
   Result<void> open_preview() {
     if (!options_.preview) return {};
     preview_.emplace(
@@ -161,7 +162,7 @@ class Transmitter {
     clients_.welcome(peer, std::move(catalogue), open_link, way);
   }
 
-  /// One line for the service manager.
+  /// The status in one line, for the service manager.
   [[nodiscard]] std::string summary() const {
     return counted(clients_.size(), "client") + ", " +
            counted(programme_.catalogue()->streams.size(), "stream");
@@ -205,7 +206,8 @@ class Transmitter {
     service_.reloaded();
   }
 
-  /// A camera is awaited before the loop runs: who ends us until then is heard all the same.
+  /// Whether we are to stop. While a camera is awaited the loop does not run yet, so signals are
+  /// handled here.
   bool stops_meanwhile() {
     io_.poll();
     return stopping();
@@ -213,7 +215,7 @@ class Transmitter {
 
   [[nodiscard]] bool stopping() const { return shutdown_.phase() != Shutdown::Phase::Serving; }
 
-  /// Nobody comes any more, and nothing of ours goes anywhere else.
+  /// Accepts no more clients, and pushes no more streams.
   void close_doors(Milliseconds at_most) {
     service_.stopping(at_most);
     listeners_.close();
@@ -234,8 +236,9 @@ class Transmitter {
     programme_.stop();
   }
 
-  /// io_.run() returns, whatever is still waited for. To cancel all of it would not do: what has
-  /// come already, such as a SIGUSR1 together with the last signal, would wait for the next.
+  /// Lets io_.run() return, whatever it still waits for. Cancelling everything would not be enough:
+  /// a handler that is queued already, such as for a SIGUSR1 together with the last signal, would
+  /// begin to wait again.
   void end() { io_.stop(); }
 
   [[nodiscard]] RunResult result() {

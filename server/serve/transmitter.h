@@ -12,18 +12,18 @@
 
 namespace aucast::server {
 
-/// Where connections can come to, as ADDR:PORT.
+/// The addresses at which clients can connect, as ADDR:PORT.
 struct ReadyAt {
   std::string address;
   std::string web;  ///< of --web; empty: there is none
 };
 
-/// Called when connections can come; an error ends serve() before any is accepted.
+/// Called when clients can connect; an error ends serve() before any is accepted.
 using OnReady = std::function<Result<void>(const ReadyAt& where)>;
 
-/// How serving came to its end.
+/// How serving ended.
 struct RunResult {
-  std::optional<Error> error;  ///< what went wrong without ending it, as a --record that failed
+  std::optional<Error> error;  ///< what went wrong without ending it, such as a failed --record
 };
 
 /// Serves the repertoire, recorded or live, to any number of clients until SIGTERM or SIGINT. From

@@ -6,12 +6,13 @@
 
 namespace aucast::server {
 
-/// Where the secrets are: files that the operator may replace while the transmitter runs.
+/// The files with certificates and tokens, which the operator may replace while the transmitter
+/// runs.
 struct CredentialFiles {
-  tls::Files tls;                    ///< no certificate: plain connections
-  tls::Files web;                    ///< of --web, likewise
+  tls::Files tls;                    ///< for --port; without a certificate: no TLS
+  tls::Files web;                    ///< for --web, likewise
   std::filesystem::path token;       ///< empty: none is needed
-  std::filesystem::path publishers;  ///< who may bring streams; empty: nobody
+  std::filesystem::path publishers;  ///< who may send streams here; empty: nobody
   friend bool operator==(const CredentialFiles&, const CredentialFiles&) = default;
 };
 

@@ -7,7 +7,7 @@
 
 namespace aucast::server {
 
-/// How streams go over NATS, and how we show who we are there.
+/// What is published over NATS, and our credentials there.
 struct EngineSettings {
   std::string publish;          ///< nats://HOST/NAME; empty: nothing is sent there
   std::filesystem::path token;  ///< a word; empty: none

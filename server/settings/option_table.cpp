@@ -10,12 +10,12 @@ namespace {
 using Kind = OptionValue::Kind;
 using Where = OptionRow::Where;
 
-/// A day: whoever waits longer means for ever.
+/// A day: the longest wait that can be set.
 constexpr double kTimeoutMax = 86'400;
 constexpr double kDrainSecondsMax = 3600;
 constexpr std::string_view kNoTimeout = "is not a number of seconds from 0 (never) to 86400";
 
-/// More than a process can have descriptors.
+/// More descriptors than a process can have.
 constexpr std::int64_t kClientsMax = 1'000'000;
 
 Complaint read_address(const std::string& word, std::optional<HttpAddress>& address) {

@@ -12,7 +12,7 @@ namespace aucast::server {
 /// All options of au-transmitter in the order of --help, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> option_rows(TransmitterOptions& options);
 
-/// What --help and the manual page say of serving.
+/// The texts of --help and the manual page about serving.
 [[nodiscard]] CommandPage transmitter_page();
 
 }  // namespace aucast::server

@@ -8,7 +8,7 @@
 
 namespace aucast::server {
 
-/// Where this server's streams are pushed to (--push), and how.
+/// To which servers this one's streams are pushed (--push), and how.
 struct PushSettings {
   std::vector<std::string> addresses;  ///< aucast://HOST[/NAME], each with its own connection
   std::filesystem::path token;         ///< file of the token to show there; empty: none

@@ -27,7 +27,7 @@ std::string variable_name(const OptionRow& row) {
   return name;
 }
 
-/// A value of the file as the word that the command line would have; nothing: of another type.
+/// A value of the file as the command line would have it; nullopt: it is of another type.
 std::optional<std::string> word_of(const TomlValue& value, Kind kind) {
   switch (value.kind) {
     case TomlValue::Kind::Boolean:

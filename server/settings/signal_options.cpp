@@ -12,10 +12,10 @@
 namespace aucast::server {
 namespace {
 
-/// Nobody keeps a face still for longer.
+/// The longest measurement; nobody keeps the face still for longer.
 constexpr double kNeutralSecondsMax = 60;
 
-/// "2,12=4,L45=0"; nothing when it is not of that form.
+/// Reads "2,12=4,L45=0"; nullopt when the text is not of that form.
 std::optional<std::vector<AuNumber>> read_au_numbers(std::string_view word, double most) {
   std::vector<AuNumber> numbers;
   for (std::string_view part : split(word, ',')) {

@@ -11,7 +11,7 @@ using Kind = OptionValue::Kind;
 /// No camera is faster.
 constexpr double kFpsMax = 1000;
 
-/// Slower streams than one keyframe in ten seconds are no faces.
+/// A stream with less than one keyframe in ten seconds is no face.
 constexpr double kRateMin = 0.1;
 
 Complaint read_fps(const std::string& word, std::optional<double>& out) {

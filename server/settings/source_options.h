@@ -12,25 +12,25 @@
 
 namespace aucast::server {
 
-/// How sources are read, whatever is done with them then.
+/// How sources are read, whether they are then served or converted.
 struct SourceOptions {
   sources::RecordingOptions recording;
-  std::optional<double> rate;  ///< keyframes a second, 0.1 to 1000; nothing: as they are
+  std::optional<double> rate;  ///< keyframes a second, 0.1 to 1000; nullopt: as they are
   SignalOptions signal;
   camera::CameraOptions camera;
   friend bool operator==(const SourceOptions&, const SourceOptions&) = default;
 };
 
-/// The options of recordings, bound to `options`: --rate to --face-id.
+/// The rows of recordings, from --rate to --face-id, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> recording_rows(SourceOptions& options);
 
-/// The options of cameras, bound to `options`: --camera-size and --camera-fps.
+/// The rows of cameras, --camera-size and --camera-fps, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> camera_rows(camera::CameraOptions& options);
 
 /// How sources that are still being written are served.
 struct LiveSourceSettings {
-  bool follow = false;           ///< files too
-  Milliseconds timeout{10'000};  ///< a silent one ends for its clients; 0: never
+  bool follow = false;           ///< regular files too are read on as they grow
+  Milliseconds timeout{10'000};  ///< after this silence it ends for its clients; 0: never
   friend bool operator==(const LiveSourceSettings&, const LiveSourceSettings&) = default;
 };
 

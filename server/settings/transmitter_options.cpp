@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kUsualConfig = "/etc/aucast/au-transmitter.toml";
 constexpr std::string_view kConfigVariable = "AUCAST_TRANSMITTER_CONFIG";
 
-/// The settings file that is asked for, or the usual one if it is there.
+/// The settings file that was asked for, or the usual one if it exists.
 Result<void> add_config(Settings& settings, const TypedWords& typed,
                         const Surroundings& surroundings) {
   std::filesystem::path config;
@@ -42,7 +42,7 @@ Result<void> add_config(Settings& settings, const TypedWords& typed,
   return settings.add_file(*text, config.string());
 }
 
-/// The settings, and as comments what a profile makes of them.
+/// The settings, with what the profile makes of them as comments.
 Result<CommandLine> printed_config(const Settings& settings, const TransmitterOptions& options) {
   std::string text = settings.print();
   const SignalOptions& signal = options.source.signal;
@@ -58,7 +58,7 @@ Result<CommandLine> printed_config(const Settings& settings, const TransmitterOp
   return CommandLine{std::move(text), {}};
 }
 
-/// What there is to serve and to bring to others.
+/// Checks the options about what is served and what is sent to others.
 Result<void> validate_streams(const TransmitterOptions& options) {
   const bool any = !options.sources.empty();
   if (!any && options.credentials.publishers.empty()) {

@@ -20,80 +20,80 @@
 
 namespace aucast::server {
 
-/// Where --http or --web answers.
+/// Where --http or --web listens.
 struct HttpAddress {
-  std::string address;     ///< of this host; brackets allowed
+  std::string address;     ///< address or name of this host; brackets allowed
   std::uint16_t port = 0;  ///< 0: any free one
   friend bool operator==(const HttpAddress&, const HttpAddress&) = default;
 };
 
 /// The page and the WebSocket for browsers.
 struct WebOptions {
-  std::optional<HttpAddress> address;        ///< nothing: there is none
-  std::vector<std::string> hosts;            ///< names that it answers for, of pages that may watch
+  std::optional<HttpAddress> address;        ///< nullopt: there is no page
+  std::vector<std::string> hosts;            ///< names it answers under, whose pages may watch
   std::vector<std::string> trusted_proxies;  ///< addresses whose X-Forwarded-For is believed
   friend bool operator==(const WebOptions&, const WebOptions&) = default;
 };
 
-/// Everything that au-transmitter's command line says.
+/// All options of au-transmitter.
 struct TransmitterOptions {
-  std::vector<std::filesystem::path> sources;   ///< may be none where publishers bring streams
+  std::vector<std::filesystem::path> sources;   ///< may be empty if publishers send streams
   std::string bind = "127.0.0.1";               ///< address or name of this host
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
-  Milliseconds drain_time{0};                   ///< to send clients away in; 0: they get {-2}
-  bool reuse_port = false;                      ///< other processes may listen there too
-  std::uint32_t keyframe_ms = 250;              ///< 1 to kDurationMsMax; for untimed keyframes
-  bool loop = false;                            ///< start again at the end instead of {-2}
-  bool live = false;                            ///< one clock for all clients
-  int classic_min = 20;                         ///< percent 0-100; classic clients get no less
-  Milliseconds client_timeout{0};               ///< longest wait for an answer; 0: for ever
-  std::size_t max_clients = 0;                  ///< at a time; 0: clients_with_room()
-  std::size_t max_clients_per_address = 0;      ///< the same from one address
-  CredentialFiles credentials;                  ///< certificates and token
-  std::uint32_t max_kbits = 0;                  ///< a second and client; 0: no limit
-  Milliseconds batch{0};                        ///< how long small writes wait for each other
-  bool estimate = false;                        ///< say what the sources need and serve nothing
-  std::filesystem::path stats;                  ///< empty: none
-  bool check = false;                           ///< check the sources and serve nothing
-  SourceOptions source;                         ///< how recordings are read
-  VoiceOptions voice;                           ///< the sound beside the faces
-  bool skip_bad = false;                        ///< broken sources are left out
-  bool preview = false;                         ///< stdout tells what the camera sees
-  std::optional<HttpAddress> http;              ///< nothing: no status by HTTP
-  WebOptions web;                               ///< the page for browsers
-  std::filesystem::path record;                 ///< file or folder for live streams; empty: none
-  LiveSourceSettings live_source;               ///< how those are served that are being written
-  UpstreamSettings upstream;                    ///< streams of other servers
-  EngineSettings engine;                        ///< streams over NATS
-  PushSettings push;                            ///< streams that are brought to other servers
-  std::string log_level = "info";               ///< as common/log.h takes it
-  std::string log_format = "text";              ///< or "json"
+  Milliseconds drain_time{0};       ///< in which clients are sent away; 0: they get {-2}
+  bool reuse_port = false;          ///< other processes may listen at the same port
+  std::uint32_t keyframe_ms = 250;  ///< 1 to kDurationMsMax; for untimed keyframes
+  bool loop = false;                ///< start again at the end instead of {-2}
+  bool live = false;                ///< one clock for all clients
+  int classic_min = 20;             ///< percent 0-100; weaker AUs are left out for classic clients
+  Milliseconds client_timeout{0};   ///< longest wait for an answer; 0: no limit
+  std::size_t max_clients = 0;      ///< at a time; 0: clients_with_room()
+  std::size_t max_clients_per_address = 0;  ///< the same from one address; 0: no limit
+  CredentialFiles credentials;              ///< certificates and tokens
+  std::uint32_t max_kbits = 0;              ///< kilobits a second for each client; 0: no limit
+  Milliseconds batch{0};                    ///< how long small writes wait for more; 0: not at all
+  bool estimate = false;                    ///< print what the sources need, and serve nothing
+  std::filesystem::path stats;              ///< empty: none
+  bool check = false;                       ///< check the sources, and serve nothing
+  SourceOptions source;                     ///< how recordings are read
+  VoiceOptions voice;                       ///< the sound beside the faces
+  bool skip_bad = false;                    ///< broken sources are left out
+  bool preview = false;                     ///< write what the camera sees to stdout
+  std::optional<HttpAddress> http;          ///< nullopt: no status by HTTP
+  WebOptions web;                           ///< the page for browsers
+  std::filesystem::path record;             ///< file or folder for live streams; empty: none
+  LiveSourceSettings live_source;           ///< how sources that are still being written are served
+  UpstreamSettings upstream;                ///< streams of other servers
+  EngineSettings engine;                    ///< streams over NATS
+  PushSettings push;                        ///< streams that are sent to other servers
+  std::string log_level = "info";           ///< as common/log.h takes it
+  std::string log_format = "text";          ///< or "json"
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;
 };
 
-/// A command line that was understood: a text to print and be done with (--help, --version,
-/// --print-config), or options to work by.
+/// A command line that was understood: a text to print and then exit (--help, --version,
+/// --print-config), or options.
 struct CommandLine {
   std::string text;  ///< empty: go on with `options`
   TransmitterOptions options;
 };
 
-/// Where settings come from beside the command line. As it stands here: from nowhere.
+/// Where settings come from besides the command line; by default, nowhere.
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment;  ///< names and values
-  std::filesystem::path config;  ///< the settings file that is read if it is there
+  std::filesystem::path config;  ///< the settings file, read if it exists
 };
 
-/// Of this process: its environment, and /etc/aucast/au-transmitter.toml.
+/// Those of this process: its environment, and /etc/aucast/au-transmitter.toml.
 [[nodiscard]] Surroundings surroundings_of_process();
 
 /// Reads the arguments (without the program's name) on top of environment and settings file.
-/// Usage error, one line, with the nearest known option for one that is not known; BadData or
+/// Usage error of one line, which names the nearest known option for an unknown one; BadData or
 /// Unreadable for the settings file.
 [[nodiscard]] Result<CommandLine> read_command_line(std::vector<std::string> arguments,
                                                     const Surroundings& surroundings = {});
 
-/// Checks what the options say together and each range; read_command_line() has done so already.
+/// Checks each range and the combinations of options. read_command_line() does so itself.
 [[nodiscard]] Result<void> validate(const TransmitterOptions& options);
 
 /// "0.1.0"

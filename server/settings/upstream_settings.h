@@ -11,7 +11,7 @@ namespace aucast::server {
 struct UpstreamSettings {
   std::filesystem::path token;  ///< file of the token to show to the parents; empty: none
   tls::Files tls;               ///< the authorities to trust for aucasts:// addresses
-  Milliseconds wait{10'000};    ///< how long clients hold while no parent sends
+  Milliseconds wait{10'000};    ///< how long clients wait while no parent sends
   friend bool operator==(const UpstreamSettings&, const UpstreamSettings&) = default;
 };
 

@@ -12,13 +12,13 @@ namespace aucast::server {
 /// Where the voices of the streams come from and how they are encoded.
 struct VoiceOptions {
   bool none = false;           ///< no stream has a voice
-  std::filesystem::path file;  ///< of the first source; empty: the file beside it, if there is one
+  std::filesystem::path file;  ///< for the first source; empty: the file beside it, if there is one
   voice::VoiceSettings encoder;
-  Milliseconds delay{0};  ///< how far the sound is moved back on the stream's clock
+  Milliseconds delay{0};  ///< how much later the sound is on the stream's clock
   friend bool operator==(const VoiceOptions&, const VoiceOptions&) = default;
 };
 
-/// The options of voices, bound to `options`: --voice to --voice-delay.
+/// The rows of voices, from --voice to --voice-delay, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> voice_rows(VoiceOptions& options);
 
 }  // namespace aucast::server

@@ -9,9 +9,9 @@
 
 namespace aucast::server {
 
-/// Limits what the log says about single clients: a flood of them would fill the disk, and the
-/// journal drops all that a service says beyond 10,000 lines in 30 s, errors too. Lines left out
-/// are counted, and their number is logged. At the level debug nothing is left out.
+/// Limits the lines in the log about single clients. A flood of them would fill the disk, and the
+/// journal drops everything beyond 10,000 lines in 30 s from one service, even errors. Lines left
+/// out are counted, and their number is logged. At level debug nothing is left out.
 /// Thread: none of its own.
 class ClientLog {
  public:
@@ -22,14 +22,15 @@ class ClientLog {
       spdlog::log(level, format, std::forward<Args>(args)...);
   }
 
-  /// Counts one line, and returns whether to log it. Logs first how many were left out before it.
+  /// Counts one line and returns whether to log it; if so, first logs how many were left out before
+  /// it.
   [[nodiscard]] bool may_say(Instant now);
 
-  /// How many were left out, if any, at the end for example.
+  /// Logs how many lines were left out, if any were. Call it at the end.
   void say_left_out();
 
  private:
-  Instant second_{};  ///< its begin
+  Instant second_{};  ///< when the present second began
   std::uint64_t lines_ = 0;
   std::uint64_t left_out_ = 0;
 };

@@ -20,7 +20,7 @@ web::HttpReply HttpRoutes::answer(const std::string& path, bool stopping, Instan
   return {404, kPlainText, "there are /healthz, /metrics and /status.json\n"};
 }
 
-/// However often it is asked for, the clients are counted a few times a second at most.
+/// A status that is at most a little old, so that clients are not counted for every request.
 const Status& HttpRoutes::recent_status(Instant now) {
   if (!status_ || now - status_at_ >= kStatusAge) {
     status_ = status_now_(now);

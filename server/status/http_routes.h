@@ -11,14 +11,14 @@
 
 namespace aucast::server {
 
-/// What --http answers at which path. Thread: none of its own.
+/// The replies of --http by path. Thread: none of its own.
 class HttpRoutes {
  public:
   using StatusNow = std::function<Status(Instant now)>;
 
   explicit HttpRoutes(StatusNow status_now) : status_now_(std::move(status_now)) {}
 
-  /// `stopping`: nobody is accepted any more.
+  /// `stopping`: whether clients are no longer accepted.
   [[nodiscard]] web::HttpReply answer(const std::string& path, bool stopping, Instant now);
 
  private:

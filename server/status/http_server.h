@@ -13,10 +13,9 @@
 
 namespace aucast::server {
 
-/// Answers GET on the loop that serves the clients, one request per connection. Bounded:
-/// kHttpConnectionsMax connections, each with kHttpTimeMax and kHttpHeadBytesMax for its request;
-/// one more closes the oldest that has not sent a request yet. Requests for other hosts are refused
-/// by 421.
+/// Answers GET on the event loop that serves the clients, one request per connection. There are at
+/// most kHttpConnectionsMax connections (HttpExchanges), each with kHttpTimeMax and
+/// kHttpHeadBytesMax for its request. Requests for other hosts are refused with 421.
 /// Thread: that of the io_context, which must outlive it together with the callback's captures.
 class HttpServer {
  public:
@@ -27,7 +26,7 @@ class HttpServer {
   HttpServer& operator=(const HttpServer&) = delete;
 
   /// `shared`: the port is shared with other processes. Logs where it listens. Network error naming
-  /// address, cause and what to do.
+  /// address, cause and remedy.
   [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port, bool shared);
   void start();
   /// Accepts no more connections.
@@ -38,7 +37,7 @@ class HttpServer {
 
   link::Listener listener_;
   Answer answer_;
-  std::string bound_;  ///< the address or name that we listen on
+  std::string bound_;  ///< the address or name at which we listen
   HttpExchanges exchanges_;
 };
 

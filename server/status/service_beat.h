@@ -11,25 +11,25 @@
 
 namespace aucast::server {
 
-/// Tells the service manager, if there is one, where a run is, and again and again that its loop
-/// goes round and how it is. Thread: that of the io_context, which must outlive it together with
-/// what `summary` refers to.
+/// Tells the service manager, if there is one, when a run starts, reloads and stops; and, again and
+/// again, that its event loop is alive, and its status. Thread: that of the io_context, which must
+/// outlive it together with what `summary` refers to.
 class ServiceBeat {
  public:
-  /// How often it hears of the status, unless it wants to hear more often that we are alive.
+  /// How often the status is sent, unless the manager wants to hear more often that we are alive.
   static constexpr Milliseconds kStatusEvery{10'000};
 
-  /// `summary`: one line.
+  /// `summary` returns the status in one line.
   ServiceBeat(asio::io_context& io, std::function<std::string()> summary)
       : timer_(io), summary_(std::move(summary)) {}
   ServiceBeat(const ServiceBeat&) = delete;
   ServiceBeat& operator=(const ServiceBeat&) = delete;
 
-  /// Clients can come.
+  /// Call when clients can connect.
   void begin();
   void reloading() const { manager_.reloading(); }
   void reloaded() const { manager_.ready(summary_()); }
-  /// `at_most`: how long it may take; zero: what the manager is set to.
+  /// `at_most`: how long stopping may take; zero: as long as the manager is configured to wait.
   void stopping(Milliseconds at_most) const { manager_.stopping(at_most); }
 
  private:

@@ -32,14 +32,14 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// systemd asks for the time of the clock that it goes by itself.
+/// The time on CLOCK_MONOTONIC, as systemd wants it.
 std::string monotonic_usec() {
   timespec time{};
   ::clock_gettime(CLOCK_MONOTONIC, &time);
   return std::to_string(std::int64_t{time.tv_sec} * 1'000'000 + time.tv_nsec / 1000);
 }
 
-/// The variable is for this process, not for one that merely inherited it.
+/// Whether the variable is meant for this process, and was not just inherited.
 bool is_ours(const std::string& pid) {
   return pid.empty() || number_of<std::int64_t>(pid) == std::int64_t{::getpid()};
 }

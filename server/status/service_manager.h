@@ -10,8 +10,8 @@
 
 namespace aucast::server {
 
-/// Talks to a service manager such as systemd, by sd_notify(3)'s protocol: datagrams to the socket
-/// that $NOTIFY_SOCKET names. Without one nothing happens.
+/// Talks to a service manager such as systemd by sd_notify(3)'s protocol: datagrams to the socket
+/// that $NOTIFY_SOCKET names. Without a manager it does nothing.
 class ServiceManager {
  public:
   ServiceManager();  ///< from the environment
@@ -19,22 +19,22 @@ class ServiceManager {
   ServiceManager(const ServiceManager&) = delete;
   ServiceManager& operator=(const ServiceManager&) = delete;
 
-  /// Somebody listens.
+  /// Whether there is a service manager.
   [[nodiscard]] bool present() const { return socket_ >= 0; }
 
   void ready(const std::string& status) const;
-  /// Until the next ready().
+  /// A reload has begun; it lasts until the next ready().
   void reloading() const;
-  /// `at_most`: how long stopping may take; zero: what the service manager is set to.
+  /// `at_most`: how long stopping may take; zero: as long as the manager is configured to wait.
   void stopping(Milliseconds at_most) const;
   void status(const std::string& status) const;
   void alive() const;
 
-  /// How often alive() must be said at least; nothing: nobody waits for it.
+  /// The longest time between two calls of alive(); nullopt: the manager does not expect them.
   [[nodiscard]] std::optional<Duration> watchdog() const { return watchdog_; }
 
  private:
-  /// What comes again soon may be dropped when the manager is too busy to take it.
+  /// May: a message that will soon be repeated, which is dropped when the manager is too busy.
   enum class Need : std::uint8_t { May, Must };
   void say(std::string_view message, Need need) const;
 
@@ -43,9 +43,9 @@ class ServiceManager {
   std::optional<Duration> watchdog_;
 };
 
-/// The listening socket that was passed by sd_listen_fds(3)'s protocol (LISTEN_PID, LISTEN_FDS), or
-/// nothing. Usage error when there are more, or it is no listening TCP socket. Asked once: it
-/// belongs to the caller then.
+/// The listening socket that was passed to us by sd_listen_fds(3)'s protocol (LISTEN_PID,
+/// LISTEN_FDS); nullopt: none was. Usage error when there are several, or it is no listening TCP
+/// socket. Call it once: the caller then owns the socket.
 [[nodiscard]] Result<std::optional<int>> passed_socket();
 
 }  // namespace aucast::server

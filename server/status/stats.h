@@ -13,28 +13,28 @@
 
 namespace aucast::server {
 
-/// Why a client's connection ended, if its session did not say so.
+/// Why a client's connection ended, for reasons that its session does not know.
 enum class EndedHere : std::uint8_t {
-  HandedOver,  ///< it brings a stream
+  HandedOver,  ///< the client is a publisher
   TimedOut,    ///< --client-timeout
   TlsFailed,
 };
 using ClientEnd = std::variant<protocol::CloseConnection::Why, EndedHere>;
 
-/// "finished", "timed out", ... as --stats has it.
+/// The reason as --stats writes it: "finished", "timed out", ...
 [[nodiscard]] std::string_view name(ClientEnd reason);
 
-/// What one client got, from accept to close.
+/// What one client was sent, from accept to close.
 struct ClientRecord {
-  std::uint64_t number = 0;       ///< counts from 1 in the order of arrival
-  std::string peer;               ///< ADDR:PORT
-  int level = 1;                  ///< 1 classic, 2 negotiated
-  std::string stream;             ///< empty when it ended before one was chosen
-  std::uint64_t keyframes = 0;    ///< handed out
-  std::uint64_t bytes = 0;        ///< their bytes alone, as table 5.5 of the thesis counts them
-  std::uint64_t bytes_total = 0;  ///< all bytes the socket took: with hello, error and {-2}
-  /// From the first keyframe's handing to the socket until the last answer was in and {-2} was
-  /// due, or until the connection ended without that. Zero when no keyframe went out.
+  std::uint64_t number = 0;     ///< counts from 1 in the order of arrival
+  std::string peer;             ///< ADDR:PORT
+  int level = 1;                ///< 1 classic, 2 negotiated
+  std::string stream;           ///< empty when it ended before one was chosen
+  std::uint64_t keyframes = 0;  ///< sent
+  std::uint64_t bytes = 0;      ///< of the keyframes alone, as table 5.5 of the thesis counts them
+  std::uint64_t bytes_total = 0;  ///< all bytes that the socket took: also hello, error and {-2}
+  /// From when the first keyframe was given to the socket until the last answer had come and {-2}
+  /// was due, or until the connection ended before that. Zero when no keyframe was sent.
   Duration send_time{0};
   ClientEnd end_reason{};              ///< when it has ended
   std::uint64_t keyframes_merged = 0;  ///< live ones left out because the client was slow
@@ -57,8 +57,8 @@ struct Totals {
   void add(const ClientRecord& record);
 };
 
-/// What --stats reports. Totals count every client; of the single records the latest
-/// kRecordsMax are kept, so that a transmitter may run for years.
+/// What --stats reports. The totals count every client; only the latest kRecordsMax records are
+/// kept, so that a transmitter may run for years.
 class Stats {
  public:
   static constexpr std::size_t kRecordsMax = 1000;
@@ -70,7 +70,7 @@ class Stats {
     return end_reasons_;
   }
 
-  /// One JSON object, a line per field, with a newline at its end.
+  /// One JSON object with one line per field and a newline at its end.
   [[nodiscard]] std::string to_json() const;
 
  private:

@@ -35,7 +35,7 @@ std::string number(double value) {
   return Json(std::isfinite(value) ? value : 0.0).dump();
 }
 
-/// One family of metrics: its two comment lines, then its samples.
+/// Writes one family of metrics: its two comment lines, then its samples.
 class Family {
  public:
   Family(std::string& text, std::string_view name, std::string_view type, std::string_view help)
@@ -44,7 +44,7 @@ class Family {
     text_ += "# TYPE " + name_ + " " + std::string(type) + "\n";
   }
 
-  /// `labels`: empty, or key="value" pairs; our values hold nothing that needs escaping.
+  /// `labels`: empty, or key="value" pairs; our values need no escaping.
   void sample(const std::string& value, const std::string& labels = {}) {
     text_ += name_ + (labels.empty() ? "" : "{" + labels + "}") + " " + value + "\n";
   }
@@ -84,7 +84,7 @@ void add_upstreams(std::string& text, const std::vector<UpstreamStatus>& upstrea
       [](const UpstreamStatus& upstream) { return upstream.bytes; });
 }
 
-/// The same of the streams that are brought to other servers.
+/// The same for the streams that are pushed to other servers.
 void add_pushes(std::string& text, const std::vector<PushStatus>& pushes) {
   if (pushes.empty()) return;
   const auto add = [&](std::string_view name, std::string_view type, std::string_view help,

@@ -15,7 +15,7 @@
 namespace aucast::server {
 namespace {
 
-/// printf into a string; all our lines are short.
+/// printf into a string, for short lines.
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
   std::array<char, 256> line{};
@@ -36,7 +36,7 @@ std::string bytes_line(const char* level, const protocol::PacketList& packets) {
                    smallest, largest);
 }
 
-/// Of a recording whose face is turned away most of the time: where it looks, and what mends it.
+/// For a recording whose face is turned away most of the time: where it looks, and the remedy.
 std::string turned_away_line(const StreamSummary& summary) {
   constexpr int kMuch = 25;
   std::string text;
@@ -52,7 +52,7 @@ std::string turned_away_line(const StreamSummary& summary) {
          " most of the time; --neutral 2 straightens it if its first 2 s are like the rest\n";
 }
 
-/// The bit rate of what is sent to a peer that takes changes, and what lowers it where it is much.
+/// The bit rate for a peer that takes the changes-only form and, if it is high, how to lower it.
 std::string rate_line(const protocol::EncodedStream& served) {
   constexpr double kPromisedKbits = 12;
   const auto& packets = served.changes.empty() ? served.negotiated : served.changes;

@@ -7,10 +7,10 @@
 
 namespace aucast::server {
 
-/// What --check prints of one stream: of a recording what was found in it, then packets, duration,
-/// bytes per level, and for each AU how many packets use it and between which intensities. An
-/// untimed keyframe counts as `keyframe_ms`. Of a voice its length, where that is not the face's,
-/// and where it is silent.
+/// What --check prints about one stream: for a recording, what was found in it; then packets,
+/// duration, bytes per level, and for each AU how many packets use it and between which
+/// intensities; for a voice, its length, where it differs from the face's, and its silences. An
+/// untimed keyframe takes `keyframe_ms`.
 [[nodiscard]] std::string check_report(const Source& source, std::uint32_t keyframe_ms,
                                        const VoiceSummary* voice = nullptr);
 

@@ -82,7 +82,7 @@ Result<void> validate(const ConvertOptions& options) {
   return {};
 }
 
-/// Reads a stream file that may have been cut off; what was left out is added to `said`.
+/// Reads a stream file that may have been cut off; adds to `said` how much was left out.
 Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::string& said) {
   const auto text = sources::read_text(options.in);
   if (!text) return text.error();
@@ -104,7 +104,7 @@ std::string sides_sentence(std::size_t uneven) {
          (uneven == 1 ? " keyframe" : " keyframes") + " the stronger one was taken";
 }
 
-/// What is seen in a film.
+/// Reads the faces in a film.
 Result<sources::SourceContent> read_seen(const ConvertOptions& options,
                                          const sources::ConditioningSettings& conditioning,
                                          const SayProgress& say) {
@@ -179,7 +179,7 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   return Converted{{}, std::move(said)};
 }
 
-/// Each source to a stream file of its name in the folder.
+/// Converts each source to a stream file of its name in the folder.
 Result<Converted> convert_each(const ConvertOptions& options, const SayProgress& say) {
   std::vector<std::filesystem::path> sources{options.in};
   if (!options.out.empty()) sources.push_back(options.out);

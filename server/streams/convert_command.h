@@ -9,23 +9,23 @@
 
 namespace aucast::server {
 
-/// What a conversion leaves to say.
+/// The output of a conversion.
 struct Converted {
-  std::string text;  ///< for stdout: the help page, or the stream file when out is "-"
+  std::string text;  ///< for stdout: the help page, or the stream file if its path is "-"
   std::string said;  ///< for stderr: what was found and written; may be empty
 };
 
-/// Is told again and again how far the conversion is: "lecture.mp4: 12 s, 34 %".
+/// Called again and again with the progress of a conversion: "lecture.mp4: 12 s, 34 %".
 using SayProgress = std::function<void(const std::string&)>;
 
-/// `au-transmitter convert` from its arguments (without that word): reads a recording, a film or a
-/// stream file and writes a stream file or, to a name in .csv, a table of OpenFace 2, whole or not
-/// at all. Nothing is lost except what a stream file cannot hold (intensities are whole percents,
-/// times whole milliseconds) and, in a table, the sides.
+/// Runs `au-transmitter convert` with its arguments (without that word): reads a recording, a film
+/// or a stream file and writes a stream file or, if its name ends in .csv, a table of OpenFace 2,
+/// whole or not at all. Nothing is lost except that intensities become whole percents and times
+/// whole milliseconds and, in a table, that sides are not told apart.
 [[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments,
                                             const SayProgress& say = {});
 
-/// What --help and the manual page say of it.
+/// The texts of --help and the manual page about it.
 [[nodiscard]] CommandPage convert_page();
 
 }  // namespace aucast::server

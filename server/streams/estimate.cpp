@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// Bytes that go out at a moment of the stream.
+/// Bytes that are sent at one time.
 struct Sent {
   Milliseconds at{0};
   std::size_t bytes = 0;
@@ -21,14 +21,14 @@ struct Sent {
 
 using Times = std::vector<protocol::KeyframeTime>;
 
-/// What is written for each keyframe.
+/// What is sent for each keyframe.
 std::vector<std::size_t> sizes_of(const protocol::PacketList& packets) {
   std::vector<std::size_t> sizes;
   for (std::size_t i = 0; i < packets.size(); ++i) sizes.push_back(packets[i].size());
   return sizes;
 }
 
-/// The same of the voice: its packets go out with the keyframe during which they are heard.
+/// The same for the voice: its packets are sent with the keyframe during which they are heard.
 std::vector<std::size_t> sizes_of(const VoiceSummary& voice, const Times& times) {
   std::vector<std::size_t> sizes(times.size());
   const std::vector<std::size_t> packets = wire_sizes(voice.packets);
@@ -41,7 +41,8 @@ std::vector<std::size_t> sizes_of(const VoiceSummary& voice, const Times& times)
   return sizes;
 }
 
-/// Each goes out when the face is to set out for its keyframe, or with others within `batch`.
+/// Each is sent when the face begins to move to its keyframe, or together with others within
+/// `batch`.
 std::vector<Sent> sendings(const std::vector<std::size_t>& sizes, const Times& times,
                            Milliseconds batch, std::size_t headers) {
   std::vector<Sent> all;
@@ -64,7 +65,7 @@ std::size_t bytes_of(const std::vector<Sent>& all) {
                          [](std::size_t sum, const Sent& one) { return sum + one.bytes; });
 }
 
-/// Of the second that has most.
+/// The bytes of the busiest second.
 std::size_t peak_bytes(const std::vector<Sent>& all) {
   std::size_t most = 0;
   std::size_t inside = 0;

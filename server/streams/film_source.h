@@ -12,18 +12,18 @@
 
 namespace aucast::server {
 
-/// A film as a source: the table of what is seen in it, which is read like any recogniser's.
+/// Reads the faces in a film. Returns their table, which is then read like any recogniser's.
 [[nodiscard]] Result<std::string> film_text(
     const std::filesystem::path& path, const SourceOptions& options,
     const std::function<void(const camera::FilmProgress&)>& on_progress = {},
     const std::stop_token& stop = {});
 
-/// How we read faces in pictures: with --neutral, which is auto by default and applies to the
-/// measures of the face; and all faces when --face-id is given.
+/// How faces are read in pictures. The neutral face of --neutral, by default `auto`, is subtracted
+/// here, from the measures of the face. All faces are read if --face-id is given.
 [[nodiscard]] camera::FaceOptions faces_of(const SourceOptions& options);
 
-/// How the AUs of this source are conditioned. For a film or a camera that leaves out the neutral
-/// face, which faces_of() has already subtracted.
+/// How the AUs of this source are conditioned. For a film or a camera, without the neutral face,
+/// which faces_of() has already subtracted.
 [[nodiscard]] sources::ConditioningSettings conditioning_for(
     const std::filesystem::path& path, sources::ConditioningSettings settings);
 

@@ -11,7 +11,7 @@ namespace aucast::server {
 namespace {
 
 constexpr double kHeaderBits = kHeaderBytes * 8;
-/// Every write is answered by the peer, and that answer acknowledged.
+/// Packets with headers for each write: the peer answers it, and we acknowledge that answer.
 constexpr double kSegmentsPerBatch = 2;
 
 }  // namespace
@@ -77,7 +77,8 @@ std::optional<protocol::Keyframe> LiveThinning::take_last() {
   return std::exchange(waiting_, std::nullopt);
 }
 
-/// When it fits, also with the voice that comes until what was sent before is past.
+/// When the keyframe fits, together with the voice that will come until earlier bytes no longer
+/// count.
 std::optional<double> LiveThinning::due() const {
   if (!waiting_) return std::nullopt;
   double due = 0;

@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// Those that are live when they are served; --check reads all of them whole.
+/// Which sources are live when they are served; --check reads all of them whole.
 LiveSources live_sources(const TransmitterOptions& options) {
   if (options.check || options.estimate) return LiveSources::None;
   return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;

@@ -35,23 +35,25 @@ Result<void> check_name(const std::filesystem::path& path, const std::string& na
                    "'.', '_' or '-' before the extension")};
 }
 
-/// Keyframes between two looks at the memory that is left.
+/// After how many keyframes the free memory is checked again.
 constexpr std::size_t kMemoryLookEvery = 65536;
 
-/// What a keyframe may take at most while a whole stream is thinned, resampled or made of a table.
+/// The most bytes that a keyframe takes while a whole stream is thinned, resampled or read from a
+/// table.
 constexpr std::uint64_t kWholeBytes = 400;
 
-/// How everything is read in one go.
+/// What all files of one call have in common.
 struct Reading {
   const SourceOptions& source;
   const sources::ConditioningSettings& conditioning;
   const EncodingOptions& encoding;
   LiveSources live = LiveSources::None;
-  bool first = false;  ///< of all sources: the one that --voice is for
+  bool first = false;  ///< it is the first source, to which --voice applies
   const std::stop_token& stop;
 };
 
-/// A stream file as it is: keyframe by keyframe, so that only its packets are held.
+/// Encodes a stream file as it is, keyframe by keyframe, so that only its packets are kept in
+/// memory.
 Result<void> encode_file(std::string_view text, const Reading& reading, Source& source) {
   const EncodingOptions& options = reading.encoding;
   protocol::StreamEncoder encoder(options.keyframe_ms, options.classic_min);
@@ -70,14 +72,14 @@ Result<void> encode_file(std::string_view text, const Reading& reading, Source& 
   return {};
 }
 
-/// The face of a recording sets out for its first row when the stream begins, so that the row's
-/// moment, where its sound is, comes when that keyframe is over.
+/// Moves a recording's voice: the face begins to move to the first row when the stream begins, so
+/// the row's time, and with it the beginning of the sound, is the end of that keyframe.
 void align_voice(const protocol::StreamFile& stream, std::uint32_t keyframe_ms, Source& source) {
   if (!source.voice) return;
   source.voice->begin += Milliseconds(stream.keyframes.front().duration_ms.value_or(keyframe_ms));
 }
 
-/// A stream that is held as keyframes: resampled and thinned, if that is asked.
+/// Encodes a stream that is in memory as keyframes; resamples and thins it if asked to.
 Result<void> encode_whole(sources::SourceContent content, const Reading& reading, Source& source) {
   const EncodingOptions& options = reading.encoding;
   protocol::StreamFile& stream = content.stream;
@@ -114,7 +116,7 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
   return {};
 }
 
-/// A stream of another server; nothing is known of it yet but the name that its address has.
+/// A stream of another server, of which only the name in its address is known yet.
 Result<std::vector<Source>> address_source(const std::filesystem::path& path, LiveSources live) {
   const auto address = protocol::is_engine_address(path.string())
                            ? protocol::parse_engine_address(path.string())
@@ -193,7 +195,7 @@ bool is_served_from_folder(const std::filesystem::path& path) {
   return (extension == ".txt" || extension == ".csv") && !path.filename().string().starts_with('.');
 }
 
-/// The files of a folder, by name; of a file, itself.
+/// The files of a folder, by name; for a file, the file itself.
 Result<std::vector<std::filesystem::path>> files_of(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -218,7 +220,7 @@ Result<std::vector<std::filesystem::path>> files_of(const std::filesystem::path&
   return files;
 }
 
-/// One error with the messages of all.
+/// One error with the messages of all of them.
 Error joined(const std::vector<Error>& errors) {
   Error all = errors.front();
   for (auto error = errors.begin() + 1; error != errors.end(); ++error) {

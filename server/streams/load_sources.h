@@ -19,15 +19,15 @@
 
 namespace aucast::server {
 
-/// A stream file or a recording that was read and found right.
+/// A source: a stream file or a recording that was read without errors, or one that is `live`.
 struct Source {
   std::filesystem::path path;
-  std::string name;  ///< the file's stem, which a hello asks for; empty: its server will tell it
+  std::string name;  ///< the file's stem; empty: another server will tell it
   std::shared_ptr<const protocol::EncodedStream> stream{};  ///< null if `live`
   StreamSummary summary{};
-  std::optional<sources::Found> found{};  ///< what was found in it; only for a recording
-  bool live = false;                      ///< nothing is read yet: RunningSources will
-  std::optional<VoiceFile> voice{};       ///< not encoded yet
+  std::optional<sources::Found> found{};  ///< what was found in a recording; nullopt for others
+  bool live = false;                      ///< nothing was read yet: RunningSources reads it
+  std::optional<VoiceFile> voice{};       ///< its voice, not encoded yet; nullopt: none
   /// The stream for clients that get the voice, where it differs from `stream`:
   /// protocol::voiced_stream().
   std::shared_ptr<const protocol::EncodedStream> voiced{};
@@ -45,19 +45,20 @@ enum class LiveSources : std::uint8_t {
 /// How streams are encoded.
 struct EncodingOptions {
   std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
-  int classic_min = 20;             ///< percent; weaker AUs are left out for classic clients
+  int classic_min = 20;             ///< percent; AUs below it are left out for classic clients
   std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
-  bool summarise = true;            ///< fills in Source::summary, which only --check needs
+  bool summarise = true;  ///< whether to fill in Source::summary, which only --check needs
   VoiceOptions voice{};
-  bool live = false;  ///< sources with a voice then keep to max_kbits as they are sent, not here
+  /// Sources with a voice are thinned to max_kbits while they are sent, not here.
+  bool live = false;
 };
 
 /// Reads and encodes all files except those that are `live`; of a folder, its .txt and .csv files
-/// in the order of their names. If any is wrong, returns the errors of all of them, one per line in
-/// the order of the command line, as an error of the first one's kind. Names that are no stream
-/// names or come twice are usage errors; a file that is too large for the free memory is
-/// unreadable. With `skipped`, wrong files are left out and their errors go there, unless no file
-/// is left. Asked to stop, it returns stopped_early() without reading any further.
+/// in the order of their names. If any is wrong, returns the errors of all, one per line in the
+/// order of the command line, as an error of the first one's kind. A name that is no stream name,
+/// or occurs twice, is a Usage error; a file that is too large for the free memory is Unreadable.
+/// With `skipped`, wrong files are left out and their errors are added there, unless no file is
+/// left. Asked to stop, it reads no further and returns stopped_early().
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,

@@ -8,9 +8,10 @@
 
 namespace aucast::server {
 
-/// Writes the profile that is asked for with --save-profile, with the neutral face that was
-/// measured in the sources if one is to be; of a live source that is measured later, and nothing is
-/// written yet. Usage error when not exactly one source can be measured; errors of save_profile().
+/// Writes the profile of --save-profile, with the neutral face that was measured in the source, if
+/// that was asked for. For a live source it is measured later, and nothing is written yet. Usage
+/// error when it is to be measured but there is not exactly one source to measure; other errors are
+/// those of save_profile().
 [[nodiscard]] Result<void> save_measured_profile(const SignalOptions& options,
                                                  const std::vector<Source>& sources);
 

@@ -40,7 +40,7 @@ std::optional<std::uint64_t> left_by_limit() {
   return difference(limit.rlim_cur, *pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)));
 }
 
-/// Of control groups version 2, our own.
+/// Our own control group, of version 2.
 std::optional<std::uint64_t> left_by_group() {
   std::ifstream self("/proc/self/cgroup");
   std::string line;

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kHeldBackLeast = 512;
 constexpr std::size_t kHeldBackMost = 65536;
-constexpr std::size_t kHeldBackOfSources = 2048;  ///< what they will send is not known
+constexpr std::size_t kHeldBackOfSources = 2048;  ///< for sources whose rate is not known
 
 Milliseconds time_of(const protocol::EncodedStream& stream) {
   return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
 }
 
-/// How many bytes of the busiest stream's keyframes go out in `time`, rounded up.
+/// How many bytes of keyframes the busiest stream sends in `time`, rounded up.
 std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
   std::size_t most = 0;
   for (const protocol::ServedStream& stream : catalogue.streams) {

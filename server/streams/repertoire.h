@@ -13,7 +13,7 @@
 
 namespace aucast::server {
 
-/// What is served, and the sound files whose voices are to go with it.
+/// The streams that are served, and the sound files for their voices.
 struct Repertoire {
   // Implicit on purpose: streams without a voice are a repertoire too.
   Repertoire(protocol::ServerCatalogue streams) : catalogue(std::move(streams)) {}
@@ -22,18 +22,17 @@ struct Repertoire {
   std::vector<std::optional<VoiceFile>> voices;  ///< of each stream; missing ones: none
 };
 
-/// The streams of the sources, in the order given; of one that is live only the name is known yet.
-/// The voices are still to be encoded.
+/// The streams of the sources, in the order given; a live one has only a name yet. The voices are
+/// not encoded yet.
 [[nodiscard]] Repertoire make_repertoire(const std::vector<Source>& sources,
                                          std::uint32_t keyframe_ms, bool loop);
 
-/// Whether the streams can be sent live: one that starts again must take some time. Bad data
-/// otherwise.
+/// Checks that the streams can be sent live: a looped one must take some time. BadData otherwise.
 [[nodiscard]] Result<void> check_live(const protocol::ServerCatalogue& catalogue);
 
-/// What the system may hold back unsent for a client of one of these streams, when they are live:
-/// some time's worth of the busiest one, but not so little that every packet has to wait for the
-/// previous one.
+/// The `held_back_max` for link::tcp_link(), for clients of these streams when they are live: as
+/// much as the busiest one sends in kLiveWindowTime / 2, within bounds, so that a packet need not
+/// wait for the previous one to be sent.
 [[nodiscard]] int held_back_for(const protocol::ServerCatalogue& catalogue,
                                 const VoiceOptions& voice);
 

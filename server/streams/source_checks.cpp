@@ -13,7 +13,7 @@
 namespace aucast::server {
 namespace {
 
-/// What --record cannot keep.
+/// Checks that there is a source that --record can record.
 Result<void> check_record(const TransmitterOptions& options) {
   if (options.record.empty()) return {};
   const bool any_live = std::any_of(options.sources.begin(), options.sources.end(),
@@ -26,7 +26,7 @@ Result<void> check_record(const TransmitterOptions& options) {
       "is; 'au-transmitter convert' writes a recording as a stream file");
 }
 
-/// What --preview cannot show.
+/// Checks that --preview can show the sources.
 Result<void> check_preview(const TransmitterOptions& options) {
   if (!options.preview) return {};
   if (options.sources.size() != 1 || !camera_device(options.sources.front())) {
@@ -45,7 +45,7 @@ Result<void> check_preview(const TransmitterOptions& options) {
   return {};
 }
 
-/// What cannot be a voice of these sources.
+/// Checks that --voice can be the voice of these sources.
 Result<void> check_voice(const TransmitterOptions& options) {
   const VoiceOptions& voice = options.voice;
   if (voice.none || voice.file.empty()) return {};

@@ -5,8 +5,8 @@
 
 namespace aucast::server {
 
-/// Whether these sources can be served as is asked for: with --preview, --voice and --record. Usage
-/// error if not. Looks at what kind of file a path is.
+/// Checks that these sources can be served with --preview, --voice and --record, if these are
+/// given. Usage error if not. Looks at the kinds of the files.
 [[nodiscard]] Result<void> check_sources(const TransmitterOptions& options);
 
 }  // namespace aucast::server

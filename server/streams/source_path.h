@@ -7,18 +7,18 @@
 
 namespace aucast::server {
 
-/// The name of the stream that a source is served as: the file's stem; `live` for stdin, `camera`
-/// for a camera.
+/// The name of a source's stream: the file's stem; `live` for stdin, `camera` for a camera.
 [[nodiscard]] std::string stream_name(const std::filesystem::path& path);
 
-/// The device of a camera, `camera` or `camera:DEVICE`; nothing for any other source.
+/// The device of a camera, which is written `camera` or `camera:DEVICE`; nullopt for any other
+/// source.
 [[nodiscard]] std::optional<std::string> camera_device(const std::filesystem::path& path);
 
 /// The name of one face's stream with --face-id all: STEM-FACE.
 [[nodiscard]] std::string face_stream_name(const std::string& stem, std::int64_t face);
 
-/// Whether a path is a live source: stdin, a camera, a FIFO or another stream; and files, with
-/// `follow`.
+/// Whether a path is a live source: stdin, a camera, a FIFO or the like; with `follow`, also a
+/// regular file.
 [[nodiscard]] bool is_live(const std::filesystem::path& path, bool follow);
 
 }  // namespace aucast::server

@@ -11,33 +11,32 @@
 
 namespace aucast::server {
 
-/// What it takes to dial the servers of an address.
+/// Everything needed to dial the servers of an address.
 struct DialledAddress {
   protocol::StreamAddress address;
-  std::optional<tls::Context> tls{};  ///< when the address wants it
-  std::string token{};                ///< to be shown; empty: none
+  std::optional<tls::Context> tls{};  ///< nullopt: the address is without TLS
+  std::string token{};                ///< to be shown there; empty: none
 };
 
 struct DialSecrets {
-  std::filesystem::path token;  ///< a file; empty: none
+  std::filesystem::path token;  ///< the token's file; empty: none
   tls::Files tls;
-  std::string tls_options;  ///< how the options that name its files begin: "--upstream-tls"
+  std::string tls_options;  ///< how the options for the files of `tls` begin: "--upstream-tls"
 };
 
-/// Usage error when `what`, such as "the token", would go over the network for everybody to read;
-/// `secure`: how an address over TLS begins.
+/// Usage error when `what`, such as "the token", would be sent over the network unencrypted.
+/// `secure`, for the message: how an address over TLS begins.
 [[nodiscard]] Result<void> check_hidden(const protocol::StreamAddress& address,
                                         std::string_view what, std::string_view secure);
 
-/// The token of the file, to be shown at that address; empty when no file is given. Warns in the
-/// log when others can read it. Usage error when it would go over the network for everybody to
-/// read; `secure`: how an address over TLS begins.
+/// Reads the token to be shown at that address; empty when no file is given. Warns in the log when
+/// others can read the file. Errors are those of read_token_file() and check_hidden().
 [[nodiscard]] Result<std::string> token_for(const protocol::StreamAddress& address,
                                             const std::filesystem::path& file,
                                             std::string_view secure);
 
-/// Reads the address and the files, and warns in the log of secrets that others can read. Usage
-/// error when the token would go over the network for everybody to read.
+/// Reads the address and the files, and warns in the log of secrets that others can read. Errors
+/// are those of parse_stream_address(), tls::Context::for_client() and token_for().
 [[nodiscard]] Result<DialledAddress> dialled_address(const std::string& address,
                                                      const DialSecrets& secrets);
 

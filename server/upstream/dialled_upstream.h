@@ -11,11 +11,11 @@
 namespace aucast::server {
 
 /// An aucast:// address as a source: dials the parents that it names, one at a time, and goes on to
-/// the next when one is lost. One connection, however many clients.
+/// the next when one is lost. There is one connection, however many clients there are.
 /// Thread: that of the io_context, which must outlive it.
 class DialledUpstream final : public Upstream {
  public:
-  /// `on_moment`: the stream has something new.
+  /// `on_moment` is called when the stream has something new.
   DialledUpstream(asio::io_context& io, DialledAddress from, Reception::Options options,
                   std::function<void()> on_moment);
   ~DialledUpstream() override { halt(); }

@@ -17,7 +17,7 @@ void HostTurns::worked() {
   wait_ = kRedialWaitFirst;
 }
 
-/// By up to a half.
+/// Shortens a wait by up to a half.
 Milliseconds HostTurns::shortened(Milliseconds wait) {
   std::uniform_int_distribution<Milliseconds::rep> part(0, wait.count() / 2);
   return wait - Milliseconds(part(random_));

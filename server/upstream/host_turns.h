@@ -9,20 +9,22 @@
 
 namespace aucast::server {
 
-/// Which of several hosts is dialled next, and after what wait. The next one is tried at once when
-/// one is lost; when all have failed in a row, the next round waits kRedialWaitFirst, then twice as
-/// long each time up to kRedialWaitMax. Every wait is shortened at random, so that many servers do
-/// not come back at the same moment. No clock. Thread: none of its own.
+/// Chooses which of several hosts is dialled next, and after what wait. When one is lost, the next
+/// is tried almost at once, within kNextHostWaitMax. When all have failed in a row, the next round
+/// waits for kRedialWaitFirst, then twice as long each time up to kRedialWaitMax. Every wait is
+/// shortened at random, so that many servers do not come back at the same moment. No clock. Thread:
+/// none of its own.
 class HostTurns {
  public:
   /// `hosts`: at least one.
   HostTurns(std::size_t hosts, std::uint32_t seed) : hosts_(hosts), random_(seed) {}
 
-  /// The one whose turn it is.
+  /// The index of the host whose turn it is.
   [[nodiscard]] std::size_t current() const { return current_; }
-  /// It has failed or was lost: the turn goes on. Returns the wait before the new one is dialled.
+  /// Call when the present host has failed or was lost: the next one has its turn. Returns the wait
+  /// before that is dialled.
   [[nodiscard]] Milliseconds next();
-  /// The connection was of use: earlier failures are forgotten.
+  /// Call when a connection was of use: earlier failures are forgotten.
   void worked();
 
  private:

@@ -147,7 +147,7 @@ bool Parent::floods(const std::string& what) {
   return true;
 }
 
-/// At the end of every call of the link: the last thing that is done with this object.
+/// Called at the end of every call from the link; nothing is done with this object afterwards.
 void Parent::settle() {
   if (!answers_.empty()) link_->write(std::exchange(answers_, {}));
   link_->wake_at(session_.deadline());

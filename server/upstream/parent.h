@@ -15,16 +15,16 @@
 
 namespace aucast::server {
 
-/// One connection to a parent, or from a publisher: the level-2 client that fills a RelayedStream.
-/// It answers every keyframe at once, for it always has room. It leaves a parent that breaks the
-/// protocol or does not fit.
+/// One connection to a parent or from a publisher: the level-2 client that fills a RelayedStream.
+/// It answers every keyframe at once, since it always has room. It leaves a parent that breaks the
+/// protocol, or whose stream does not continue the one that is here.
 /// Thread: that of the link.
 class Parent final : public link::LinkUser {
  public:
   struct Outcome {
-    bool in_order = false;  ///< {-2}: it has no more
+    bool in_order = false;  ///< {-2} came: the parent has no more
     std::string reason;     ///< a clause for the log
-    bool unfit = false;     ///< what it has does not go with what is here
+    bool unfit = false;     ///< its stream does not continue the one that is here
   };
   struct Events {
     std::function<void()> on_moved_on;  ///< the stream has something new
@@ -34,10 +34,10 @@ class Parent final : public link::LinkUser {
   struct Greeting {
     std::string token;   ///< empty: none
     std::string id;      ///< of this relay
-    bool takes = false;  ///< it came by itself, as a publisher
+    bool takes = false;  ///< the peer is a publisher, whose stream we take
   };
 
-  /// `stream` outlives it.
+  /// `stream` must outlive it.
   Parent(std::shared_ptr<link::Link> link, RelayedStream& stream, const Greeting& greeting,
          Events events);
   ~Parent() override;
@@ -45,7 +45,7 @@ class Parent final : public link::LinkUser {
   Parent& operator=(const Parent&) = delete;
 
   void start() { link_->start(*this); }
-  /// In place of start(), for a link that is already open.
+  /// Instead of start(), for a link that is already open.
   void take_over();
 
   [[nodiscard]] std::uint64_t keyframes() const { return session_.keyframes_received(); }
@@ -75,9 +75,9 @@ class Parent final : public link::LinkUser {
   RelayedStream& stream_;
   Events events_;
   protocol::ClientSession session_;
-  std::string packet_;  ///< what was read since the last whole packet
+  std::string packet_;  ///< the bytes read since the last whole packet
   std::string answers_;
-  bool moved_on_ = false;  ///< in the running call
+  bool moved_on_ = false;  ///< whether the running call changed the stream
   std::optional<Outcome> outcome_;
   Instant second_begin_{};
   std::uint32_t in_second_ = 0;

@@ -94,7 +94,7 @@ void Reception::on_moved_on() {
   events_.on_moment();
 }
 
-/// What a change of parents cost: nothing of a recorded stream, a hole in a live one.
+/// Logs what a change of parents cost: nothing of a recorded stream, a gap in a live one.
 void Reception::say_goes_on() {
   if (!ever_received_) {
     spdlog::info("{}: {}, from {}", name(), stream_.live() ? "live" : "recorded", peer_);

@@ -18,23 +18,24 @@
 
 namespace aucast::server {
 
-/// Dials the hosts of an address, one at a time and again for ever: the next one when one cannot be
-/// reached or is lost, after the waits of HostTurns, and says why in the log.
+/// Dials the hosts of an address one at a time, without end. When one cannot be reached or is lost,
+/// logs why and dials the next one, after the wait of HostTurns.
 /// Thread: that of the io_context, which must outlive it.
 class Redialler {
  public:
   struct Options {
     std::vector<protocol::Endpoint> hosts;  ///< at least one
-    std::optional<tls::Context> tls{};      ///< nothing: plain
-    bool secret = false;    ///< a token will be shown: only over TLS or to this host
-    int held_back_max = 0;  ///< of the links, as tcp_link() has it
-    std::function<bool()> ready = [] { return true; };  ///< while it says no, nobody is dialled
+    std::optional<tls::Context> tls{};      ///< nullopt: no TLS
+    bool secret = false;                    ///< see link::DialOptions
+    int held_back_max = 0;                  ///< see link::tcp_link()
+    /// While it returns false, no host is dialled.
+    std::function<bool()> ready = [] { return true; };
   };
   using OnLink = std::function<void(std::shared_ptr<link::Link>)>;
 
-  static constexpr Milliseconds kNotReady{500};  ///< how often it is asked whether it is ready
+  static constexpr Milliseconds kNotReady{500};  ///< the wait between two calls of `ready`
 
-  /// `name`: what the log calls it, asked whenever there is something to say.
+  /// `name` returns what the log calls it, and is called for each line.
   Redialler(asio::io_context& io, Options options, std::function<std::string()> name,
             OnLink on_link);
   ~Redialler() { stop(); }
@@ -43,14 +44,14 @@ class Redialler {
 
   void dial();
   void stop();
-  /// The connection was of use: what failed before is forgotten.
+  /// Call when a connection was of use: earlier failures are forgotten.
   void worked();
-  /// The connection is of no use, or no more: the next host is dialled, after a wait.
+  /// Call when a connection was refused or lost: the next host is dialled, after a wait.
   void failed(const std::string& reason);
-  /// Dials the same one again after that time.
+  /// Dials the same host again after this time.
   void again_in(Milliseconds wait);
 
-  /// HOST:PORT of the one whose turn it is.
+  /// HOST:PORT of the host whose turn it is.
   [[nodiscard]] std::string peer() const;
 
  private:
@@ -63,7 +64,7 @@ class Redialler {
   link::Dialler dialler_;
   asio::steady_timer timer_;
   bool stopped_ = false;
-  std::vector<std::string> reasons_;  ///< said last of each host
+  std::vector<std::string> reasons_;  ///< for each host, the reason that was last logged
 };
 
 }  // namespace aucast::server

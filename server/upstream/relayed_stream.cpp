@@ -24,10 +24,10 @@ const char* end_of(bool loop) {
   return loop ? "starts again at its end (--loop)" : "ends";
 }
 
-/// How many keyframes are kept between two looks at the memory that is left.
+/// After how many keyframes the free memory is checked again.
 constexpr std::size_t kKeptBetweenLooks = 4096;
 
-/// Those that take no time.
+/// How many keyframes of 0 ms are at the end.
 std::size_t keyframes_at_the_end(const protocol::EncodedStream& stream) {
   const auto takes_time = [](protocol::KeyframeTime time) { return time.count() > 0; };
   const auto last = std::find_if(stream.times.rbegin(), stream.times.rend(), takes_time);
@@ -89,7 +89,8 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
   return std::nullopt;
 }
 
-/// Nobody has been sent anything of a recording without keyframes: it may be another one.
+/// Forgets a recorded stream without keyframes: no client was sent any of it, so the next parent
+/// may have another one.
 void RelayedStream::forget_announced() {
   if (!recorded_ || shared_->known()) return;
   recorded_.reset();
@@ -182,7 +183,7 @@ void RelayedStream::show_recorded() {
   shared_->content = protocol::RecordedStream{recorded_, spoken_};
 }
 
-/// Asked before anything more of a recorded stream is kept.
+/// Called before more of a recorded stream is kept.
 std::optional<std::string> RelayedStream::no_room() {
   const std::uint64_t bytes =
       held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
@@ -195,7 +196,8 @@ std::optional<std::string> RelayedStream::no_room() {
   return may ? std::nullopt : std::optional(may.error().message);
 }
 
-/// What a parent sends again, because it sounds where it was asked to begin, is here already.
+/// Leaves out voice that is here already: a parent repeats the packet that is heard where it was
+/// asked to begin.
 std::optional<std::string> RelayedStream::add(const protocol::DeliverVoice& voice) {
   if (feed_) {
     feed_->add_voice({voice.packet.place + shift_, voice.packet.opus});

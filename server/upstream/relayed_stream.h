@@ -19,49 +19,51 @@
 
 namespace aucast::server {
 
-/// A stream as it comes from its parents, one after the other, and as it is served here: a recorded
-/// one is kept and grows, of a live one there is only the newest moment. Packets are passed on as
-/// they came; only forms that the parent did not send are made here. Voice and captions go with
-/// them. No socket and no clock. Thread: none of its own.
+/// A stream that comes from parents, one after the other, and is served here. A recorded one is
+/// kept and grows; of a live one there is only the newest moment. Packets are passed on as they
+/// came; only forms that the parent did not send are made here. Voice and captions are passed on
+/// too. No socket and no clock. Thread: none of its own.
 class RelayedStream {
  public:
   struct Options {
-    std::string name;  ///< what is asked for; empty: the parent's first
+    std::string name;  ///< the name to ask for; empty: the parent's first
     int classic_min = 20;
     Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
-    /// Whether so many bytes of a recorded stream may be held.
+    /// Called with how many bytes a recorded stream takes; fails if that is too much.
     std::function<Result<void>(std::uint64_t bytes)> may_hold;
   };
 
   explicit RelayedStream(Options options);
 
-  /// What the next parent is asked for: of a recorded stream, what is still missing.
+  /// The hello for the next parent: of a recorded stream, it asks for what is missing.
   [[nodiscard]] protocol::HelloAsked asked() const;
 
-  /// All that comes until the next call came together: clients get as much of it as they can take.
+  /// Everything until the next begin_call() came together: clients get as much of it as they can
+  /// take.
   void begin_call();
 
-  // What a parent says. Each returns what is wrong with it, if anything: then nothing was changed,
-  // and this parent is of no use.
+  // What comes from a parent. Each returns nullopt, or what is wrong with it: then nothing was
+  // changed, and this parent is to be left.
 
   [[nodiscard]] std::optional<std::string> begin(const protocol::HelloGranted& hello);
-  /// `packet`: the bytes of the keyframe as they came.
+  /// `packet`: the keyframe's bytes as they came.
   [[nodiscard]] std::optional<std::string> add(const protocol::DeliverKeyframe& keyframe,
                                                std::string_view packet);
   [[nodiscard]] std::optional<std::string> add(const protocol::DeliverVoice& voice);
   [[nodiscard]] std::optional<std::string> add(const protocol::DeliverCaption& caption);
-  /// {-2}. A live stream may go on with the next parent.
+  /// {-2} has come. A live stream may go on with the next parent.
   [[nodiscard]] std::optional<std::string> end();
 
-  /// Nobody sends it any more: its clients are told so. It goes on when somebody sends it again.
+  /// Ends the stream for its clients, since nobody sends it. It goes on when somebody sends it
+  /// again.
   void give_up();
 
-  /// What sessions hold.
+  /// The stream as the sessions use it.
   [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> shared() const { return shared_; }
   [[nodiscard]] bool live() const { return feed_ != nullptr; }
-  /// A recorded stream is here to its end: nothing is asked for any more.
+  /// Whether it is a recorded stream that is here to its end, so that nothing is missing.
   [[nodiscard]] bool whole() const;
-  /// How far a recorded stream has come.
+  /// How much of a recorded stream is here.
   [[nodiscard]] Milliseconds place() const { return Milliseconds(place_ms_); }
 
  private:
@@ -75,9 +77,9 @@ class RelayedStream {
 
   Options options_;
   std::shared_ptr<protocol::UpstreamStream> shared_;
-  std::shared_ptr<protocol::LiveFeed> feed_;           ///< of a live stream
-  std::shared_ptr<protocol::EncodedStream> recorded_;  ///< of a recorded one
-  bool changes_ = false;  ///< of a recorded one the changes-only form is kept too
+  std::shared_ptr<protocol::LiveFeed> feed_;           ///< of a live stream; else null
+  std::shared_ptr<protocol::EncodedStream> recorded_;  ///< of a recorded stream; else null
+  bool changes_ = false;  ///< the changes-only form of a recorded stream is kept too
   std::uint64_t place_ms_ = 0;
   std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that the parent may begin with, and are here
   std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< of a recorded stream; null: it has none

@@ -5,8 +5,8 @@
 
 namespace aucast::server {
 
-/// A stream of another server as a source, whichever way it comes: one Reception, and what makes
-/// the connections for it.
+/// A stream of another server as a source: one Reception, and whatever makes the connections for
+/// it.
 /// Thread: that of the reception.
 class Upstream {
  public:
@@ -17,7 +17,7 @@ class Upstream {
 
   [[nodiscard]] virtual Result<void> start() = 0;
   virtual void stop() = 0;
-  /// What has come, under the name that the address gives it, if any.
+  /// The Reception of its stream.
   [[nodiscard]] virtual const Reception& reception() const = 0;
   /// Adds its state.
   virtual void describe(Status& status) const { status.upstreams.push_back(reception().status()); }

@@ -11,24 +11,25 @@
 
 namespace aucast::server {
 
-/// The files of the same name beside a stream file or a recording that belong to it, as subtitles
+/// The files of the same name beside a stream file or a recording, which belong to it as subtitles
 /// belong to a film.
 struct Companions {
   std::optional<std::filesystem::path> sound;
   std::optional<std::filesystem::path> captions;
 };
 
-/// Of several sound files the first of .wav, .flac, .opus, .ogg, .mp3; captions are .vtt.
+/// Looks for the companions of a source. Of several sound files it takes the first of
+/// kSoundEndings; captions are .vtt.
 [[nodiscard]] Companions companions_of(const std::filesystem::path& source);
 
-/// The companions as they are served.
+/// The content of the companions.
 struct Accompaniment {
   std::optional<VoiceFile> voice;
   std::vector<protocol::CaptionData> captions;
 };
 
-/// Looks for the companions of a source and reads the captions. `first`: --voice applies. Errors
-/// of find_voice_file(), read_file() and parse_webvtt().
+/// Looks for the companions of a source and reads the captions. `first`: it is the first source, to
+/// which --voice applies. Errors are those of find_voice_file(), read_file() and parse_webvtt().
 [[nodiscard]] Result<Accompaniment> accompaniment_of(const std::filesystem::path& source,
                                                      const VoiceOptions& options, bool first);
 

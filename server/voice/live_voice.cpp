@@ -13,7 +13,7 @@ constexpr Milliseconds kOffMax{80};
 /// ... and in a pause, which is a silence of at least kPause.
 constexpr Milliseconds kOffInPause{5};
 constexpr Milliseconds kPause{120};
-/// A longer hole is left open, a shorter one is filled with silence.
+/// A hole of at least this length is left open; a shorter one is filled with silence.
 constexpr Milliseconds kHole{1000};
 
 }  // namespace
@@ -48,8 +48,8 @@ std::vector<float> LiveVoice::samples_of(std::string_view bytes) {
   return samples;
 }
 
-/// Brings the encoder to where the sound belongs that comes next. How many samples of it are to be
-/// left out for that.
+/// Moves the encoder to `target`, where the next `count` samples belong. Returns how many of them
+/// are to be left out for that.
 std::size_t LiveVoice::steer(Milliseconds target, std::size_t count,
                              std::vector<protocol::VoicePacket>& packets) {
   const Milliseconds off = target - encoder_.end();

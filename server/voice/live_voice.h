@@ -12,24 +12,24 @@
 
 namespace aucast::server {
 
-/// Sound that comes while a live face does, as packets on the clock of the face's stream. When the
-/// sound began is taken from the arrival of its samples, and when the face's clock began from the
-/// arrival of its keyframes, each smoothed by a SlowLine. Where the two clocks drift apart, pauses
-/// get longer or shorter.
+/// Encodes sound that comes together with a live face, as packets on the clock of the face's
+/// stream. When the sound began is found from the arrival of its samples, and when the face's clock
+/// began from the arrival of its keyframes, each smoothed by a SlowLine. Where the two clocks drift
+/// apart, pauses get longer or shorter.
 /// Thread: none of its own.
 class LiveVoice {
  public:
-  /// `delay`: by how much the sound is played later, because the face is later by as much.
+  /// `delay`: by how much the sound is played later, to match a face that is late.
   LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay);
 
   /// A keyframe that ends at `end` on the stream's clock was made now.
   void add_keyframe(Milliseconds end, SteadySeconds now);
-  /// The stream ended and begins anew with the next keyframe.
+  /// The stream has ended, and begins anew with the next keyframe.
   void end_face() { face_.forget(); }
-  /// 16-bit signed little-endian samples, mono at kEncoderRate. Before the first keyframe they have
-  /// no place and are dropped.
+  /// Takes samples, 16-bit signed little-endian, mono at kEncoderRate, and returns the packets that
+  /// they complete. Samples before the first keyframe have no place and are dropped.
   [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, SteadySeconds now);
-  /// The writer has gone: what comes next does not continue what came. Returns the packets of the
+  /// The writer has gone: the next samples do not continue the last. Returns the packets of the
   /// rest.
   [[nodiscard]] std::vector<protocol::VoicePacket> end_sound();
 
@@ -42,10 +42,10 @@ class LiveVoice {
   Milliseconds delay_;
   SlowLine face_;
   SlowLine sound_;
-  std::uint64_t samples_ = 0;  ///< that came, since sound_ began
-  std::string half_;           ///< of a sample: its first byte
+  std::uint64_t samples_ = 0;  ///< how many came since sound_ began
+  std::string half_;           ///< the first byte of a sample whose second has not come
   bool placed_ = false;        ///< the encoder's place is that of the sound
-  Milliseconds silent_{0};     ///< how long no packet has been made
+  Milliseconds silent_{0};     ///< how long there has been no packet
 };
 
 }  // namespace aucast::server

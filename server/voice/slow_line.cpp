@@ -5,7 +5,8 @@
 namespace aucast::server {
 namespace {
 
-/// Crystals differ by 100 millionths; ten times that lets the line find its way back up.
+/// How far the line rises per second. Clocks differ by 100 millionths; ten times that lets it
+/// correct an arrival that was too early.
 constexpr double kRise = 1e-3;
 /// Being kLate late for kLateTime, both in seconds, is no jitter.
 constexpr double kLate = 0.3;

@@ -14,7 +14,7 @@
 namespace aucast::server {
 namespace {
 
-/// Read in one go: a hundredth of a second's work.
+/// How many samples are read at a time; encoding them takes a hundredth of a second.
 constexpr std::size_t kSamplesAtOnce = 2 * voice::kEncoderRate;
 
 Error with_remedy(Error error) {
@@ -76,7 +76,7 @@ std::uint32_t voice_kbits(const voice::VoiceSettings& settings) {
 
 Result<std::uint32_t> face_kbits(std::uint32_t max_kbits, const voice::VoiceSettings& settings,
                                  const std::filesystem::path& source) {
-  /// Below this a face is a slide show.
+  /// With less than this a face is a slide show.
   constexpr std::uint32_t kFaceKbitsLeast = 2;
   if (max_kbits == 0) return 0U;
   const std::uint32_t voice = voice_kbits(settings);

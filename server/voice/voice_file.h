@@ -12,11 +12,11 @@
 
 namespace aucast::server {
 
-/// A sound file as it was when it was looked at. Equal ones hold the same sound.
+/// A sound file as it was when it was checked. If two are equal, their sound is the same.
 struct VoiceFile {
   std::filesystem::path path;
   Milliseconds begin{0};     ///< place of its first sample on the stream's clock; may be negative
-  Milliseconds duration{0};  ///< as its own header has it
+  Milliseconds duration{0};  ///< as the file's header says
   std::uint64_t device = 0;
   std::uint64_t inode = 0;
   std::int64_t bytes = 0;
@@ -24,23 +24,23 @@ struct VoiceFile {
   friend bool operator==(const VoiceFile&, const VoiceFile&) = default;
 };
 
-/// Looks at a sound file without reading its sound. Unreadable or BadData, with the remedy, when
-/// it is none.
+/// Checks a sound file without reading its sound. Unreadable or BadData, with the remedy, when it
+/// is none.
 [[nodiscard]] Result<VoiceFile> find_voice_file(const std::filesystem::path& path,
                                                 Milliseconds begin);
 
-/// Reads a sound file and encodes it, piece by piece. What lies before the stream's beginning is
-/// left out. Thread: none of its own.
+/// Reads a sound file and encodes it, piece by piece. Sound before the stream's beginning is left
+/// out. Thread: none of its own.
 class VoiceReader {
  public:
   [[nodiscard]] static Result<VoiceReader> open(const VoiceFile& file,
                                                 const voice::VoiceSettings& settings);
 
-  /// Appends the packets of the next second or two; false: that was the last one.
+  /// Appends the packets of the next second or two; false: these were the last.
   [[nodiscard]] bool read(std::vector<protocol::VoicePacket>& packets);
   /// How far the sound has been read, on the stream's clock.
   [[nodiscard]] Milliseconds end() const { return end_; }
-  /// SoundFile's.
+  /// As SoundFile::complaint().
   [[nodiscard]] std::string complaint() const { return sound_.complaint(); }
 
  private:
@@ -53,12 +53,12 @@ class VoiceReader {
   Milliseconds end_{0};
 };
 
-/// Kilobits a second that the voice should take on the wire at its rate, with base64 and the
+/// How many kilobits a second the voice takes on the wire at its rate, including base64 and the
 /// characters around it, without the headers of TCP and IP.
 [[nodiscard]] std::uint32_t voice_kbits(const voice::VoiceSettings& settings);
 
-/// Kilobits a second of `max_kbits` that are left to a face beside its voice; 0, which means any,
-/// is left at that. Usage error, with the remedy, when it is next to nothing. `source`: whose face.
+/// How many of `max_kbits` are left for a face beside its voice; 0 (no limit) for 0. Usage error,
+/// with the remedy, when that is too little. `source`, for the message: whose face it is.
 [[nodiscard]] Result<std::uint32_t> face_kbits(std::uint32_t max_kbits,
                                                const voice::VoiceSettings& settings,
                                                const std::filesystem::path& source);

@@ -11,29 +11,29 @@
 
 namespace aucast::server {
 
-/// A stretch without a sound that is sent.
+/// A time during which no sound is sent.
 struct Silence {
   Milliseconds begin{0};
   Milliseconds end{0};
   friend bool operator==(const Silence&, const Silence&) = default;
 };
 
-/// What --check and --estimate say of a voice, from its sound as it is sent.
+/// What --check and --estimate report about a voice.
 struct VoiceSummary {
   std::vector<protocol::VoicePacket> packets;
-  Milliseconds end{0};  ///< of what could be read, on the stream's clock
-  /// Those of kSilenceLeast and more, also at the beginning and at the end.
+  Milliseconds end{0};  ///< where the sound that could be read ends, on the stream's clock
+  /// Silences of at least kSilenceLeast, also at the beginning and at the end.
   std::vector<Silence> silences;
 };
 
-/// A pause that a speaker makes is shorter.
+/// A speaker's pauses are shorter than this.
 inline constexpr Milliseconds kSilenceLeast{3000};
 
-/// Reads and encodes the whole file: a minute of it takes about a second.
+/// Reads and encodes the whole file, which takes about a second for each minute of sound.
 [[nodiscard]] Result<VoiceSummary> summarise_voice(const VoiceFile& file,
                                                    const voice::VoiceSettings& settings);
 
-/// What each packet takes on the wire, to a client that gets all of them.
+/// How many bytes each packet takes on the wire, for a client that gets all of them.
 [[nodiscard]] std::vector<std::size_t> wire_sizes(
     const std::vector<protocol::VoicePacket>& packets);
 

@@ -12,9 +12,10 @@
 namespace aucast::server {
 namespace {
 
-/// What is read of a file before the next one's turn, in VoiceReader::read()s of two seconds.
+/// How much of a file is read before the next one's turn, in calls of VoiceReader::read(), which
+/// are two seconds each.
 constexpr int kReadsInTurn = 10;
-/// Serving comes first: who is served waits for no encoder.
+/// Serving comes first: no client waits for the encoder.
 constexpr int kNiceness = 10;
 
 }  // namespace

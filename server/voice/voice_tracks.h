@@ -18,30 +18,30 @@
 
 namespace aucast::server {
 
-/// The voices of the streams that are served: each sound file is encoded once, in the background,
-/// some seconds of each in turn, so that every voice begins soon and no client waits.
+/// Encodes the voices of the streams that are served: each sound file once, in the background. The
+/// files take turns, some seconds at a time, so that every voice begins soon and no client waits.
 /// Thread: that of the io_context, which must outlive it; the thread that encodes is its own.
 class VoiceTracks {
  public:
-  /// `on_grown`: a track has grown.
+  /// `on_grown` is called when a track has grown.
   VoiceTracks(asio::io_context& io, const voice::VoiceSettings& settings,
               std::function<void()> on_grown);
-  /// Waits for the piece that is being read from the disk just now.
+  /// Waits until the piece that is being read has been read.
   ~VoiceTracks();
   VoiceTracks(const VoiceTracks&) = delete;
   VoiceTracks& operator=(const VoiceTracks&) = delete;
 
-  /// The voice of a file, which grows from now on. As long as anybody holds it, an equal file gets
-  /// the same voice.
+  /// The voice of a file, which grows from now on. As long as it is in use, an equal file gets the
+  /// same voice.
   [[nodiscard]] std::shared_ptr<const protocol::EncodedTrack> track_of(const VoiceFile& file);
-  /// Nothing more is encoded but the piece of two seconds that is being read.
+  /// Encodes no more, except for the piece of two seconds that is being read.
   void stop();
 
  private:
   struct Job {
     VoiceFile file;
     std::weak_ptr<protocol::EncodedTrack> track;
-    std::optional<VoiceReader> reader;  ///< opened when its turn has come
+    std::optional<VoiceReader> reader;  ///< nullopt: its first turn has not come
   };
 
   struct Jobs {

@@ -18,19 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// More than a page with all its faces takes; a folder that holds more is not one.
+/// More than a page with all its faces takes; a larger folder is no page.
 constexpr std::size_t kFileBytesMax = std::size_t{64} << 20U;
 constexpr std::size_t kFilesMax = 2000;
 
-/// Nothing from anywhere else runs here or is shown; `wasm-unsafe-eval` allows WebAssembly alone.
-/// A page may be hosted apart from its server, so it may connect to any WebSocket.
+/// Nothing from other sites may run or be shown; `wasm-unsafe-eval` allows only WebAssembly. A page
+/// may be hosted apart from its server, so it may connect to any WebSocket.
 constexpr const char* kContentSecurityPolicy =
     "Content-Security-Policy: default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; "
     "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self'; "
     "media-src 'self' blob:; worker-src 'self' blob:; connect-src 'self' ws: wss:; "
     "manifest-src 'self'; base-uri 'none'; form-action 'none'";
 
-/// Quotes and half a SHA-256.
+/// An ETag: half a SHA-256 in quotes.
 std::string tag_of(std::string_view bytes) {
   constexpr std::size_t kTagBytes = 16;
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -70,7 +70,7 @@ Result<std::vector<std::string>> paths_below(const fs::path& folder) {
   return paths;
 }
 
-/// If-None-Match: the asker has what carries this tag.
+/// If-None-Match: whether the client has the file with this tag.
 bool is_known(std::string_view tags, std::string_view tag) {
   const std::vector<std::string_view> parts = split(tags, ',');
   return std::any_of(parts.begin(), parts.end(), [tag](std::string_view part) {

@@ -16,16 +16,16 @@ namespace aucast::server {
 class PageFiles {
  public:
   /// Reads all regular files below `folder` except those whose names begin with a dot; NAME.gz
-  /// beside NAME is the same file compressed. No folder: no files. Unreadable naming the file and
-  /// the cause.
+  /// beside NAME is the same file compressed. If the folder does not exist, there are no files.
+  /// Unreadable, naming the file and the cause.
   [[nodiscard]] static Result<PageFiles> read(const std::filesystem::path& folder);
 
-  /// There is a page, for which "/" stands.
+  /// Whether there is a page, /index.html, which is also the reply to "/".
   [[nodiscard]] bool has_page() const { return files_.contains("/index.html"); }
   [[nodiscard]] std::size_t size() const { return files_.size(); }
 
-  /// What a request for one of them gets: the file, compressed if that is accepted, or 304 if the
-  /// asker has it; else 404.
+  /// The reply to a request: the file, compressed if the client accepts that; 304 if the client has
+  /// it already; 404 if there is no such file.
   [[nodiscard]] SharedReply reply(const web::HttpRequest& request) const;
 
  private:
@@ -40,7 +40,7 @@ class PageFiles {
   std::map<std::string, File, std::less<>> files_;  ///< by path: "/index.html"
 };
 
-/// Content-Type by a file's extension.
+/// The Content-Type for a file's extension.
 [[nodiscard]] std::string content_type(const std::filesystem::path& file);
 
 }  // namespace aucast::server

@@ -108,7 +108,7 @@ std::shared_ptr<link::Link> WebServer::link_of(tcp::socket socket) const {
                              false));
 }
 
-/// What this server answers for beside addresses and localhost.
+/// The names under which this server answers, besides addresses and localhost.
 std::vector<std::string> WebServer::names() const {
   std::vector<std::string> names = options_.hosts;
   names.push_back(options_.address->address);

@@ -22,36 +22,37 @@
 
 namespace aucast::server {
 
-/// --web: gives the page's files, and makes a WebSocket of a request for /aucast, on the loop that
-/// serves the clients. One request per connection. Bounded: kWebConnectionsMax connections that are
-/// no WebSocket, each with kHttpTimeMax and kWebHeadBytesMax for its request, and kWebStallTimeMax
-/// in which the client must take some of the file; one more closes the oldest, but first those that
-/// have sent no request.
+/// The server of --web: sends the page's files, and turns a request for /aucast into a WebSocket,
+/// on the event loop that serves the clients. One request per connection. There are at most
+/// kWebConnectionsMax connections that are no WebSocket (HttpExchanges), each with kHttpTimeMax and
+/// kWebHeadBytesMax for its request, and kWebStallTimeMax in which the client must take some of the
+/// file.
 /// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
 class WebServer {
  public:
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
 
-  /// What it asks the transmitter.
+  /// What it asks of the transmitter.
   struct Hooks {
-    /// The present certificate; nullopt: plain connections.
+    /// The present certificate; nullopt: no TLS.
     std::function<const std::optional<tls::Context>&()> tls;
-    /// What the system may hold back unsent for one client; 0: as much as it likes.
+    /// The `held_back_max` for link::tcp_link(), for each client.
     std::function<int()> held_back_max;
-    /// A WebSocket has come in. Opens the link, unless there is no room even to say so.
+    /// A WebSocket has come in. The callee calls `open_link`, unless there is no room even for a
+    /// refusal.
     std::function<void(const asio::ip::tcp::endpoint& peer, const OpenLink& open_link)> welcome;
   };
 
-  /// `options`, with an address, must outlive it.
+  /// `options`, which must have an address, must outlive it.
   WebServer(asio::io_context& io, const WebOptions& options, Hooks hooks);
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
   /// Reads the page and listens; a missing page is logged. Unreadable, or Network error naming
-  /// address, cause and what to do.
+  /// address, cause and remedy. `shared`: the port is shared with other processes.
   [[nodiscard]] Result<void> open(bool shared);
   void start();
-  /// Nobody is accepted any more.
+  /// Accepts no more connections.
   void stop() { listener_.stop(); }
 
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return listener_.endpoint(); }
