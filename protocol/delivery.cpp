@@ -164,7 +164,7 @@ void Delivery::send_recorded(std::string& out) {
     if (sends_spoken()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];
       if (!spoken_may_reach(end)) return;
-      const bool turns = loop_ && next_packet_ + 1 == packets().size();
+      const bool turns = in_loop() && next_packet_ + 1 == packets().size();
       send_spoken(end, turns ? end : Milliseconds::max(), out);
       sent_to_ = end;
     }

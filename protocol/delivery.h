@@ -79,7 +79,9 @@ class Delivery {
  private:
   [[nodiscard]] const EncodedStream& recorded() const;
   [[nodiscard]] const SpokenTrack* spoken() const { return stream_.recorded()->spoken.get(); }
-  [[nodiscard]] bool loops() const { return !one_turn_ && (loop_ || stream_.loops_there()); }
+  /// Whether the first keyframe follows the last, here or at a client that repeats its one turn.
+  [[nodiscard]] bool in_loop() const { return loop_ || stream_.loops_there(); }
+  [[nodiscard]] bool loops() const { return !one_turn_ && in_loop(); }
   [[nodiscard]] const PacketList& packets() const;
   [[nodiscard]] std::string_view packet_of(const LiveMoment& moment, bool full) const;
   [[nodiscard]] std::size_t window_for(int asked) const;

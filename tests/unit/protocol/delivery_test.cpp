@@ -79,6 +79,19 @@ TEST_F(VoiceInTheMaking, InALoopTheEndOfATurnCostsNothingOfTheNext) {
   EXPECT_EQ(pump(), "{a@0 WAE}" + turn + "{a@300 WAE}" + turn + "{a@600 WAE}{1;100}{1;100}");
 }
 
+TEST_F(VoiceInTheMaking, ALoopOfAnotherServerIsCutLikeOnesOwn) {
+  auto upstream = std::make_shared<UpstreamStream>();
+  upstream->content = std::get<RecordedStream>(stream_.kind);
+  upstream->loop = true;
+  stream_ = ServedStream("talk", std::move(upstream));
+  deliver(false);
+  track_->add({0ms, kOpus60});
+  track_->add({270ms, kOpus60});
+  track_->finish();
+  const std::string turn = "{1;100}{1;100}{1;100}";
+  EXPECT_EQ(pump(), "{a@0 WAE}" + turn + "{a@300 WAE}" + turn + "{a@600 WAE}{1;100}{1;100}");
+}
+
 TEST_F(VoiceInTheMaking, NothingSoundsDuringAPause) {
   track_->add({0ms, kOpus60});
   track_->finish();
