@@ -26,7 +26,7 @@ constexpr Arch kUpperArch{1,
                           -1.63,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.86, .815, .825, .75, .69, .61, .52}};
+                          {.86, .81, .83, .75, .69, .61, .52}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
@@ -75,12 +75,12 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr double kLostBetweenTeeth = 0.30;
+constexpr double kLostBetweenTeeth = 0.38;
 
 /// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
 Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
   Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) *
-           (1 - 0.05 * static_cast<double>(tooth)) * (1 - kLostBetweenTeeth * power(across, 6));
+           (1 - 0.05 * static_cast<double>(tooth)) * (1 - kLostBetweenTeeth * power(across, 5));
   // The edge is thin: what shows through is the dark of the mouth.
   c *= 1 - 0.08 * smooth_step(0.82, 1.0, to_tip);
   return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
@@ -143,7 +143,10 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double depth = behind * of_crown(kThickness, tooth, u);
       Vec3 p = base + out * (bulge + edge - depth + lean * v);
       const double height = of_crown(arch.heights, tooth, u);
-      const double toward_bite = height * v - 0.02 * power(across, 6) * v * v;
+      // Their corners are round, most those away from the middle; a deep notch between the first
+      // two would be a black dot.
+      const double notch = (molar || u < 0.5 ? 0.015 : 0.04) * power(across, 5) * v * v;
+      const double toward_bite = height * v - notch;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       const double in_shade = smooth_step(0.0, 0.16, behind);
@@ -226,11 +229,11 @@ void shade_teeth(Part& teeth, const Arch& arch) {
 void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
-    vertex.occlusion = mix(0.05, 0.62, smooth_step(4.9, 7.1, p.z));
-    vertex.gloss = mix(0.1, 0.8, smooth_step(6.0, 7.3, p.z));
-    vertex.colour *= mix(0.14, 1.45, smooth_step(4.0, 7.0, p.z)) *
-                     mix(0.45, 1.0, smooth_step(1.30, 0.65, std::abs(p.x))) *
-                     (1 - 0.22 * bell(p.x, 0.13));
+    vertex.occlusion = mix(0.12, 0.74, smooth_step(5.0, 7.0, p.z));
+    vertex.gloss = mix(0.1, 1.6, smooth_step(5.9, 7.0, p.z));
+    vertex.colour *= mix(0.20, 1.75, smooth_step(4.4, 6.9, p.z)) *
+                     mix(0.45, 1.0, smooth_step(1.30, 0.55, std::abs(p.x))) *
+                     (1 - 0.10 * bell(p.x, 0.20) * smooth_step(7.2, 6.4, p.z));
   }
 }
 
@@ -316,17 +319,17 @@ Part make_tongue() {
     const double b = kPi * j / kAlong;  // tip to root
     const double z = 5.40 + 1.95 * std::cos(b);
     const double width = 1.34 * power(std::sin(b), 0.62) * (1 - 0.16 * std::cos(b));
-    // Low in front, so that it fits between the lips; its back is a dome.
-    const double height = power(std::sin(b), 0.6) * mix(0.72, 0.24, smooth_step(4.6, 7.1, z));
+    // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
+    const double height = power(std::sin(b), 0.6) * mix(0.55, 0.24, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;
       const double x = width * std::cos(a);
-      const double round = std::sin(a) > 0 ? power(std::sin(a), 1.4) : std::sin(a);
+      const double round = std::sin(a) > 0 ? power(std::sin(a), 1.25) : std::sin(a);
       double y = -3.05 + height * round - 0.10 * std::cos(b);
       if (std::sin(a) > 0) {
         // The groove ends before the root, or its silhouette is two humps.
-        y -= 0.11 * bell(x, 0.20) * std::sin(b) * smooth_step(4.4, 6.0, z);
+        y -= 0.05 * bell(x, 0.26) * std::sin(b) * smooth_step(4.4, 6.0, z);
       }
       y -= 0.0216 * (z - 5.5) * (z - 5.5);
       ring.push_back(tongue.add({x, y, z}, kTongue));
@@ -370,7 +373,7 @@ Part make_mouth_bag(const Skin& skin) {
       if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront * mix(0.7, 1.5, place.corner), kMouthBack,
+      const Vec3 colour = mix(kMouthFront * mix(0.7, 0.9, place.corner), kMouthBack,
                               smooth_step(0.05, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();

@@ -77,6 +77,8 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
     c = mix(kLipInside * 0.95, kMouthFront * 0.5, inwards * mix(0.7, 0.5, to_corner));
+    // Lit, the corners' insides would hang as curtains before the dark.
+    c *= 1 - 0.55 * smooth_step(0.75, 0.95, to_corner);
   }
   vertex.colour = c;
   vertex.gloss = border ? 1.0 : 1.8;

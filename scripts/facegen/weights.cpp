@@ -88,7 +88,7 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
 /// From 0 in the middle of a lip to 1 in the corner of the mouth along an ellipse, so that the jaw
 /// opens an oval: powers gave a box or a rhombus.
 double towards_corner(double t) {
-  constexpr double kFull = 0.84;  // 1 would tear the corner
+  constexpr double kFull = 0.89;  // 1 would tear the corner
   return (1 - std::sqrt(1 - kFull * t * t)) / (1 - std::sqrt(1 - kFull));
 }
 
