@@ -117,9 +117,13 @@ std::string help_text(const CommandPage& page) {
   }
   text += std::string(page.about);
   std::string options;
+  std::string_view heading;
   for (const OptionRow& row : page.rows) {
-    if (!row.heading.empty()) options += "\n" + std::string(row.heading) + ":\n";
-    if (!row.text.empty()) options += help_line(row);
+    if (!row.heading.empty()) heading = row.heading;
+    if (row.text.empty()) continue;
+    if (!heading.empty()) options += "\n" + std::string(heading) + ":\n";
+    heading = {};
+    options += help_line(row);
   }
   text += (options.starts_with('\n') ? "" : "\n") + options;
   if (!page.notes.empty()) text += "\n" + std::string(page.notes);

@@ -143,61 +143,6 @@ Complaint read_live_delay(const std::string& word, playback::BufferOptions& buff
   return whole(buffers.live_delay, 0, kDelayMaxMs).read(word);
 }
 
-std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
-  playback::BufferOptions& buffers = playback.buffers;
-  net::SecurityOptions& security = playback.security;
-  return {
-      {"buffer", "N", "100", "Receiver buffer: N sets, a time as 300ms, auto (100)",
-       "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
-       "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
-       parsed(Kind::Word, read_buffer, buffers), "Receiving"},
-      {"playout", "N", "30", "Playout buffer, in sets (30)",
-       "Capacity of the Playout buffer, in sets; no larger than --buffer.",
-       whole(buffers.playout_capacity, 1, playback::BufferOptions::kSetsMax)},
-      {"threshold", "PERCENT", "40", "how full it must be before playback starts (40)",
-       "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
-       whole(buffers.threshold_percent, 1, 100)},
-      {"live", "", "", "the lowest delay of a live stream that is possible",
-       "The lowest delay of a live stream that the link allows, at the risk of stalls.",
-       flag(buffers.low_delay)},
-      {"live-delay", "MS", "", "a fixed delay of live streams",
-       "A fixed delay of live streams, up to 60000 ms. Without it the delay adapts to the "
-       "link.",
-       parsed(Kind::Number, read_live_delay, buffers)},
-      {"hold", "S", "5", "return to neutral after a stall of S seconds (5)", "",
-       seconds(playback.hold, 0, kSecondsMax, "is not a number of seconds from 0 to 86400")},
-      {"stream", "NAME", "", "which of the server's streams (its first)",
-       "Which of the server's streams; its first one by default.", word(playback.stream)},
-      {"protocol", "LEVEL", "auto", "auto or classic (auto)",
-       "classic never sends a hello: for servers that know only level 1.",
-       one_of(playback.classic, {{"auto", false}, {"classic", true}})},
-      {"connect-timeout", "S", "10", "give up connecting after S seconds (10)",
-       "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
-       seconds(playback.connect_timeout, 0.01, kSecondsMax,
-               "is not a number of seconds from 0.01 to 86400")},
-      {"reconnect", "", "", "when the connection is lost, hold the face and retry",
-       "When the connection is lost, hold the face and retry after 1, 2, 4, 8, 16, 30, 30 "
-       "... seconds.",
-       flag(playback.reconnect)},
-      {"tls", "", "", "use TLS", "Encrypt the connection and verify the server's certificate.",
-       flag(security.tls), "TLS and tokens"},
-      {"tls-ca", "FILE", "", "CAs to trust",
-       "Trust the authorities in FILE (PEM) and not the system's.",
-       word(security.files.authorities)},
-      {"tls-cert", "FILE", "", "certificate to show, if the server wants one",
-       "The certificate to present if the server requires one (PEM).",
-       word(security.files.certificate)},
-      {"tls-key", "FILE", "", "the private key of --tls-cert", "", word(security.files.key)},
-      {"token-file", "FILE", "", "token to show to the server",
-       "The file with the token that the server requires. It is sent over TLS, to this "
-       "computer, or with --insecure-token.",
-       word(security.token)},
-      {"insecure-token", "", "", "show it without TLS too",
-       "Send the token without TLS to other computers too: anyone on the path can read it.",
-       flag(security.insecure_token)},
-  };
-}
-
 std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
       {"face", "NAME", "default", "name of a face, or its folder (default)",
@@ -230,7 +175,7 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
        "Between keyframes: linear or cosine.",
        one_of<Interpolation>(playback.interpolation, {{"linear", Interpolation::Linear},
                                                       {"cosine", Interpolation::Cosine}})},
-      {"blink", "SEED[:MS[:MS]]", "", "blinks: mean interval, closing time (4000:100)",
+      {"blink", "SEED[:MS[:MS]]", "", "random blinks: every, closing in ms (4000:100)",
        "Adds blinks: a seed for their random times, the mean interval (4000) and the time "
        "that the lids take to close (100), in ms.",
        parsed(Kind::Word, read_blink, playback.blink)},
@@ -261,11 +206,12 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
       {"volume", "N", "100", "0 to 100 percent (100)",
        "How loud the sound is, 0 to 100 percent of how it comes.", whole(sound.volume, 0, 100),
        "Sound"},
-      {"mute", "", "", "play silence", "Plays silence; nothing else changes.", flag(sound.mute)},
+      {"mute", "", "", "receive the sound, but play silence",
+       "Plays silence; nothing else changes.", flag(sound.mute)},
       {"sound", "FILE.wav", "", "write the sound to a file",
        "Writes the sound to a WAV file, as long as the stream, and does not wait for the clock.",
        word(sound.file)},
-      {"no-sound", "", "", "no sound at all",
+      {"no-sound", "", "", "do not ask for sound; videos are silent",
        "Plays no sound, and asks the server for none. Videos of --record are silent.",
        flag(sound.none)},
       {"sound-device", "NAME", "", "device to play on",
@@ -280,7 +226,7 @@ OptionRow fps_row(OutputOptions& output) {
       "fps",
       "N",
       "",
-      "pictures a second of a video, of frames, of a GLB",
+      "frame rate of --record, --frames and GLB files",
       "Pictures a second, 1 to 240. In the window: of GLB files, and what , and . step by (25).",
       whole(output.fps, 1, view::kVideoFpsMax)};
 }
@@ -288,7 +234,7 @@ OptionRow fps_row(OutputOptions& output) {
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
-      {"frames", "DIR", "", "write DIR/frame_000001.png ..., 50 a keyframe",
+      {"frames", "DIR", "", "write PNGs to DIR: 50 for each keyframe, or --fps",
        "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
        word(output.frames)},
       {"record", "FILE", "", "write a video: .mp4, .webm or .gif",
@@ -306,7 +252,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        flag(output.fast)},
       {"stats", "FILE.json", "", "write statistics at exit",
        "Writes statistics of buffers, delays and frames at exit.", word(output.stats)},
-      {"onsets", "FILE.csv", "", "write when each face was on the display",
+      {"onsets", "FILE.csv", "", "write the time at which each face was shown",
        "Writes when each face was on the display (CLOCK_MONOTONIC, s), its keyframe and its AUs: "
        "for the clock of an experiment. Only with the window.",
        word(output.onsets)},
@@ -414,44 +360,62 @@ std::vector<OptionRow> export_rows(PlayerOptions& options) {
   return rows;
 }
 
-constexpr std::string_view kLayers =
-    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags.
-)";
-
-constexpr std::string_view kLayersAndSections =
-    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags.
-Sections: aus (A to E, both sides and each alone), prototypes, combinations
-(pairs of basic expressions), appendix-a, appendix-b (the thesis'), sweeps,
-coverage.
-)";
-
-void describe_rules(CommandPage& page) {
-  page.command = "rules";
-  page.usage = {"face-player rules AUS [OPTIONS]"};
-  page.about =
-      "Prints what the co-occurrence rules make of a set of AUs.\n"
-      "In parentheses: defaults.\n";
-  page.examples = {"face-player rules 51,52:40",
-                   "face-player rules 1,2,5,15,16,20,26 --rules kumar2010 --explain"};
-}
-
-void describe_export(CommandPage& page) {
-  page.command = "export";
-  page.usage = {"face-player export STREAM FILE.glb [OPTIONS]   face and animation",
-                "face-player export FILE.glb [OPTIONS]          the face alone"};
-  page.about =
-      "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
-      "how far that face is from the one drawn here. The same stream and options give\n"
-      "the same bytes. The file has no sound; play STREAM --sound FILE.wav writes it, and\n"
-      "it begins when the animation does. In parentheses: defaults.\n";
-  page.examples = {"face-player export talk.txt talk.glb",
-                   "face-player export talk.txt talk.glb --fps 60 --idle 1",
-                   "face-player export --face marek --basis aus marek.glb"};
-}
-
 }  // namespace
+
+std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
+  playback::BufferOptions& buffers = playback.buffers;
+  net::SecurityOptions& security = playback.security;
+  return {
+      {"buffer", "N", "100", "Receiver buffer: sets, a time (300ms) or auto (100)",
+       "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
+       "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
+       parsed(Kind::Word, read_buffer, buffers), "Receiving"},
+      {"playout", "N", "30", "Playout buffer, in sets (30)",
+       "Capacity of the Playout buffer, in sets; no larger than --buffer.",
+       whole(buffers.playout_capacity, 1, playback::BufferOptions::kSetsMax)},
+      {"threshold", "PERCENT", "40", "how full the Receiver buffer is at the start (40)",
+       "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
+       whole(buffers.threshold_percent, 1, 100)},
+      {"live", "", "", "play a live stream with the lowest delay",
+       "The lowest delay of a live stream that the link allows, at the risk of stalls.",
+       flag(buffers.low_delay)},
+      {"live-delay", "MS", "", "a fixed delay of live streams",
+       "A fixed delay of live streams, up to 60000 ms. Without it the delay adapts to the "
+       "link.",
+       parsed(Kind::Number, read_live_delay, buffers)},
+      {"hold", "S", "5", "return to neutral after a stall of S seconds (5)", "",
+       seconds(playback.hold, 0, kSecondsMax, "is not a number of seconds from 0 to 86400")},
+      {"stream", "NAME", "", "which of the server's streams (its first)",
+       "Which of the server's streams; its first one by default.", word(playback.stream)},
+      {"protocol", "LEVEL", "auto", "auto or classic (auto)",
+       "classic never sends a hello: for servers that know only level 1.",
+       one_of(playback.classic, {{"auto", false}, {"classic", true}})},
+      {"connect-timeout", "S", "10", "give up connecting after S seconds (10)",
+       "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
+       seconds(playback.connect_timeout, 0.01, kSecondsMax,
+               "is not a number of seconds from 0.01 to 86400")},
+      {"reconnect", "", "", "when the connection is lost, hold the face and retry",
+       "When the connection is lost, hold the face and retry after 1, 2, 4, 8, 16, 30, 30 "
+       "... seconds.",
+       flag(playback.reconnect)},
+      {"tls", "", "", "use TLS", "Encrypt the connection and verify the server's certificate.",
+       flag(security.tls), "TLS and tokens"},
+      {"tls-ca", "FILE", "", "CAs to trust",
+       "Trust the authorities in FILE (PEM) and not the system's.",
+       word(security.files.authorities)},
+      {"tls-cert", "FILE", "", "certificate to show, if the server wants one",
+       "The certificate to present if the server requires one (PEM).",
+       word(security.files.certificate)},
+      {"tls-key", "FILE", "", "the private key of --tls-cert", "", word(security.files.key)},
+      {"token-file", "FILE", "", "token to show to the server",
+       "The file with the token that the server requires. It is sent over TLS, to this "
+       "computer, or with --insecure-token.",
+       word(security.token)},
+      {"insecure-token", "", "", "show it without TLS too",
+       "Send the token without TLS to other computers too: anyone on the path can read it.",
+       flag(security.insecure_token)},
+  };
+}
 
 std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   std::vector<OptionRow> rows;
@@ -510,88 +474,6 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   append(rows, program_rows(options));
   append(rows, help_rows());
   return rows;
-}
-
-CommandPage command_page(Command command) {
-  PlayerOptions described;
-  CommandPage page{.program = "face-player", .rows = unbound(option_rows(command, described))};
-  switch (command) {
-    case Command::Watch:
-    case Command::Help:
-      page.usage = {"face-player [OPTIONS] HOST[:PORT]              in a window (port 4650)",
-                    "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
-                    "face-player --list HOST[:PORT]                 names of the streams",
-                    "face-player --mirror [camera:DEVICE|FILM]      your own face, to go live",
-                    "face-player play FILE                          stream file or AU table",
-                    "face-player pose|rules|gallery|export --help   pictures, rules, GLB"};
-      page.about = "Receives a face as FACS Action Units and draws it. In parentheses: defaults.\n";
-      page.notes =
-          R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
-Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
-)";
-      page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json"};
-      break;
-    case Command::Play: {
-      page.command = "play";
-      page.usage = {"face-player play FILE [OPTIONS]",
-                    "face-player play FILE --headless [OPTIONS]"};
-      page.about =
-          "Plays a stream file, or the table of a recogniser, without a server.\n"
-          "In parentheses: defaults.\n";
-      // Receiving options are accepted so that both commands take the same.
-      const std::vector<OptionRow> receiving = receiving_rows(described.playback);
-      for (OptionRow& row : page.rows) {
-        if (find_row(receiving, row.name) != nullptr) row.text = {};
-        if (row.name == "buffer") row.heading = {};
-      }
-      page.notes = kLayers;
-      page.examples = {"face-player play talk.txt --headless --record talk.mp4",
-                       "face-player play six_expressions.txt --speed 500"};
-      break;
-    }
-    case Command::Pose:
-      page.command = "pose";
-      page.usage = {"face-player pose [AUS] [OPTIONS]"};
-      page.about =
-          "Writes one still of a face. Without --png and --obj, prints the activations of\n"
-          "its channels. In parentheses: defaults.\n";
-      page.notes = kLayers;
-      page.examples = {"face-player pose 6,12 --png smile.png",
-                       "face-player pose --expression sadness --camera three-quarter --png sad.png",
-                       "face-player pose 12 --show wireframe,muscles --png muscles.png",
-                       "face-player pose --muscle left_zygomaticus_major=1 --obj pull.obj"};
-      break;
-    case Command::Rules:
-      describe_rules(page);
-      break;
-    case Command::Gallery:
-      page.command = "gallery";
-      page.usage = {"face-player gallery DIR [OPTIONS]"};
-      page.about =
-          "Writes pictures of every AU and expression, with a page (DIR/index.html) and a\n"
-          "list (DIR/manifest.csv), which are written last. The same face and options give\n"
-          "the same bytes. Ctrl-C ends it with code 1 and leaves no incomplete picture.\n"
-          "In parentheses: defaults.\n";
-      page.notes = kLayersAndSections;
-      page.examples = {"face-player gallery pictures",
-                       "face-player gallery stimuli --only aus --size 800x1000 --background 808080",
-                       "face-player gallery sweeps --only sweeps --sweep 12 --sweep happiness"};
-      break;
-    case Command::Export:
-      describe_export(page);
-      break;
-  }
-  return page;
-}
-
-std::vector<CommandPage> command_pages() {
-  std::vector<CommandPage> pages;
-  for (const Command command : {Command::Watch, Command::Play, Command::Pose, Command::Rules,
-                                Command::Gallery, Command::Export}) {
-    pages.push_back(command_page(command));
-  }
-  return pages;
 }
 
 }  // namespace aucast::app

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "client/app/player_options.h"
-#include "common/manual.h"
 #include "common/options.h"
 
 namespace aucast::app {
@@ -11,10 +10,7 @@ namespace aucast::app {
 /// The options of a command in the order of --help, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> option_rows(Command command, PlayerOptions& options);
 
-/// What --help and the manual page say about a command.
-[[nodiscard]] CommandPage command_page(Command command);
-
-/// The pages of all commands; the first is Command::Watch.
-[[nodiscard]] std::vector<CommandPage> command_pages();
+/// Those about a connection, which Command::Play takes too, though it has none.
+[[nodiscard]] std::vector<OptionRow> receiving_rows(PlaybackOptions& playback);
 
 }  // namespace aucast::app

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "client/app/command_pages.h"
 #include "client/app/option_rows.h"
 #include "common/link/host.h"
 #include "common/text.h"

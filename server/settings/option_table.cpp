@@ -38,7 +38,7 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "files, films; live: -, FIFOs, camera; aucast://HOST",
+      {"source", "SOURCE", "", "file, film, aucast://HOST; live: -, FIFO, camera",
        "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
        "folder, whose .txt and .csv files become sources, in order of their names. A stream has "
        "the name of its file without the extension; a client that asks for no name, and every "
@@ -62,8 +62,7 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral within 1 "
        "s. After S seconds the connected clients get the end of the stream, {-2}; when the source "
        "comes back, the stream goes on. Stream files on stdin or FIFOs have no such limit: only "
-       "the "
-       "end of input ends them.",
+       "the end of input ends them.",
        seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
       {"record", "FILE", "", "write what a live source gives to FILE",
        "Records what is served, with its times. The file is complete at any moment and is "
@@ -151,7 +150,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        "called NAME here, or else the first; without NAME it is the first, under its own name. "
        "When one of several hosts is lost, the next is used, and all are tried again for ever. "
        "May be repeated, for several servers or streams.",
-       words(push.addresses)},
+       words(push.addresses), "Pushing"},
       {"push-token-file", "FILE", "", "the token to push with",
        "The publisher's token that the servers of --push want, one word in a file. It is sent "
        "only over TLS or to this host.",
@@ -176,7 +175,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "report the camera's picture to a parent program",
+      "write what the camera sees to stdout, for a program",
       "For a program that starts this one: standard output tells what the camera sees, as small "
       "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
       "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
@@ -235,7 +234,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "processor core, or the next version beside this one. What they serve should be the same: "
        "recordings, or streams that each relays. Each counts its own clients and limits.",
        flag(options.reuse_port)},
-      {"drain-time", "S", "0", "move clients to another server at exit, within S (0)",
+      {"drain-time", "S", "0", "at exit, let clients reconnect elsewhere for S (0)",
        "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, clients of "
        "level 2 are cut off one by one, without {-2}, so that those with --reconnect, relays and "
        "web pages go on with another au-transmitter at this address, such as the next version "
@@ -273,7 +272,7 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
        word(files.tls.certificate), "TLS and tokens"},
       {"tls-key", "FILE", "", "the private key of --tls-cert",
        "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
-      {"tls-client-ca", "FILE", "", "want certificates of clients, signed by these CAs",
+      {"tls-client-ca", "FILE", "", "require client certificates signed by these CAs",
        "Clients must show a certificate that one of these authorities has signed (PEM).",
        word(files.tls.authorities)},
       {"token-file", "FILE", "", "the token that viewers must show",

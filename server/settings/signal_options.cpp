@@ -104,7 +104,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "where they mostly are, and the neutral face is that of the quietest moments; in a table "
        "only head and eyes are straightened, and the AUs stay as they are.",
        parsed(OptionValue::Kind::Number, read_neutral, options)},
-      {"gain", "LIST", "", "multiply AUs, such as 1.2,45=1.6 (1)",
+      {"gain", "LIST", "", "factors: 1.2 for all AUs, 45=1.6 for AU 45 (1)",
        "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
        "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
        "neutral face is subtracted; the result is limited to 100 %.",
@@ -115,7 +115,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
        "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
        parsed(OptionValue::Kind::Number, read_filter, options.filter)},
-      {"dead-band", "LIST", "", "percent that a change must reach, as 2,45=0 (2)",
+      {"dead-band", "LIST", "", "least change sent, in percent: 2, or 45=0 (2)",
        "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
        "AU that is not named. Without it, jitter makes up about half of the bytes. An intensity is "
        "sent when it "
@@ -123,12 +123,12 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "change to 0 is always sent. 0 sends everything. Stream files and convert are not "
        "affected.",
        parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
-      {"profile", "FILE", "", "use the settings of a person that FILE has",
+      {"profile", "FILE", "", "load a person's neutral face, gain and filter",
        "Neutral face, gain, dead band and filter of one person at one camera, as "
        "--save-profile writes them (TOML); the options above win. SIGHUP reads it again, "
        "for live sources too.",
        word(options.profile)},
-      {"save-profile", "FILE", "", "save these settings to FILE",
+      {"save-profile", "FILE", "", "save them to FILE",
        "Writes what profile and options amount to, completely or not at all: with --neutral "
        "once the neutral face is measured, which requires a single source of a recogniser; "
        "otherwise at the start. Load it with --profile FILE.",

@@ -74,7 +74,7 @@ std::vector<OptionRow> recording_rows(SourceOptions& options) {
        real(options.rate, kRateMin, sources::kRateMax,
             "is not a number of keyframes a second from 0.1 to 1000"),
        "Recordings, cameras"},
-      {"fps", "N", "", "pictures a second of recordings without times",
+      {"fps", "N", "", "frame rate of recordings without times",
        "Pictures a second, for recordings without times (Py-Feat) or with wrong ones.",
        parsed(Kind::Number, read_fps, recording.fps)},
       {"au-scale", "S", "auto", "value of full intensity: 1, 5, 100 or auto (auto)",

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/app/command_pages.h"
 #include "client/app/option_rows.h"
 #include "client/playback/playback_controller.h"
 #include "client/view/video_encoder.h"
@@ -22,6 +23,13 @@ TEST(HelpText, FitsTheWidthOfATerminal) {
   for (const Command command : kCommands) {
     std::istringstream lines(help_text(command_page(command)));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+  }
+}
+
+TEST(HelpText, HasNoHeadingWithoutOptions) {
+  for (const Command command : kCommands) {
+    const std::string text = help_text(command_page(command));
+    EXPECT_EQ(text.find(":\n\n"), std::string::npos) << text;
   }
 }
 

@@ -258,7 +258,7 @@ TEST(Convert, HelpDoesNotOfferAllFaces) {
   const auto help = run_convert({"--help"});
   ASSERT_TRUE(help);
   EXPECT_NE(help->text.find("--face-id N"), std::string::npos);
-  EXPECT_EQ(help->text.find("or all"), std::string::npos);
+  EXPECT_EQ(help->text.find("faces, or all"), std::string::npos);
 }
 
 }  // namespace
