@@ -10,7 +10,7 @@ namespace aucast {
 
 /// Data that several threads use, behind a lock: only an `act`, a function that is passed in, gets
 /// at it, and only one runs at a time. An act is short and waits for nothing. All our locks are in
-/// objects of this class.
+/// objects of this class, except that of the log's sink (stderr_sink.h).
 template <typename T>
 class Shared {
  public:

@@ -15,7 +15,7 @@
 
 namespace aucast::net {
 
-/// The one object that the player's and the network thread both touch.
+/// What the player's and the network thread both use, besides two atomics that count and signal.
 using SharedReader = Shared<AuReader>;
 
 /// Carries out what an AuReader decides, on a link; when a connection is lost, on the next link.

@@ -52,7 +52,7 @@ class HttpExchange final : public link::LinkUser,
   [[nodiscard]] std::shared_ptr<link::Link> release() { return std::exchange(link_, nullptr); }
   [[nodiscard]] bool released() const { return link_ == nullptr; }
 
-  /// Whether the request has not come yet.
+  /// Whether no answer has been given yet.
   [[nodiscard]] bool asking() const { return !replied_; }
   [[nodiscard]] const asio::ip::tcp::endpoint& peer() const { return peer_; }
   [[nodiscard]] Instant now() const { return link_->now(); }

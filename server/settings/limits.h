@@ -7,7 +7,7 @@
 #include "common/link_limits.h"
 
 /// The limits of au-transmitter alone; those of every peer of the protocol are in
-/// protocol/limits.h. PROTOCOL.md lists these too, since peers may meet them.
+/// protocol/limits.h. PROTOCOL.md lists those of them that peers may meet.
 namespace aucast::server {
 
 /// About what fits into one network packet. When this many bytes wait, --batch sends them at once.
