@@ -37,7 +37,7 @@ struct ConvertOptions {
 std::vector<OptionRow> rows_of(ConvertOptions& options) {
   using Where = OptionRow::Where;
   std::vector<OptionRow> rows{
-      {"in", "IN", "", "a stream file, a recording of an AU recogniser, a film",
+      {"in", "IN", "", "a stream file, a table of a recogniser, or a film",
        "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace, FaceReader, "
        "iMotions, Live Link Face or MediaPipe, told by its columns; or a film of a face, "
        "told by its ending (.mp4, .mov, .mkv, .webm, .avi and others).",
@@ -90,7 +90,7 @@ Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::
   auto stream = protocol::parse_stream_file(mended.text, sources::name_of(options.in));
   if (!stream) return stream.error();
   if (mended.lines_left_out > 0) {
-    said += std::to_string(mended.lines_left_out) + " torn lines at the end left out; ";
+    said += counted(mended.lines_left_out, "torn line") + " at the end left out; ";
   }
   if (options.source.rate) {
     *stream = sources::resample(*stream, *options.source.rate, options.keyframe_ms);

@@ -177,7 +177,7 @@ TEST_F(Record, WhatAPowerCutToreIsMended) {
   const Finished mended = run({program("au-transmitter"), "convert", "--mend", torn, "-"});
   EXPECT_EQ(mended.exit_code, 0) << mended.err;
   EXPECT_EQ(mended.out, "Beg_Stream\n12:20;40\n12:40;33\nEnd_Stream\n");
-  EXPECT_NE(mended.err.find("1 torn lines at the end left out"), std::string::npos) << mended.err;
+  EXPECT_NE(mended.err.find("1 torn line at the end left out"), std::string::npos) << mended.err;
 }
 
 TEST_F(Record, AfterTheEndOfStdinTheTransmitterEnds) {
