@@ -123,6 +123,7 @@ TEST(PlaybackController, AKeyframeOfNoTimeIsAJump) {
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{4});
   EXPECT_EQ(controller.state(), PlaybackState::Ended);
   EXPECT_EQ(controller.keyframes_played(), 4U);
+  EXPECT_EQ(controller.playback_time(), 10ms);
 }
 
 TEST(PlaybackController, CountsAStallOnceAndStartsTheClockAnew) {
@@ -150,6 +151,7 @@ TEST(PlaybackController, CountsAStallOnceAndStartsTheClockAnew) {
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
   EXPECT_EQ(controller.state(), PlaybackState::Ended);
   EXPECT_EQ(controller.stalls(), 1U);
+  EXPECT_EQ(controller.playback_time(), 270ms) << "the 70 ms of waiting included";
   EXPECT_EQ(controller.media_time(), 200ms);
 }
 
@@ -179,6 +181,7 @@ TEST(PlaybackController, NamesEveryEnd) {
     EXPECT_EQ(controller.state(), PlaybackState::Playing) << "what was received is played out";
     clock.advance(1s);
     EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
+    EXPECT_EQ(controller.playback_time(), 10ms) << "the boundary, not the tick";
     EXPECT_FALSE(controller.next_position_at());
     EXPECT_EQ(controller.stalls(), 0U);
     return controller.state();
@@ -198,6 +201,7 @@ TEST(PlaybackController, AnEmptyStreamEndsWithoutPlaying) {
   PlaybackController controller(std::nullopt);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
   EXPECT_EQ(controller.state(), PlaybackState::Ended);
+  EXPECT_EQ(controller.playback_time(), Duration::zero());
   EXPECT_EQ(controller.keyframes_played(), 0U);
 }
 
@@ -255,6 +259,7 @@ TEST(PlaybackController, PauseKeepsTheFraction) {
   clock.advance(100ms);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
   EXPECT_EQ(controller.state(), PlaybackState::Ended);
+  EXPECT_EQ(controller.playback_time(), 10'200ms);
   EXPECT_EQ(controller.media_time(), 200ms);
   EXPECT_EQ(controller.stalls(), 0U);
 }
@@ -301,6 +306,7 @@ TEST(PlaybackController, StopHoldsTheLastPositionReached) {
   controller.stop(clock.now());
   EXPECT_EQ(controller.state(), PlaybackState::Stopped);
   EXPECT_EQ(controller.progress().position, 25);
+  EXPECT_EQ(controller.playback_time(), 50ms);
   EXPECT_EQ(controller.keyframes_played(), 0U);
   clock.advance(1s);
   EXPECT_EQ(begun(controller, clock.now(), source), Marks{});
@@ -308,6 +314,7 @@ TEST(PlaybackController, StopHoldsTheLastPositionReached) {
   controller.resume(clock.now());
   controller.stop(clock.now());
   EXPECT_EQ(controller.state(), PlaybackState::Stopped);
+  EXPECT_EQ(controller.playback_time(), 50ms);
 }
 
 TEST(PlaybackController, StopCountsTheKeyframeThatIsWhole) {
@@ -322,6 +329,7 @@ TEST(PlaybackController, StopCountsTheKeyframeThatIsWhole) {
     controller.stop(clock.now());
     EXPECT_EQ(controller.keyframes_played(), 1U);
     EXPECT_EQ(controller.media_time(), 100ms);
+    EXPECT_EQ(controller.playback_time(), 100ms);
   }
 }
 

@@ -38,6 +38,7 @@ TEST(PlaybackTiming, AnHourOfKeyframesTakesAnHour) {
   }
   EXPECT_EQ(controller.keyframes_played(), 14'400U);
   EXPECT_EQ(controller.media_time(), 1h);
+  EXPECT_EQ(controller.playback_time(), 1h) << "exact, not only to within a frame";
   EXPECT_LE(clock.now() - begin, 1h + 900ms) << "the end was noticed at the next tick";
   EXPECT_EQ(controller.stalls(), 0U);
 }
@@ -78,6 +79,7 @@ TEST(PlaybackTiming, FollowingNextPositionMeetsEveryPositionOnce) {
   }
   EXPECT_EQ(positions, 200 * kPositionsPerKeyframe);
   EXPECT_EQ(clock.now() - begin, total);
+  EXPECT_EQ(controller.playback_time(), total);
 }
 
 // The model: every keyframe begins at the end of the one before, or at the first tick after it had
@@ -94,6 +96,7 @@ TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
     int begun = 0;
     std::uint64_t stalls = 0;
     bool stalled = false;
+    Instant first_begin;
     Instant current_end = clock.now();
     Milliseconds media{0};
     while (controller.state() != PlaybackState::Ended) {
@@ -105,6 +108,7 @@ TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
         ASSERT_EQ(mark_of(keyframe->target), ++begun);
         const bool anew = begun == 1 || stalled;
         const Instant begin = anew ? clock.now() : current_end;
+        if (begun == 1) first_begin = begin;
         current_end = begin + keyframe->duration;
         media += keyframe->duration;
         stalled = false;
@@ -118,6 +122,7 @@ TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
     EXPECT_EQ(begun, count);
     EXPECT_EQ(controller.keyframes_played(), static_cast<std::uint64_t>(count));
     EXPECT_EQ(controller.stalls(), stalls);
+    EXPECT_EQ(controller.playback_time(), current_end - first_begin);
     EXPECT_EQ(controller.media_time(), media);
   }
 }
