@@ -56,10 +56,11 @@ class Program:
             return False
 
     def sample(self):
-        """Private memory in KiB and open descriptors now; nothing when it has ended."""
+        """What it has written to of its own memory, in KiB, and open descriptors now; nothing when it
+        has ended. Pages of the program's file count as private only while nobody else runs it."""
         try:
             with open(f"/proc/{self.process.pid}/smaps_rollup", encoding="ascii") as file:
-                private = [int(line.split()[1]) for line in file if line.startswith("Private_")]
+                private = [int(line.split()[1]) for line in file if line.startswith("Private_Dirty:")]
             descriptors = self.descriptor_count()
         except (OSError, ValueError):
             return
