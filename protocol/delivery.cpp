@@ -80,7 +80,7 @@ void Delivery::resume() {
 
 const EncodedStream& Delivery::recorded() const {
   const RecordedStream& stream = *stream_.recorded();
-  return sends_spoken() && stream.voiced ? *stream.voiced : *stream.encoded;
+  return sends_spoken() ? *stream.for_listeners() : *stream.encoded;
 }
 
 const PacketList& Delivery::packets() const {

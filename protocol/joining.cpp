@@ -45,11 +45,8 @@ Joining::Answer Joining::list(const StreamsAsked& asked, Instant now) const {
   if (auto refusal = viewer_refused(asked.token, now)) return std::move(*refusal);
   StreamList list;
   for (const ServedStream& served : catalogue_->streams) {
-    if (asked.details) {
-      list.streams.push_back(served.listed(catalogue_->loop));
-    } else {
-      list.streams.push_back({served.known_name()});
-    }
+    list.streams.push_back(asked.details ? served.listed(catalogue_->loop)
+                                         : ListedStream{served.known_name()});
   }
   return list;
 }

@@ -40,7 +40,7 @@ ListedStream ServedStream::listed(bool loops) const {
   if (live()) {
     listed.duration_ms = live()->duration_ms();
   } else if (const RecordedStream* const of = recorded(); of && !loops && !loops_there()) {
-    listed.duration_ms = (of->voiced ? of->voiced : of->encoded)->duration_ms;
+    listed.duration_ms = of->for_listeners()->duration_ms;
   }
   return listed;
 }

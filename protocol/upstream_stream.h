@@ -21,6 +21,11 @@ struct RecordedStream {
   /// than voice may run ahead. Null: `encoded`.
   std::shared_ptr<const EncodedStream> voiced{};
 
+  /// What clients that ask for voice or captions are sent. Never null.
+  [[nodiscard]] const std::shared_ptr<const EncodedStream>& for_listeners() const {
+    return voiced ? voiced : encoded;
+  }
+
   /// The same packets, and the same is spoken.
   friend bool operator==(const RecordedStream& one, const RecordedStream& other) {
     return one.encoded == other.encoded && same_spoken(one.spoken, other.spoken) &&

@@ -131,8 +131,8 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   for (protocol::ServedStream& stream : catalogue.streams) {
     const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
     if (recorded == nullptr || !options_.live) continue;
-    stream.kind = beat_.play(stream.name, recorded->voiced ? recorded->voiced : recorded->encoded,
-                             options_.loop, recorded->spoken);
+    stream.kind =
+        beat_.play(stream.name, recorded->for_listeners(), options_.loop, recorded->spoken);
   }
   for (protocol::ServedStream& of_source : sources_.streams()) {
     const auto same =
