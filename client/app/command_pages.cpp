@@ -8,23 +8,21 @@
 namespace aucast::app {
 namespace {
 
-constexpr std::string_view kLayers =
-    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags.
-)";
-
-constexpr std::string_view kWatchNotes =
-    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
-Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
-)";
-
 constexpr std::string_view kLayersAndSections =
     R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
 eye-tags.
 Sections: aus (A to E on the left, the right and both), prototypes, combinations
 (pairs of basic expressions), appendix-a and appendix-b of the thesis, sweeps,
 coverage.
+)";
+
+constexpr std::string_view kLayers =
+    kLayersAndSections.substr(0, kLayersAndSections.find("Sections:"));
+
+constexpr std::string_view kWatchNotes =
+    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
+eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
+Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )";
 
 void describe_rules(CommandPage& page) {
@@ -80,7 +78,6 @@ CommandPage command_page(Command command) {
       const std::vector<OptionRow> receiving = receiving_rows(described.playback);
       for (OptionRow& row : page.rows) {
         if (find_row(receiving, row.name) != nullptr) row.text = {};
-        if (row.name == "buffer") row.heading = {};
       }
       page.notes = kLayers;
       page.examples = {"face-player play talk.txt --headless --record talk.mp4",

@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "client/gui/view_text.h"
 #include "common/text.h"
 
 namespace aucast::app {
-namespace {
-
-std::string words_of(const protocol::ListedStream& stream) {
-  if (stream.live.value_or(false)) return "live";
-  if (stream.duration_ms) return length_text(Milliseconds(*stream.duration_ms));
-  return stream.live ? "recorded" : "";
-}
-
-}  // namespace
 
 std::string stream_names(const protocol::StreamList& list) {
   std::string text;
@@ -28,14 +20,14 @@ std::string stream_table(const protocol::StreamList& list) {
   std::size_t title_at = 0;
   for (const protocol::ListedStream& stream : list.streams) {
     words_at = std::max(words_at, stream.name.size() + kApart);
-    title_at = std::max(title_at, words_of(stream).size() + kApart);
+    title_at = std::max(title_at, gui::stream_in_words(stream).size() + kApart);
   }
   title_at += words_at;
   std::string text;
   for (const protocol::ListedStream& stream : list.streams) {
     std::string line = stream.name;
     line.resize(words_at, ' ');
-    line += words_of(stream);
+    line += gui::stream_in_words(stream);
     line.resize(title_at, ' ');
     line += printable(stream.title);
     text.append(line, 0, line.find_last_not_of(' ') + 1).append("\n");
