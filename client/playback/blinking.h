@@ -13,8 +13,8 @@ struct BlinkOptions {
   static constexpr int kClosingMaxMs = 500;
 
   std::uint64_t seed = 1;
-  int interval_ms =
-      4000;  ///< kIntervalMinMs to kIntervalMaxMs; 15 blinks a minute, as people at rest do
+  /// kIntervalMinMs to kIntervalMaxMs. 15 blinks a minute, as people at rest do.
+  int interval_ms = 4000;
   int closing_ms = 100;  ///< kClosingMinMs to kClosingMaxMs, at most a sixth of the interval
   Interpolation interpolation = Interpolation::Linear;
   friend bool operator==(const BlinkOptions&, const BlinkOptions&) = default;

@@ -26,7 +26,7 @@ void OutgoingBatches::collect(const protocol::LiveChannel& channel) {
   for (const protocol::LiveMoment& moment : channel.latest()) {
     if (last_moment_ && moment.number <= *last_moment_) continue;
     const bool follows = last_moment_ && moment.number == *last_moment_ + 1 && !ended_;
-    collect_sound(channel);
+    collect_spoken(channel);
     waiting_ += follows ? moment.changes : moment.full;
     last_moment_ = moment.number;
     full_ = moment.full;
@@ -34,10 +34,10 @@ void OutgoingBatches::collect(const protocol::LiveChannel& channel) {
     end_ = moment.begin + moment.time;
     ended_ = false;
   }
-  if (last_moment_) collect_sound(channel);
+  if (last_moment_) collect_spoken(channel);
 }
 
-void OutgoingBatches::collect_sound(const protocol::LiveChannel& channel) {
+void OutgoingBatches::collect_spoken(const protocol::LiveChannel& channel) {
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
   while (const protocol::CaptionData* const caption = channel.captions().find(next_caption_)) {
     caption_ = encode(*caption);

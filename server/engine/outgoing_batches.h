@@ -56,7 +56,7 @@ class OutgoingBatches {
     std::string caption;  ///< that is shown; empty: none
   };
 
-  void collect_sound(const protocol::LiveChannel& channel);
+  void collect_spoken(const protocol::LiveChannel& channel);
   void keep(Kept batch);
   [[nodiscard]] std::optional<std::string> since(std::uint64_t after) const;
 

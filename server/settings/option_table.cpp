@@ -205,12 +205,10 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        flag(options.live)},
       {"max-bitrate", "KBITS", "0", "limit of kbit/s to each client (0: none)",
        "Kilobits a second for each client, headers included, up to 1000000. The voice is "
-       "subtracted first. "
-       "Keyframes that come too soon are merged into the "
-       "next one that fits: the newest wins and takes the time of all of them, so the "
-       "stream keeps its length. Level 2 packets count with 52 bytes of TCP and IP headers "
-       "each. --check and --estimate show the result. A keyframe of a live source waits "
-       "until it fits, and a newer one replaces it.",
+       "subtracted first. Keyframes that come too soon are merged into the next one that fits: the "
+       "newest wins and takes the time of all of them, so the stream keeps its length. Level 2 "
+       "packets count with 52 bytes of TCP and IP headers each. --check and --estimate show the "
+       "result. A keyframe of a live source waits until it fits, and a newer one replaces it.",
        whole(options.max_kbits, 0, 1'000'000)},
       {"batch", "MS", "0", "send together what is due within MS (0: do not)",
        "Headers cost more than a packet, so what is written within this time goes out together. "
@@ -244,11 +242,9 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
                "is not a number of seconds from 0 to 3600")},
       {"client-timeout", "S", "0", "close clients silent for S seconds (0: never)",
        "Closes clients that are silent for so many seconds, up to 86400. Every byte from the "
-       "client "
-       "restarts the time; with a live stream, so does every byte that can be sent to it. A paused "
-       "client owes no answer. TCP detects a vanished host, and a client that stops reading, "
-       "within a "
-       "minute anyway.",
+       "client restarts the time; with a live stream, so does every byte that can be sent to it. A "
+       "paused client owes no answer. TCP detects a vanished host, and a client that stops "
+       "reading, within a minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {"max-clients", "N", "0", "how many clients at a time (0: all that fit)",
        "The number of clients at a time. One client too many is closed, with {error 503 "

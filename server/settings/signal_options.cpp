@@ -118,9 +118,8 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
       {"dead-band", "LIST", "", "least change sent, in percent: 2, or 45=0 (2)",
        "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
        "AU that is not named. Without it, jitter makes up about half of the bytes. An intensity is "
-       "sent when it "
-       "has changed by this much since it was last sent, so its error stays below that; a "
-       "change to 0 is always sent. 0 sends everything. Stream files and convert are not "
+       "sent when it has changed by this much since it was last sent, so its error stays below "
+       "that; a change to 0 is always sent. 0 sends everything. Stream files and convert are not "
        "affected.",
        parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
       {"profile", "FILE", "", "load a person's neutral face, gain and filter",
