@@ -11,12 +11,20 @@ namespace aucast {
 using Instant = std::chrono::steady_clock::time_point;
 using Duration = std::chrono::steady_clock::duration;
 using Milliseconds = std::chrono::milliseconds;
-/// An Instant as a number: seconds since the clock's zero. For code that compares it with the times
-/// of a recogniser's rows, which are numbers.
-using SteadySeconds = double;
+/// A length of time with fractions, such as the difference of two times of a recogniser's rows.
+using Seconds = std::chrono::duration<double>;
+/// An Instant with fractions, which an Instant converts to by itself: for code that adds times of
+/// a recogniser's rows to it.
+using SteadyTime = std::chrono::time_point<std::chrono::steady_clock, Seconds>;
 
-[[nodiscard]] constexpr double seconds(Duration time) {
-  return std::chrono::duration<double>(time).count();
+template <typename Rep, typename Period>
+[[nodiscard]] constexpr double seconds(std::chrono::duration<Rep, Period> time) {
+  return Seconds(time).count();
+}
+
+/// An Instant just after `at`, whatever the rounding: what is due at `at` is due then.
+[[nodiscard]] constexpr Instant just_after(SteadyTime at) {
+  return std::chrono::floor<Duration>(at) + Duration(1);
 }
 
 [[nodiscard]] inline std::int64_t whole_milliseconds(double seconds) {

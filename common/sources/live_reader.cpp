@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view kBlanks = " \t";
 
 /// Rows closer together than this came at once: no recogniser is that fast.
-constexpr double kAtOnceSeconds = 0.005;
+constexpr Seconds kAtOnce(0.005);
 /// The time of a row that came at once with the one before and has no clock.
-constexpr double kRowSeconds = 0.04;
+constexpr Seconds kRow(0.04);
 
 /// Rows of a table are numbers; names of columns are not. Saves opening a table at every row.
 bool may_be_header(std::string_view line) {
@@ -60,12 +60,12 @@ LiveReader::~LiveReader() = default;
 LiveReader::LiveReader(LiveReader&&) noexcept = default;
 LiveReader& LiveReader::operator=(LiveReader&&) noexcept = default;
 
-void LiveReader::feed(std::string_view bytes, SteadySeconds now) {
+void LiveReader::feed(std::string_view bytes, SteadyTime now) {
   splitter_.feed(bytes);
   while (auto line = splitter_.next()) read_line(*line, now);
 }
 
-void LiveReader::end_input(SteadySeconds now) {
+void LiveReader::end_input(SteadyTime now) {
   if (splitter_.drop_partial()) complain(file_ + ": the last line has no end and was left out");
   if (arrived_ && !silent_since_) silent_since_ = now;
   clock_.restart();
@@ -83,17 +83,17 @@ void LiveReader::restart() {
   timeline_.restart();
 }
 
-void LiveReader::idle(SteadySeconds now) {
-  if (silent_since_) timeline_.idle(now - *silent_since_);
+void LiveReader::idle(SteadyTime now) {
+  if (silent_since_) timeline_.idle(seconds(now - *silent_since_));
 }
 
-std::optional<double> LiveReader::idle_due() const {
+std::optional<SteadyTime> LiveReader::idle_due() const {
   const auto due = timeline_.idle_due();
   if (!due || !silent_since_) return std::nullopt;
-  return *silent_since_ + *due;
+  return *silent_since_ + Seconds(*due);
 }
 
-void LiveReader::hold_off(SteadySeconds now) {
+void LiveReader::hold_off(SteadyTime now) {
   if (silent_since_) silent_since_ = std::max(*silent_since_, now);
 }
 
@@ -115,7 +115,7 @@ void LiveReader::understood() {
   if (++understood_ >= kRunEnds) complaints_ = 0;
 }
 
-void LiveReader::read_line(LineSplitter::Line& line, SteadySeconds now) {
+void LiveReader::read_line(LineSplitter::Line& line, SteadyTime now) {
   if (line.number == 1 && line.text.starts_with(kByteOrderMark)) {
     line.text.erase(0, kByteOrderMark.size());
   }
@@ -191,7 +191,7 @@ bool LiveReader::is_no_text(const LineSplitter::Line& line) {
 }
 
 /// False when the line is not one of a stream file.
-bool LiveReader::read_text(const LineSplitter::Line& line, SteadySeconds now) {
+bool LiveReader::read_text(const LineSplitter::Line& line, SteadyTime now) {
   const std::string_view content =
       trimmed(std::string_view(line.text).substr(0, line.text.find('#')), kBlanks);
   if (content.empty()) return true;
@@ -221,13 +221,13 @@ bool LiveReader::read_text(const LineSplitter::Line& line, SteadySeconds now) {
 
 /// The face begins to move to a line's keyframe when the line comes, as in a stream file that is
 /// sent live.
-void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadySeconds now) {
+void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadyTime now) {
   timeline_.set_clocked(false);
   std::uint32_t duration_ms = keyframe.duration_ms.value_or(0);
   if (!keyframe.duration_ms) {
-    const double longest = options_.keyframe_ms / 1000.0;
-    duration_ms = static_cast<std::uint32_t>(
-        std::max(1.0, std::round(1000 * std::min(arrival_step(now, longest), longest))));
+    const Seconds longest = Milliseconds(options_.keyframe_ms);
+    const Seconds step = std::min(arrival_step(now, longest), longest);
+    duration_ms = static_cast<std::uint32_t>(std::max(1.0, std::round(1000 * seconds(step))));
   }
   arrived_ = now;
   silent_since_.reset();
@@ -235,13 +235,13 @@ void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadySeconds now
   unclocked_ += duration_ms / 1000.0;
 }
 
-/// Seconds since the last sample; `usual` for one that came together with it.
-double LiveReader::arrival_step(SteadySeconds now, double usual) {
-  if (!arrived_ || now - *arrived_ < kAtOnceSeconds) return usual;
+/// The time since the last sample; `usual` for one that came together with it.
+Seconds LiveReader::arrival_step(SteadyTime now, Seconds usual) {
+  if (!arrived_ || now - *arrived_ < kAtOnce) return usual;
   return now - *arrived_;
 }
 
-void LiveReader::read_row(const LineSplitter::Line& line, SteadySeconds now) {
+void LiveReader::read_row(const LineSplitter::Line& line, SteadyTime now) {
   CsvReader& csv = table_->csv;
   const auto next = csv.take(line.text, line.number);
   if (next == CsvReader::Next::Row) {
@@ -257,7 +257,7 @@ void LiveReader::read_row(const LineSplitter::Line& line, SteadySeconds now) {
 }
 
 /// False when the row was left out, with a message.
-bool LiveReader::take_row(const std::string& line, SteadySeconds now) {
+bool LiveReader::take_row(const std::string& line, SteadyTime now) {
   if (std::string note = table_->format->note(); note != table_->note) {
     say(at_place(file_, table_->csv.line(), 0, note + " from now on"));
     table_->note = std::move(note);
@@ -292,9 +292,9 @@ void LiveReader::note_face(std::int64_t id, const std::string& line) {
 }
 
 /// The face that was asked for, or the first one that is seen, until it is gone.
-bool LiveReader::is_chosen(std::int64_t id, bool sure, SteadySeconds now) {
+bool LiveReader::is_chosen(std::int64_t id, bool sure, SteadyTime now) {
   if (options_.recording.face) return id == *face_;
-  if (!face_ || (id != *face_ && sure && now - face_seen_ > kHoldSeconds + kEaseSeconds)) {
+  if (!face_ || (id != *face_ && sure && seconds(now - face_seen_) > kHoldSeconds + kEaseSeconds)) {
     if (face_) say(file_ + ": face " + std::to_string(id) + " from now on");
     face_ = id;
   }
@@ -319,11 +319,11 @@ void LiveReader::settle_scale() {
                    " from now on; --au-scale says so from the beginning"));
 }
 
-std::optional<double> LiveReader::time_of_row(SteadySeconds now) {
+std::optional<double> LiveReader::time_of_row(SteadyTime now) {
   table_->clocked = table_->clocked || table_->row.seconds || options_.recording.fps;
   timeline_.set_clocked(table_->clocked);
   if (table_->clocked) return clock_.time_of(table_->row);
-  unclocked_ += arrival_step(now, kRowSeconds);
+  unclocked_ += seconds(arrival_step(now, kRow));
   return unclocked_;
 }
 

@@ -40,8 +40,8 @@ struct NewFace {
 };
 
 /// A live source, byte by byte: a table of any known recogniser, or lines of a stream file; the
-/// first line tells which. Pure: bytes and seconds on any steady clock go in, keyframes and
-/// messages come out.
+/// first line tells which. Pure: bytes and times of arrival go in, keyframes and messages come
+/// out.
 ///
 /// No input makes it fail. A line that is not understood is left out with a message; in a run of
 /// such lines only the first kSaidMax get one, until kRunEnds good lines have come. The beginning
@@ -63,19 +63,19 @@ class LiveReader {
   LiveReader& operator=(LiveReader&&) noexcept;
 
   /// Takes bytes that came at `now`.
-  void feed(std::string_view bytes, SteadySeconds now);
+  void feed(std::string_view bytes, SteadyTime now);
   /// The writer has gone, at least for now: the beginning of an unfinished line is dropped.
-  void end_input(SteadySeconds now);
+  void end_input(SteadyTime now);
   /// The file begins anew: the next line is its first.
   void restart();
   /// Call when idle_due() has come: leads a face of which no more data comes to neutral.
-  void idle(SteadySeconds now);
-  [[nodiscard]] std::optional<double> idle_due() const;
+  void idle(SteadyTime now);
+  [[nodiscard]] std::optional<SteadyTime> idle_due() const;
   /// Since when a source that has begun has been silent; nullopt: it is not. After a line of a
   /// stream file silence begins only when the input or that stream ends.
-  [[nodiscard]] std::optional<double> silent_since() const { return silent_since_; }
+  [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
   /// What has come is shown only now, so silence begins at `now` or later.
-  void hold_off(SteadySeconds now);
+  void hold_off(SteadyTime now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
   [[nodiscard]] std::vector<LiveMessage> take_messages();
@@ -89,19 +89,19 @@ class LiveReader {
  private:
   struct Table;
 
-  void read_line(LineSplitter::Line& line, SteadySeconds now);
+  void read_line(LineSplitter::Line& line, SteadyTime now);
   [[nodiscard]] bool begin_table(const LineSplitter::Line& line);
-  [[nodiscard]] bool read_text(const LineSplitter::Line& line, SteadySeconds now);
-  void play_text(const protocol::Keyframe& keyframe, SteadySeconds now);
-  void read_row(const LineSplitter::Line& line, SteadySeconds now);
-  [[nodiscard]] bool take_row(const std::string& line, SteadySeconds now);
+  [[nodiscard]] bool read_text(const LineSplitter::Line& line, SteadyTime now);
+  void play_text(const protocol::Keyframe& keyframe, SteadyTime now);
+  void read_row(const LineSplitter::Line& line, SteadyTime now);
+  [[nodiscard]] bool take_row(const std::string& line, SteadyTime now);
   [[nodiscard]] bool is_no_text(const LineSplitter::Line& line);
   void understood();
   void note_face(std::int64_t id, const std::string& line);
-  [[nodiscard]] bool is_chosen(std::int64_t id, bool sure, SteadySeconds now);
+  [[nodiscard]] bool is_chosen(std::int64_t id, bool sure, SteadyTime now);
   void settle_scale();
-  [[nodiscard]] std::optional<double> time_of_row(SteadySeconds now);
-  [[nodiscard]] double arrival_step(SteadySeconds now, double usual);
+  [[nodiscard]] std::optional<double> time_of_row(SteadyTime now);
+  [[nodiscard]] Seconds arrival_step(SteadyTime now, Seconds usual);
   /// Adds a message that may be repeated; the run limits how often.
   void say_of_run(bool warning, std::string text);
   void complain(std::string text) { say_of_run(true, std::move(text)); }
@@ -115,11 +115,11 @@ class LiveReader {
   bool text_ = false;             ///< lines of a stream file are read
   LiveTimeline timeline_;
   SourceClock clock_;
-  double unclocked_ = 0;           ///< seconds by arrival, for a source without a clock
-  std::optional<double> arrived_;  ///< when the last sample came
-  std::optional<double> silent_since_;
+  double unclocked_ = 0;               ///< seconds by arrival, for a source without a clock
+  std::optional<SteadyTime> arrived_;  ///< when the last sample came
+  std::optional<SteadyTime> silent_since_;
   std::optional<std::int64_t> face_;  ///< the face that is followed
-  double face_seen_ = 0;
+  SteadyTime face_seen_;
   std::set<std::int64_t> faces_seen_;
   std::vector<NewFace> new_faces_;
   std::string beginning_;  ///< the first lines, to recognise label files by

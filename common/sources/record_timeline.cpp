@@ -15,7 +15,7 @@ constexpr std::int64_t kPauseMs = 100;
 }  // namespace
 
 std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& keyframe,
-                                                    SteadySeconds now, bool free) {
+                                                    SteadyTime now, bool free) {
   AUCAST_CHECK(keyframe.duration_ms.has_value());
   std::vector<protocol::Keyframe> lines;
   if (!begin_) {
@@ -23,7 +23,7 @@ std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& ke
     place_ms_ = 0;
   } else if (free) {
     std::int64_t pause_ms =
-        whole_milliseconds(now - *begin_) - static_cast<std::int64_t>(place_ms_);
+        whole_milliseconds(seconds(now - *begin_)) - static_cast<std::int64_t>(place_ms_);
     if (pause_ms < kPauseMs) pause_ms = 0;
     while (pause_ms > 0) {
       protocol::Keyframe held;

@@ -14,17 +14,17 @@ namespace aucast::sources {
 /// meanwhile is added, with the length of the pause. Pure.
 class RecordTimeline {
  public:
-  /// Takes the keyframe that is served at `now`, in seconds of any steady clock, and returns its
+  /// Takes the keyframe that is served at `now` and returns its
   /// lines. `free`: the source's own clock does not say how long after the previous keyframe it
   /// follows, so there may have been a pause. Otherwise a late keyframe is only late.
   [[nodiscard]] std::vector<protocol::Keyframe> add(const protocol::Keyframe& keyframe,
-                                                    SteadySeconds now, bool free);
+                                                    SteadyTime now, bool free);
   /// The stream ended for the clients: the time until it goes on is left out.
   void end() { begin_.reset(); }
 
  private:
-  std::optional<double> begin_;  ///< when the stream began, or went on after an end
-  std::uint64_t place_ms_ = 0;   ///< of the last keyframe's end, since then
+  std::optional<SteadyTime> begin_;  ///< when the stream began, or went on after an end
+  std::uint64_t place_ms_ = 0;       ///< of the last keyframe's end, since then
   std::vector<AuTerm> shown_;
 };
 

@@ -45,23 +45,23 @@ Result<void> LiveStream::finish_record() {
   return recorder_ ? recorder_->finish() : Result<void>();
 }
 
-void LiveStream::take(SteadySeconds now, bool only_last) {
+void LiveStream::take(SteadyTime now, bool only_last) {
   for (sources::LiveKeyframe& keyframe : reader_.take_keyframes()) {
     queue_.push(std::move(keyframe), now);
   }
   if (only_last) queue_.skip_to_last(now);
 }
 
-void LiveStream::feed_voice(std::string_view bytes, SteadySeconds now) {
+void LiveStream::feed_voice(std::string_view bytes, SteadyTime now) {
   send_voice(voice_->add(bytes, now), now);
 }
 
-void LiveStream::end_voice(SteadySeconds now) {
+void LiveStream::end_voice(SteadyTime now) {
   spdlog::info("{}: the voice has ended", name_);
   send_voice(voice_->end_sound(), now);
 }
 
-void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, SteadySeconds now) {
+void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, SteadyTime now) {
   if (packets.empty() || feed_->ended()) return;
   voice_at_ = now;
   for (protocol::VoicePacket& packet : packets) {
@@ -74,12 +74,12 @@ void LiveStream::send_voice(std::vector<protocol::VoicePacket> packets, SteadySe
   on_moment_();
 }
 
-void LiveStream::end_input(SteadySeconds now, bool for_good) {
+void LiveStream::end_input(SteadyTime now, bool for_good) {
   silence_.set_final(for_good);
   reader_.end_input(now);
 }
 
-void LiveStream::go_on(SteadySeconds now) {
+void LiveStream::go_on(SteadyTime now) {
   send_due(now);
   if (queue_.size() == 0) rest(now);
   send_thinned(now);
@@ -89,7 +89,7 @@ bool LiveStream::full() const {
   return queue_.size() >= kQueueMax;
 }
 
-void LiveStream::send_due(SteadySeconds now) {
+void LiveStream::send_due(SteadyTime now) {
   if (queue_.size() == 0) return;
   if (silence_.broken()) {
     spdlog::info("{}: {}", name_, begun() ? "goes on" : "the first keyframe is there");
@@ -102,22 +102,21 @@ void LiveStream::send_due(SteadySeconds now) {
 }
 
 /// `free`: see sources::RecordTimeline::add().
-void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadySeconds now) {
+void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadyTime now) {
   if (voice_ && free) {
     // A keyframe's own time is part of what has passed.
-    fill_pause(now - keyframe.keyframe.duration_ms.value_or(0) / 1000.0);
+    fill_pause(now - Milliseconds(keyframe.keyframe.duration_ms.value_or(0)));
   }
   pass(keyframe.keyframe, free, now);
 }
 
 /// With a voice: sends the face that was held since the last keyframe, with the time for which it
 /// was held.
-void LiveStream::fill_pause(SteadySeconds now) {
+void LiveStream::fill_pause(SteadyTime now) {
   /// A gap shorter than this is no pause: it is how late a busy machine may be.
   constexpr Milliseconds kPauseLeast{100};
   if (!clock_begin_) return;
-  const double passed = (now - *clock_begin_) * 1000;
-  const Milliseconds pause = Milliseconds(std::llround(passed)) - end_;
+  const Milliseconds pause = std::chrono::round<Milliseconds>(now - *clock_begin_) - end_;
   if (pause < kPauseLeast) return;
   protocol::Keyframe held;
   held.terms = shown_;
@@ -127,10 +126,10 @@ void LiveStream::fill_pause(SteadySeconds now) {
 }
 
 /// The record is not thinned.
-void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, SteadySeconds now) {
+void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, SteadyTime now) {
   end_ += Milliseconds(keyframe.duration_ms.value_or(0));
   if (voice_) {
-    if (!clock_begin_) clock_begin_ = now - seconds(end_);
+    if (!clock_begin_) clock_begin_ = now - end_;
     voice_->add_keyframe(end_, now);
     shown_ = keyframe.terms;
   }
@@ -139,7 +138,7 @@ void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, SteadySecon
   send_thinned(now);
 }
 
-void LiveStream::send_thinned(SteadySeconds now) {
+void LiveStream::send_thinned(SteadyTime now) {
   if (const auto keyframe = thinning_.pop(now)) show(*keyframe);
 }
 
@@ -149,7 +148,7 @@ void LiveStream::show(const protocol::Keyframe& keyframe) {
 }
 
 /// Does what is due while nothing comes.
-void LiveStream::rest(SteadySeconds now) {
+void LiveStream::rest(SteadyTime now) {
   reader_.idle(now);
   for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true, now);
   if (voice_ && !feed_->ended() && now >= beat()) fill_pause(now);
@@ -168,7 +167,7 @@ void LiveStream::rest(SteadySeconds now) {
     spdlog::info("{}: it has ended, and so has the stream", sources::name_of(options_.path));
   } else {
     spdlog::warn("{}: nothing for {} s: the stream ends for the clients there (--source-timeout)",
-                 name_, silence_.patience());
+                 name_, seconds(silence_.patience()));
   }
   end();
 }
@@ -184,21 +183,21 @@ void LiveStream::end() {
 
 /// Since when neither face nor voice has come. Once the face's input has ended for good, the voice
 /// does not count.
-std::optional<double> LiveStream::silent_since() const {
+std::optional<SteadyTime> LiveStream::silent_since() const {
   const auto since = reader_.silent_since();
   if (!since || !voice_ || silence_.is_final()) return since;
   return std::max(*since, voice_at_);
 }
 
 /// With a voice: when to send the held face again, so that the clock goes on.
-double LiveStream::beat() const {
+SteadyTime LiveStream::beat() const {
   /// From the end of the last keyframe; by then the face is no longer held (kHoldSeconds).
-  constexpr double kBeatSeconds = sources::kHoldSeconds + 0.25;
-  return clock_begin_.value_or(0) + seconds(end_) + kBeatSeconds;
+  constexpr Seconds kBeat(sources::kHoldSeconds + 0.25);
+  return clock_begin_.value_or(SteadyTime()) + end_ + kBeat;
 }
 
-std::optional<double> LiveStream::next() const {
-  std::optional<double> next = thinning_.due();
+std::optional<SteadyTime> LiveStream::next() const {
+  std::optional<SteadyTime> next = thinning_.due();
   if (const auto due = queue_.due()) return earlier(next, due);
   next = earlier(next, reader_.idle_due());
   if (const auto since = silent_since()) {

@@ -44,7 +44,7 @@ struct LiveStreamOptions {
 /// With a voice, the stream's clock keeps running while the source is silent: the held face is sent
 /// with the time for which it was held.
 ///
-/// Times are seconds of one clock. Thread: none of its own.
+/// Thread: none of its own.
 class LiveStream {
  public:
   /// `options` outlives it. `reading` replaces `options.reader`. `on_moment` is called when the
@@ -63,16 +63,16 @@ class LiveStream {
   [[nodiscard]] sources::LiveReader& reader() { return reader_; }
   /// Takes the keyframes that the reader has made; with `only_last` the newest, for the others are
   /// past.
-  void take(SteadySeconds now, bool only_last);
-  void feed_voice(std::string_view bytes, SteadySeconds now);
-  void end_voice(SteadySeconds now);
+  void take(SteadyTime now, bool only_last);
+  void feed_voice(std::string_view bytes, SteadyTime now);
+  void end_voice(SteadyTime now);
   /// Whoever wrote has gone. `for_good`: nobody can write any more.
-  void end_input(SteadySeconds now, bool for_good);
+  void end_input(SteadyTime now, bool for_good);
   /// Sends what is due; when the source has been silent, lets the face go to neutral or ends the
   /// stream.
-  void go_on(SteadySeconds now);
+  void go_on(SteadyTime now);
   /// When to call go_on() next; nullopt: not before something is fed.
-  [[nodiscard]] std::optional<double> next() const;
+  [[nodiscard]] std::optional<SteadyTime> next() const;
   /// The queue is full: feed nothing for now.
   [[nodiscard]] bool full() const;
 
@@ -83,18 +83,18 @@ class LiveStream {
   [[nodiscard]] bool ended() const { return feed_->ended() && queue_.size() == 0; }
 
  private:
-  void send_voice(std::vector<protocol::VoicePacket> packets, SteadySeconds now);
-  void send_due(SteadySeconds now);
+  void send_voice(std::vector<protocol::VoicePacket> packets, SteadyTime now);
+  void send_due(SteadyTime now);
   /// `free`: see sources::RecordTimeline::add().
-  void send(const sources::LiveKeyframe& keyframe, bool free, SteadySeconds now);
-  void fill_pause(SteadySeconds now);
-  void pass(const protocol::Keyframe& keyframe, bool free, SteadySeconds now);
-  void send_thinned(SteadySeconds now);
+  void send(const sources::LiveKeyframe& keyframe, bool free, SteadyTime now);
+  void fill_pause(SteadyTime now);
+  void pass(const protocol::Keyframe& keyframe, bool free, SteadyTime now);
+  void send_thinned(SteadyTime now);
   void show(const protocol::Keyframe& keyframe);
-  void rest(SteadySeconds now);
+  void rest(SteadyTime now);
   void end();
-  [[nodiscard]] std::optional<double> silent_since() const;
-  [[nodiscard]] double beat() const;
+  [[nodiscard]] std::optional<SteadyTime> silent_since() const;
+  [[nodiscard]] SteadyTime beat() const;
 
   std::string name_;
   const LiveStreamOptions& options_;
@@ -109,8 +109,8 @@ class LiveStream {
 
   // With a voice only.
   std::optional<LiveVoice> voice_;
-  std::optional<double> clock_begin_;  ///< when the feed's clock was last 0; nullopt: it is stopped
-  double voice_at_ = 0;                ///< when voice last came
+  std::optional<SteadyTime> clock_begin_;  ///< of the feed's clock; nullopt: it is stopped
+  SteadyTime voice_at_;                    ///< when voice last came
   std::vector<AuTerm> shown_;
 };
 

@@ -8,7 +8,6 @@
 #include "common/sources/loud_aus.h"
 #include "common/sources/profile.h"
 #include "common/sources/source_reader.h"
-#include "server/live/steady_seconds.h"
 #include "server/streams/film_source.h"
 #include "server/streams/source_path.h"
 
@@ -54,8 +53,7 @@ std::vector<protocol::ServedStream> LiveStreams::served() const {
   return served;
 }
 
-void LiveStreams::feed(std::string_view bytes, Instant at) {
-  const SteadySeconds now = steady_seconds(at);
+void LiveStreams::feed(std::string_view bytes, Instant now) {
   if (options_.each.reader.recording.all_faces) {
     read_line_by_line(bytes, now);
   } else {
@@ -71,7 +69,7 @@ void LiveStreams::feed(std::string_view bytes, Instant at) {
 
 /// Feeds the readers line by line, so that a new face is read from the line on which it is first
 /// seen.
-void LiveStreams::read_line_by_line(std::string_view bytes, SteadySeconds now) {
+void LiveStreams::read_line_by_line(std::string_view bytes, SteadyTime now) {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size() - 1) + 1;
     const std::string_view line = bytes.substr(0, end);
@@ -81,7 +79,7 @@ void LiveStreams::read_line_by_line(std::string_view bytes, SteadySeconds now) {
   }
 }
 
-void LiveStreams::add_faces(SteadySeconds now) {
+void LiveStreams::add_faces(SteadyTime now) {
   const std::filesystem::path& path = options_.each.path;
   for (const auto& [face, beginning] : first().reader().take_new_faces()) {
     if (streams_.size() > kFaceStreamsMax) {
@@ -106,15 +104,15 @@ void LiveStreams::add_faces(SteadySeconds now) {
 }
 
 void LiveStreams::feed_voice(std::string_view bytes, Instant now) {
-  first().feed_voice(bytes, steady_seconds(now));
+  first().feed_voice(bytes, now);
 }
 
 void LiveStreams::end_voice(Instant now) {
-  first().end_voice(steady_seconds(now));
+  first().end_voice(now);
 }
 
 void LiveStreams::caught_up(Instant now) {
-  if (std::exchange(catching_up_, false)) go_on(steady_seconds(now));
+  if (std::exchange(catching_up_, false)) go_on(now);
 }
 
 void LiveStreams::begin_anew(const std::string& why) {
@@ -152,8 +150,7 @@ void LiveStreams::say_neutral() {
   }
 }
 
-void LiveStreams::end_input(Instant at, bool for_good) {
-  const SteadySeconds now = steady_seconds(at);
+void LiveStreams::end_input(Instant now, bool for_good) {
   ended_ = for_good;
   for (const auto& stream : streams_) stream->end_input(now, for_good);
   go_on(now);
@@ -161,7 +158,7 @@ void LiveStreams::end_input(Instant at, bool for_good) {
 
 /// While catching up with a followed file, nothing is due yet.
 void LiveStreams::advance(Instant now) {
-  if (!catching_up_) go_on(steady_seconds(now));
+  if (!catching_up_) go_on(now);
 }
 
 /// Logs messages of the first stream's reader; those of further faces would only repeat them.
@@ -180,7 +177,7 @@ void LiveStreams::say() {
   }
 }
 
-void LiveStreams::go_on(SteadySeconds now) {
+void LiveStreams::go_on(SteadyTime now) {
   say();
   for (const auto& stream : streams_) stream->go_on(now);
 }
@@ -192,7 +189,7 @@ bool LiveStreams::full() const {
 
 std::optional<Instant> LiveStreams::next() const {
   if (catching_up_) return std::nullopt;
-  std::optional<double> next;
+  std::optional<SteadyTime> next;
   for (const auto& stream : streams_) {
     next = earlier(next, stream->next());
   }

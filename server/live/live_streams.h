@@ -85,10 +85,10 @@ class LiveStreams {
  private:
   [[nodiscard]] LiveStream& first() const { return *streams_.front(); }
   void add(std::string name, const sources::LiveOptions& reading, bool with_voice);
-  void read_line_by_line(std::string_view bytes, SteadySeconds now);
-  void add_faces(SteadySeconds now);
+  void read_line_by_line(std::string_view bytes, SteadyTime now);
+  void add_faces(SteadyTime now);
   [[nodiscard]] Result<void> record(LiveStream& stream, bool first);
-  void go_on(SteadySeconds now);
+  void go_on(SteadyTime now);
   void say();
   void say_neutral();
   void warn_if_unquiet(const std::string& name, const sources::MeasuredNeutral& neutral) const;

@@ -38,7 +38,7 @@ Result<void> Recorder::add_voice_file() {
   return {};
 }
 
-void Recorder::add(const protocol::Keyframe& keyframe, SteadySeconds now, bool free) {
+void Recorder::add(const protocol::Keyframe& keyframe, SteadyTime now, bool free) {
   std::vector<std::string> lines;
   for (const protocol::Keyframe& line : timeline_.add(keyframe, now, free)) {
     lines.push_back(protocol::format_stream_line(line) + '\n');

@@ -31,7 +31,7 @@ class Recorder {
   [[nodiscard]] Result<void> add_voice_file();
 
   /// Adds a keyframe; the arguments are those of RecordTimeline.
-  void add(const protocol::Keyframe& keyframe, SteadySeconds now, bool free);
+  void add(const protocol::Keyframe& keyframe, SteadyTime now, bool free);
   /// Adds a voice packet that begins `after` the end of the last keyframe; negative: before it.
   void add_voice(protocol::VoicePacket packet, Milliseconds after);
   void end_of_stream() { timeline_.end(); }

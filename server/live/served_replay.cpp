@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "common/earlier.h"
-#include "server/live/steady_seconds.h"
 
 namespace aucast::server {
 
@@ -27,12 +26,11 @@ bool ServedReplay::advance(Instant now) {
   bool moved = replay_.advance(now);
   if (!feed_) return moved;
   if (moved) {
-    take_spoken(steady_seconds(now));
+    take_spoken(now);
     take_moments();
   }
   // What is left at the end waits for nothing.
-  const auto keyframe =
-      replay_.ended() ? thinning_.take_last() : thinning_.pop(steady_seconds(now));
+  const auto keyframe = replay_.ended() ? thinning_.take_last() : thinning_.pop(now);
   if (keyframe) {
     feed_->add(*keyframe);
     moved = true;
@@ -47,7 +45,7 @@ std::optional<Instant> ServedReplay::next_at() const {
   return earlier(replay_.next_at(), thinned);
 }
 
-void ServedReplay::take_spoken(SteadySeconds now) {
+void ServedReplay::take_spoken(SteadyTime now) {
   const auto& voice = replay_.voice();
   next_voice_ = std::max(next_voice_, voice.first_number());
   for (; const auto* const packet = voice.find(next_voice_); ++next_voice_) {

@@ -34,7 +34,7 @@ class ServedReplay {
   [[nodiscard]] const protocol::LiveChannel& channel() const;
 
  private:
-  void take_spoken(SteadySeconds now);
+  void take_spoken(SteadyTime now);
   void take_moments();
 
   protocol::LiveReplay replay_;

@@ -6,19 +6,24 @@
 #include "common/sources/hold.h"
 
 namespace aucast::server {
+namespace {
 
-bool SourceSilence::to_be_said(double since, double now) {
-  return now - since >= sources::kHoldSeconds && !std::exchange(said_, true);
+constexpr Seconds kHold(sources::kHoldSeconds);
+
+}  // namespace
+
+bool SourceSilence::to_be_said(SteadyTime since, SteadyTime now) {
+  return now - since >= kHold && !std::exchange(said_, true);
 }
 
-double SourceSilence::patience() const {
-  const double asked = seconds(time_out_);
-  return final_ ? std::min(asked, sources::kHoldSeconds + sources::kEaseSeconds) : asked;
+Seconds SourceSilence::patience() const {
+  const Seconds asked = time_out_;
+  return final_ ? std::min(asked, kHold + Seconds(sources::kEaseSeconds)) : asked;
 }
 
-std::optional<double> SourceSilence::next(double since, bool ended) const {
-  std::optional<double> next;
-  if (!said_) next = since + sources::kHoldSeconds;
+std::optional<SteadyTime> SourceSilence::next(SteadyTime since, bool ended) const {
+  std::optional<SteadyTime> next;
+  if (!said_) next = since + kHold;
   if (!ends() || ended) return next;
   return earlier(next, std::optional(since + patience()));
 }

@@ -10,7 +10,7 @@ namespace aucast::server {
 /// What it means for a live stream that nothing comes: once the face is no longer held
 /// (sources::kHoldSeconds) that is to be said, and after the time-out the stream is over. Where
 /// nothing can come any more it is over as soon as the face is neutral.
-/// Times are seconds of one clock. Thread: none of its own.
+/// Thread: none of its own.
 class SourceSilence {
  public:
   /// `time_out` 0: the stream is never over.
@@ -23,18 +23,18 @@ class SourceSilence {
   [[nodiscard]] bool is_final() const { return final_; }
 
   /// Whether the silence since then is to be said, which is once.
-  [[nodiscard]] bool to_be_said(double since, double now);
+  [[nodiscard]] bool to_be_said(SteadyTime since, SteadyTime now);
   /// Whether a silence can end the stream at all.
   [[nodiscard]] bool ends() const { return time_out_.count() > 0; }
-  /// How long a silence may be, in seconds.
-  [[nodiscard]] double patience() const;
+  /// How long a silence may be.
+  [[nodiscard]] Seconds patience() const;
   /// Whether the silence since then has ended the stream.
-  [[nodiscard]] bool is_over(double since, double now) const {
+  [[nodiscard]] bool is_over(SteadyTime since, SteadyTime now) const {
     return ends() && now - since >= patience();
   }
   /// When one of these becomes true of a silence since then; nothing: never. `ended`: the stream
   /// has ended already.
-  [[nodiscard]] std::optional<double> next(double since, bool ended) const;
+  [[nodiscard]] std::optional<SteadyTime> next(SteadyTime since, bool ended) const;
 
  private:
   Milliseconds time_out_;

@@ -24,7 +24,7 @@ LiveThinning::LiveThinning(std::uint32_t keyframe_ms, const LinkLimits& limits)
       voice_(limits.voice_kbits > 0
                  ? limits.voice_kbits * 1000.0 + headers_ / seconds(limits.voice_frame)
                  : 0),
-      stretch_(1 + seconds(limits.batch)),
+      stretch_(Seconds(1) + limits.batch),
       most_(limits.kbits * 1000.0),
       encoder_(keyframe_ms, 0) {
   if (limits.batch.count() == 0) {
@@ -53,18 +53,18 @@ void LiveThinning::push(protocol::Keyframe keyframe) {
   waiting_ = std::move(keyframe);
 }
 
-void LiveThinning::spend(std::size_t bytes, SteadySeconds now) {
+void LiveThinning::spend(std::size_t bytes, SteadyTime now) {
   if (!limited_) return;
   spend_bits(static_cast<double>(bytes * 8) + headers_, now);
 }
 
-void LiveThinning::spend_bits(double bits, SteadySeconds now) {
+void LiveThinning::spend_bits(double bits, SteadyTime now) {
   last_ = std::max(last_, now);
   while (!spent_.empty() && spent_.front().at <= last_ - stretch_) spent_.pop_front();
   spent_.push_back({last_, bits});
 }
 
-std::optional<protocol::Keyframe> LiveThinning::pop(SteadySeconds now) {
+std::optional<protocol::Keyframe> LiveThinning::pop(SteadyTime now) {
   if (!waiting_ || now < *due()) return std::nullopt;
   if (limited_) {
     spend_bits(bits_, now);
@@ -79,15 +79,15 @@ std::optional<protocol::Keyframe> LiveThinning::take_last() {
 
 /// When the keyframe fits, together with the voice that will come until earlier bytes no longer
 /// count.
-std::optional<double> LiveThinning::due() const {
+std::optional<SteadyTime> LiveThinning::due() const {
   if (!waiting_) return std::nullopt;
-  double due = 0;
+  SteadyTime due;
   double there = most_ - bits_;
   for (auto spent = spent_.rbegin(); spent != spent_.rend() && limited_; ++spent) {
     there -= spent->bits;
-    const double past = spent->at + stretch_;
+    const SteadyTime past = spent->at + stretch_;
     if (there < 0) return std::max(due, past);
-    if (voice_ > 0) due = std::max(due, past - there / voice_);
+    if (voice_ > 0) due = std::max(due, past - Seconds(there / voice_));
   }
   return due;
 }

@@ -25,7 +25,7 @@ struct LinkLimits {
 /// waits until there is room for it; a newer one replaces it and takes its time as well. The voice
 /// is never delayed, and the face gets the rest. All headers are counted. No second has more than
 /// the limit, unless the voice alone takes more or one keyframe is larger. Some room is left for
-/// what --batch may move from one second into the next. Times are seconds of one clock.
+/// what --batch may move from one second into the next.
 class LiveThinning {
  public:
   /// `keyframe_ms`: of an untimed keyframe.
@@ -34,34 +34,34 @@ class LiveThinning {
   /// Adds a full keyframe, which waits until pop() returns it.
   void push(protocol::Keyframe keyframe);
   /// Counts `bytes` of voice that are sent.
-  void spend(std::size_t bytes, SteadySeconds now);
+  void spend(std::size_t bytes, SteadyTime now);
   /// The keyframe that waits, when its time has come; nullopt otherwise.
-  [[nodiscard]] std::optional<protocol::Keyframe> pop(SteadySeconds now);
+  [[nodiscard]] std::optional<protocol::Keyframe> pop(SteadyTime now);
   /// The keyframe that waits, whether or not its time has come, since no more will follow; nullopt:
   /// none waits.
   [[nodiscard]] std::optional<protocol::Keyframe> take_last();
   /// When pop() will return a keyframe, as far as is known; nullopt while none waits.
-  [[nodiscard]] std::optional<double> due() const;
+  [[nodiscard]] std::optional<SteadyTime> due() const;
 
  private:
   struct Spent {
-    double at = 0;
+    SteadyTime at;
     double bits = 0;
   };
 
   [[nodiscard]] double bits_of(const protocol::Keyframe& keyframe) const;
-  void spend_bits(double bits, SteadySeconds now);
+  void spend_bits(double bits, SteadyTime now);
 
   std::uint32_t keyframe_ms_;
   bool limited_;
   bool changes_only_;
   double headers_;           ///< bits, for each packet that is written alone
   double voice_;             ///< bits a second that are reserved for the voice
-  double stretch_;           ///< in which bits are counted, in seconds
+  Seconds stretch_;          ///< in which bits are counted
   double most_;              ///< bits in a stretch, without the headers of batches
   std::deque<Spent> spent_;  ///< in the last stretch_ seconds
   double bits_ = 0;          ///< size of the keyframe that waits
-  double last_ = 0;          ///< when something was last sent
+  SteadyTime last_;          ///< when something was last sent
   protocol::KeyframeEncoder encoder_;
   std::optional<protocol::Keyframe> waiting_;
 };

@@ -21,8 +21,8 @@ constexpr Milliseconds kHole{1000};
 LiveVoice::LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay)
     : encoder_(settings), delay_(delay) {}
 
-void LiveVoice::add_keyframe(Milliseconds end, SteadySeconds now) {
-  face_.add(now, static_cast<double>(end.count()) / 1000);
+void LiveVoice::add_keyframe(Milliseconds end, SteadyTime now) {
+  face_.add(now, end);
 }
 
 std::vector<protocol::VoicePacket> LiveVoice::end_sound() {
@@ -71,14 +71,15 @@ std::size_t LiveVoice::steer(Milliseconds target, std::size_t count,
   return 0;
 }
 
-std::vector<protocol::VoicePacket> LiveVoice::add(std::string_view bytes, SteadySeconds now) {
+std::vector<protocol::VoicePacket> LiveVoice::add(std::string_view bytes, SteadyTime now) {
   std::vector<protocol::VoicePacket> packets;
   const std::vector<float> samples = samples_of(bytes);
-  const double made = static_cast<double>(samples_) / voice::kEncoderRate;
+  const auto made = [this] { return Seconds(static_cast<double>(samples_) / voice::kEncoderRate); };
+  const Seconds before = made();
   samples_ += samples.size();
-  sound_.add(now, static_cast<double>(samples_) / voice::kEncoderRate);
+  sound_.add(now, made());
   if (!face_.known()) return packets;
-  const double place = sound_.begin() + made - face_.begin();
+  const double place = seconds(sound_.begin() + before - face_.begin());
   const Milliseconds target = Milliseconds(whole_milliseconds(place)) + delay_;
   const std::size_t left_out = steer(target, samples.size(), packets);
   encoder_.add(std::span(samples).subspan(left_out), packets);

@@ -23,12 +23,12 @@ class LiveVoice {
   LiveVoice(const voice::VoiceSettings& settings, Milliseconds delay);
 
   /// A keyframe that ends at `end` on the stream's clock was made now.
-  void add_keyframe(Milliseconds end, SteadySeconds now);
+  void add_keyframe(Milliseconds end, SteadyTime now);
   /// The stream has ended, and begins anew with the next keyframe.
   void end_face() { face_.forget(); }
   /// Takes samples, 16-bit signed little-endian, mono at kEncoderRate, and returns the packets that
   /// they complete. Samples before the first keyframe have no place and are dropped.
-  [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, SteadySeconds now);
+  [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, SteadyTime now);
   /// The writer has gone: the next samples do not continue the last. Returns the packets of the
   /// rest.
   [[nodiscard]] std::vector<protocol::VoicePacket> end_sound();

@@ -8,14 +8,14 @@ namespace {
 /// How far the line rises per second. Clocks differ by 100 millionths; ten times that lets it
 /// correct an arrival that was too early.
 constexpr double kRise = 1e-3;
-/// Being kLate late for kLateTime, both in seconds, is no jitter.
-constexpr double kLate = 0.3;
-constexpr double kLateTime = 2;
+/// Being kLate late for kLateTime is no jitter.
+constexpr Seconds kLate(0.3);
+constexpr Seconds kLateTime(2);
 
 }  // namespace
 
-void SlowLine::add(SteadySeconds now, double made) {
-  const double seems = now - made;
+void SlowLine::add(SteadyTime now, Seconds made) {
+  const SteadyTime seems = now - made;
   if (!begin_ || seems <= *begin_) {
     begin_ = seems;
     late_since_.reset();

@@ -49,7 +49,8 @@ class Source {
     if (queue_.size() == 0) {
       reader_.idle(now_);
       for (const LiveKeyframe& keyframe : reader_.take_keyframes()) serve(keyframe.keyframe, true);
-      AUCAST_CHECK(!reader_.idle_due() || *reader_.idle_due() > now_ - 1e-3);
+      AUCAST_CHECK(!reader_.idle_due() ||
+                   *reader_.idle_due() > now_ - std::chrono::milliseconds(1));
     }
     for (const LiveMessage& message : reader_.take_messages()) {
       AUCAST_CHECK(message.text.starts_with("f:"));
@@ -57,7 +58,7 @@ class Source {
   }
 
   void pass(double seconds) {
-    now_ += seconds;
+    now_ += Seconds(seconds);
     go_on();
   }
 
@@ -77,7 +78,7 @@ class Source {
   LiveReader reader_;
   LiveQueue queue_;
   RecordTimeline record_;
-  double now_ = 1000;
+  SteadyTime now_{Seconds(1000)};
 };
 
 }  // namespace

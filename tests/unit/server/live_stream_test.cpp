@@ -12,9 +12,12 @@
 
 #include "common/sources/hold.h"
 #include "tests/support/quiet_log.h"
+#include "tests/support/steady_time.h"
 
 namespace aucast::server {
 namespace {
+
+using namespace std::chrono_literals;
 
 using Texts = std::vector<std::string>;
 
@@ -41,10 +44,10 @@ class LiveStreamTest : public ::testing::Test {
     return std::exchange(sent_, {});
   }
   /// What is sent of itself within so long.
-  Texts after(double seconds) {
-    const double until = now_ + seconds;
+  Texts after(Seconds time) {
+    const SteadyTime until = now_ + time;
     for (auto next = stream_->next(); next && *next <= until; next = stream_->next()) {
-      now_ = std::max(now_, *next) + 1e-6;
+      now_ = std::max(now_, *next) + 1us;
       stream_->go_on(now_);
     }
     now_ = until;
@@ -54,7 +57,7 @@ class LiveStreamTest : public ::testing::Test {
   const test::QuietLog quiet_;
   LiveStreamOptions options_;
   std::optional<LiveStream> stream_;
-  double now_ = 1000;
+  SteadyTime now_ = test::at_second(1000);
   Texts sent_;
 };
 
@@ -87,12 +90,11 @@ TEST_F(LiveStreamTest, IsFullUntilItWasSent) {
 TEST_F(LiveStreamTest, EndsWhenItsWriterStaysAwayAndGoesOnWhenItComesBack) {
   EXPECT_EQ(fed("12:50;100\n"), Texts{"{12:50;100}"});
   stream_->end_input(now_, false);
-  const double patience = seconds(options_.timeout);
-  Texts meanwhile = after(patience - 0.1);
+  Texts meanwhile = after(options_.timeout - 100ms);
   ASSERT_FALSE(meanwhile.empty());
   EXPECT_EQ(meanwhile.back().substr(0, 2), "{0") << "the face is neutral";
   EXPECT_FALSE(stream_->ended());
-  EXPECT_EQ(after(0.2), Texts{"end"});
+  EXPECT_EQ(after(200ms), Texts{"end"});
   EXPECT_TRUE(stream_->ended());
   EXPECT_EQ(fed("12:60;100\n"), Texts{"{12:60;100}"});
   EXPECT_FALSE(stream_->ended());
@@ -101,10 +103,10 @@ TEST_F(LiveStreamTest, EndsWhenItsWriterStaysAwayAndGoesOnWhenItComesBack) {
 TEST_F(LiveStreamTest, EndsWithTheFaceWhenNobodyCanWriteAnyMore) {
   EXPECT_EQ(fed("12:50;100\n").size(), 1U);
   stream_->end_input(now_, true);
-  const Texts rest = after(sources::kHoldSeconds + sources::kEaseSeconds + 0.1);
+  const Texts rest = after(Seconds(sources::kHoldSeconds + sources::kEaseSeconds + 0.1));
   ASSERT_FALSE(rest.empty());
   EXPECT_EQ(rest.back(), "end");
-  EXPECT_EQ(after(100), Texts()) << "once";
+  EXPECT_EQ(after(100s), Texts()) << "once";
 }
 
 TEST_F(LiveStreamTest, WithoutAnyKeyframeItEndsWithItsInput) {
@@ -119,7 +121,7 @@ TEST_F(LiveStreamTest, WithoutATimeoutItNeverEnds) {
   begin();
   EXPECT_EQ(fed("12:50;100\n").size(), 1U);
   stream_->end_input(now_, true);
-  after(1000);
+  after(1000s);
   EXPECT_FALSE(stream_->ended());
 }
 

@@ -10,6 +10,7 @@
 
 #include "server/streams/thinning.h"
 #include "tests/support/seeded.h"
+#include "tests/support/steady_time.h"
 
 namespace aucast::server {
 namespace {
@@ -33,7 +34,7 @@ TEST(LiveThinning, LetsThroughAtOnceWhatFits) {
     LiveThinning thinning(250, {kbits, 0ms});
     for (int i = 0; i < 100; ++i) {
       thinning.push(busy(i, 40));
-      EXPECT_EQ(thinning.pop(i * 0.04), busy(i, 40));
+      EXPECT_EQ(thinning.pop(test::at_second(i * 0.04)), busy(i, 40));
       EXPECT_FALSE(thinning.due());
     }
   }
@@ -43,15 +44,15 @@ TEST(LiveThinning, TheNewestTakesPlaceAndTimeOfTheOneThatWaits) {
   LiveThinning thinning(250, {8, 0ms});
   for (int i = 0; i < 100; ++i) {
     thinning.push(busy(0, 40));
-    if (!thinning.pop(0)) break;
+    if (!thinning.pop(test::at_second(0))) break;
   }
   (void)thinning.take_last();
   thinning.push(busy(1, std::nullopt));
   thinning.push(busy(2, 30));
   ASSERT_TRUE(thinning.due());
-  const double due = *thinning.due();
-  EXPECT_GT(due, 0);
-  EXPECT_EQ(thinning.pop(due * 0.99), std::nullopt);
+  const SteadyTime due = *thinning.due();
+  EXPECT_GT(due, test::at_second(0));
+  EXPECT_EQ(thinning.pop(due - 1ms), std::nullopt);
   EXPECT_EQ(thinning.pop(due), busy(2, 250 + 30));
   EXPECT_EQ(thinning.take_last(), std::nullopt);
 }
@@ -61,9 +62,10 @@ TEST(LiveThinning, TheFaceGoesWithoutWhatTheVoiceTakes) {
     LiveThinning thinning(40, {24, 180ms, 14, 60ms});
     int sent = 0;
     for (int ms = 0; ms < 10'000; ms += 20) {
-      if (ms % 60 == 0 && voice_bytes > 0) thinning.spend(voice_bytes, ms / 1000.0);
+      if (ms % 60 == 0 && voice_bytes > 0)
+        thinning.spend(voice_bytes, SteadyTime(Milliseconds(ms)));
       if (ms % 40 == 0) thinning.push(busy(ms / 40, 40));
-      sent += thinning.pop(ms / 1000.0) ? 1 : 0;
+      sent += thinning.pop(SteadyTime(Milliseconds(ms))) ? 1 : 0;
     }
     return sent;
   };
@@ -101,7 +103,7 @@ TEST(LiveThinning, NoSecondHoldsMoreThanTheLimit) {
     std::uint64_t sent_ms = 0;
     protocol::KeyframeEncoder encoder(250, 0);
     for (int ms = 0; ms < 20'000; ++ms) {
-      const double now = ms / 1000.0;
+      const SteadyTime now(Milliseconds{ms});
       if (flush_at >= 0 && ms >= flush_at) flush_at = -1;
       if (ms % 60 == 0 && ms / 4000 % 2 == 0) {
         const auto bytes = static_cast<std::size_t>(seeded.integer(60, 100));

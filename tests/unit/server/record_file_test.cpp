@@ -82,7 +82,7 @@ TEST_F(RecordFileTest, TheRecorderWritesAllThatItWasGiven) {
     protocol::Keyframe keyframe;
     keyframe.terms = {{static_cast<std::uint8_t>(i % 60 + 1), Side::Both, 50}};
     keyframe.duration_ms = i + 1;
-    (*recorder)->add(keyframe, 0, false);
+    (*recorder)->add(keyframe, {}, false);
     stream.keyframes.push_back(keyframe);
   }
   EXPECT_TRUE((*recorder)->finish());
@@ -109,7 +109,7 @@ TEST_F(RecordFileTest, KeepsTheVoiceBesideTheFaceWhereItIsHeard) {
   protocol::Keyframe keyframe;
   keyframe.terms = {{12, Side::Both, 50}};
   keyframe.duration_ms = 500;
-  (*recorder)->add(keyframe, 0, false);
+  (*recorder)->add(keyframe, {}, false);
   const std::string opus("\x58\x01\x02", 3);  // 60 ms
   (*recorder)->add_voice({7s, opus}, -200ms);
   (*recorder)->add_voice({7060ms, opus}, -140ms);

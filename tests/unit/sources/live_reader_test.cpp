@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "protocol/codec.h"
+#include "tests/support/steady_time.h"
 #include "tests/unit/sources/tables.h"
 
 namespace aucast::sources {
 namespace {
+
+using test::at_second;
 
 using tables::kOpenFace2Header;
 using tables::openface2_row;
@@ -47,7 +50,7 @@ class LiveReaderTest : public ::testing::Test {
   }
 
   std::vector<std::string> fed(std::string_view bytes, double now = 0) {
-    reader_->feed(bytes, now);
+    reader_->feed(bytes, at_second(now));
     return keyframes();
   }
 
@@ -90,7 +93,7 @@ TEST_F(LiveReaderTest, ALineWithoutItsEndIsLeftOutWhenTheWriterGoes) {
   const std::string row = smile(2, "0.040", "2");
   static_cast<void>(fed(kOpenFace2Header + smile(1, "0.000", "1") + row.substr(0, 20)));
   static_cast<void>(messages());
-  reader_->end_input(1);
+  reader_->end_input(at_second(1));
   EXPECT_EQ(messages(), "face.csv: the last line has no end and was left out\n");
   EXPECT_EQ(fed(smile(3, "0.080", "3"), 1), Texts{"{12:60;40}"});
 }
@@ -230,7 +233,7 @@ TEST_F(LiveReaderTest, AClockThatIsSetBackGoesOn) {
   static_cast<void>(fed(kOpenFace2Header + smile(1, "7200.000", "1") + smile(2, "7200.040", "1")));
   std::size_t shown = 0;
   for (int frame = 3; frame < 43; ++frame) {
-    reader_->feed(smile(frame, std::to_string(3600 + 0.04 * frame), "2"), 0.04 * frame);
+    reader_->feed(smile(frame, std::to_string(3600 + 0.04 * frame), "2"), at_second(0.04 * frame));
     for (const LiveKeyframe& keyframe : reader_->take_keyframes()) {
       EXPECT_EQ(keyframe.begins, shown == 0);
       ++shown;
@@ -345,8 +348,8 @@ TEST_F(LiveReaderTest, SilenceHoldsThenLeadsToNeutral) {
   start();
   EXPECT_FALSE(reader_->idle_due().has_value());
   static_cast<void>(fed(kOpenFace2Header + smile(1, "0.000", "5"), 100));
-  EXPECT_DOUBLE_EQ(*reader_->idle_due(), 100.5);
-  reader_->idle(100.49);
+  EXPECT_EQ(reader_->idle_due(), at_second(100.5));
+  reader_->idle(at_second(100.49));
   EXPECT_EQ(keyframes(), Texts{});
   Texts eased;
   while (const auto due = reader_->idle_due()) {
@@ -363,8 +366,8 @@ TEST_F(LiveReaderTest, AStreamFilesLineHoldsUntilItsInputEnds) {
   start();
   static_cast<void>(fed("12;100\n", 100));
   EXPECT_FALSE(reader_->idle_due().has_value());
-  reader_->end_input(200);
-  EXPECT_DOUBLE_EQ(*reader_->idle_due(), 200.5);
+  reader_->end_input(at_second(200));
+  EXPECT_EQ(reader_->idle_due(), at_second(200.5));
 }
 
 TEST_F(LiveReaderTest, ARateLeavesMomentsOut) {
