@@ -87,7 +87,7 @@ struct PlaceField {
 
 constexpr std::size_t kPlaceBegin = 3;  ///< of its digits, after `{a@`
 
-bool is_sound(std::string_view packet) {
+bool is_spoken(std::string_view packet) {
   return packet.starts_with("{a") || packet.starts_with("{t");
 }
 
@@ -180,7 +180,7 @@ std::string with_places_earlier(std::string_view packets, std::uint64_t by_ms) {
   while (!packets.empty()) {
     const std::string_view packet = first_packet(packets);
     packets.remove_prefix(packet.size());
-    if (!is_sound(packet)) {
+    if (!is_spoken(packet)) {
       moved += packet;
       continue;
     }

@@ -22,11 +22,16 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
   const std::uint64_t number = ++last_number_;
   auto connection = std::make_shared<ClientConnection>(
       open_link(), std::move(catalogue),
-      ClientConnection::Settings{
-          number, link::endpoint_text(peer), &log_, options_.client_timeout, admission,
-          options_.batch, protocol::TokenCount{&wrong_tokens_, address},
-          way == Way::WebSocket ? protocol::Silence::Refused : protocol::Silence::Classic,
-          on_publisher_},
+      ClientConnection::Settings{.number = number,
+                                 .peer = link::endpoint_text(peer),
+                                 .log = &log_,
+                                 .client_timeout = options_.client_timeout,
+                                 .admission = admission,
+                                 .batch = options_.batch,
+                                 .token_count = protocol::TokenCount{&wrong_tokens_, address},
+                                 .silence = way == Way::WebSocket ? protocol::Silence::Refused
+                                                                  : protocol::Silence::Classic,
+                                 .on_publisher = on_publisher_},
       [this](const ClientRecord& record, const std::string&) { farewell(record); });
   if (refused) {
     ++refused_;
