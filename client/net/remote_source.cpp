@@ -15,6 +15,7 @@
 #include "client/net/dialling.h"
 #include "client/net/server_connection.h"
 #include "common/link/host.h"
+#include "common/text.h"
 #include "common/thread.h"
 
 namespace aucast::net {
@@ -30,9 +31,17 @@ std::string peer_names(const RemoteOptions& options) {
 }
 
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {peer_names(options), options.classic,  options.stream,           options.connect_timeout,
-          options.buffers,     options.speed,    options.reconnect,        options.security.token,
-          options.voice,       options.captions, 1 + options.others.size()};
+  return {.peer = peer_names(options),
+          .classic = options.classic,
+          .stream = options.stream,
+          .silence_max = options.connect_timeout,
+          .buffers = options.buffers,
+          .speed = options.speed,
+          .reconnect = options.reconnect,
+          .token = options.security.token,
+          .voice = options.voice,
+          .captions = options.captions,
+          .hosts = 1 + options.others.size()};
 }
 
 }  // namespace
@@ -66,8 +75,13 @@ class RemoteSource::Network {
 
  private:
   void run() {
-    dial();
-    io_.run();
+    // Asio throws when the system has no descriptor left for it.
+    try {
+      dial();
+      io_.run();
+    } catch (const std::system_error& failure) {
+      connection_.fail(shortage_text(failure), true);
+    }
   }
 
   void dial() {
@@ -120,9 +134,15 @@ class RemoteSource::Network {
   std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };
 
-RemoteSource::RemoteSource(RemoteOptions options)
-    : ConnectedSource(reader_options(options)),
-      network_(std::make_unique<Network>(reader(), std::move(options))) {}
+RemoteSource::RemoteSource(RemoteOptions options) : ConnectedSource(reader_options(options)) {
+  try {
+    network_ = std::make_unique<Network>(reader(), std::move(options));
+  } catch (const std::system_error& failure) {  // as in run()
+    static_cast<void>(reader().with([&failure](AuReader& reader) {
+      return reader.refused(playback::EndReason::Refused, shortage_text(failure));
+    }));
+  }
+}
 
 RemoteSource::~RemoteSource() {
   stop();
@@ -134,15 +154,15 @@ bool RemoteSource::wait_until(Instant until) {
 }
 
 void RemoteSource::speak() {
-  network_->post_speak();
+  if (network_) network_->post_speak();
 }
 
 void RemoteSource::leave() {
-  network_->post_leave();
+  if (network_) network_->post_leave();
 }
 
 std::uint64_t RemoteSource::bytes_sent() const {
-  return network_->bytes_sent();
+  return network_ ? network_->bytes_sent() : 0;
 }
 
 }  // namespace aucast::net

@@ -63,7 +63,7 @@ class RemoteSource final : public ConnectedSource {
   void leave() override;
   [[nodiscard]] std::uint64_t bytes_sent() const override;
 
-  std::unique_ptr<Network> network_;
+  std::unique_ptr<Network> network_;  ///< null: the system had nothing left for it
 };
 
 }  // namespace aucast::net

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/server_running.h"
+#include "tests/support/sanitized.h"
 
 namespace aucast::test {
 namespace {
@@ -144,18 +145,6 @@ TEST_F(ServerHostile, ManyThatComeAndGo) {
     if (number % 3 == 1) client.send("}");
   }
 }
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-#else
-constexpr bool kSanitized = false;
-#endif
 
 /// Resident memory of a process in kB.
 long resident_kb(pid_t pid) {

@@ -1,6 +1,7 @@
 // Servers that cannot be reached, fall silent, break off or talk nonsense: each ends with its
 // reason and a sentence that names the place, and what came before is still played.
 
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 
 #include "client/net/remote_source.h"
 #include "tests/support/loopback.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scripted_server.h"
 #include "tests/unit/net/remote_fixture.h"
 
@@ -93,6 +95,24 @@ TEST(RemoteSourceFailure, Ipv6InItsBrackets) {
   EXPECT_TRUE(source.wait_until(patience()));
   EXPECT_EQ(source.status().end, EndReason::Unreachable);
   EXPECT_TRUE(holds(source.status(), "cannot reach [::1]:1: ")) << source.status().detail;
+}
+
+TEST(RemoteSourceFailure, NoDescriptorLeft) {
+  if (kSanitized) GTEST_SKIP() << "a sanitizer looks at an exception with descriptors of its own";
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &usual), 0);
+  const int next = ::dup(STDERR_FILENO);
+  ::close(next);
+  rlimit none_left = usual;
+  none_left.rlim_cur = static_cast<rlim_t>(next);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none_left), 0);
+  RemoteSource source(options_for(1));
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
+  EXPECT_TRUE(source.wait_until(patience()));
+  EXPECT_FALSE(source.take());
+  EXPECT_EQ(source.status().end, EndReason::Refused);
+  EXPECT_TRUE(holds(source.status(), "Too many open files")) << source.status().detail;
+  source.stop();
 }
 
 TEST(RemoteSourceFailure, SilentServer) {
