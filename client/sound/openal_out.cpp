@@ -82,6 +82,7 @@ class OpenAlOut final : public SoundOut {
     // A source that has run out of buffers calls all it has played, those queued later too.
     const bool stands = state() != AL_PLAYING;
     collect();
+    alGetError();  // of what came before
     ALuint buffer = 0;
     if (free_.empty()) {
       alGenBuffers(1, &buffer);
@@ -96,6 +97,12 @@ class OpenAlOut final : public SoundOut {
     alBufferData(buffer, AL_FORMAT_MONO16, pcm_.data(),
                  static_cast<ALsizei>(pcm_.size() * sizeof(std::int16_t)), kRate);
     alSourceQueueBuffers(source_, 1, &buffer);
+    // A buffer that is not played must not be counted as heard: the face follows that.
+    if (alGetError() != AL_NO_ERROR) {
+      if (buffer != 0) alDeleteBuffers(1, &buffer);
+      failed_ = true;
+      return;
+    }
     queued_.push_back({buffer, static_cast<std::int64_t>(samples.size())});
     if (stands) alSourcePlay(source_);
   }
@@ -114,6 +121,7 @@ class OpenAlOut final : public SoundOut {
   }
 
   bool lost() override {
+    if (failed_) return true;
     if (!tells_loss_) return false;
     ALCint connected = ALC_TRUE;
     alcGetIntegerv(device_.get(), ALC_CONNECTED, 1, &connected);
@@ -154,6 +162,7 @@ class OpenAlOut final : public SoundOut {
   std::vector<ALuint> free_;
   std::vector<std::int16_t> pcm_;
   std::int64_t done_ = 0;  ///< samples of the buffers taken back
+  bool failed_ = false;    ///< it took no more sound
 };
 
 std::string named(const std::vector<std::string>& devices) {
