@@ -50,6 +50,14 @@ TEST_F(FullDisk, WhileWritingPicturesFailsAndLeavesOnlyWholeOnes) {
   EXPECT_EQ(done.out.find("torn"), std::string::npos) << done.out;
 }
 
+TEST_F(FullDisk, TheStatisticsSayHowFarItCame) {
+  const Finished done = run_on_small_disk(1000, "--frames DISK/out --stats /dev/stdout");
+  EXPECT_EQ(done.exit_code, 1) << done.err;
+  EXPECT_NE(done.out.find("\"end_reason\": \"failed\""), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("\"keyframes_played\": "), std::string::npos) << done.out;
+  EXPECT_EQ(done.out.find("\"keyframes_played\": 0,"), std::string::npos) << done.out;
+}
+
 TEST_F(FullDisk, IsSaidOfTheStatisticsToo) {
   const Finished done = run_on_small_disk(64, "--stats /dev/full");
   EXPECT_EQ(done.exit_code, 1) << done.err;

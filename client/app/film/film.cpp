@@ -226,6 +226,11 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
     film_ms += begun.duration.count();
     stats.playback_seconds = seconds(steady_now() - *first);
   };
+  const auto told = [&](Result<void> result) {
+    stats.keyframes_played = playback.keyframes_played();
+    stats.media_seconds = seconds(playback.media_time());
+    return result;
+  };
   while (!playback.over()) {
     // The film clock stands still until the source has something or has ended.
     while (!playback.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
@@ -235,13 +240,10 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
       break;
     }
     film.player().advance(film_now(), draw);
-    if (!drawn) return drawn;
+    if (!drawn) return told(drawn);
   }
   if (playback.state() == playback::PlaybackState::Ended) drawn = film.tail(film_ms);
-  if (!drawn) return drawn;
-  stats.keyframes_played = playback.keyframes_played();
-  stats.media_seconds = seconds(playback.media_time());
-  return film.finish();
+  return told(drawn ? film.finish() : drawn);
 }
 
 }  // namespace aucast::app
