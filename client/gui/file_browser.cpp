@@ -59,17 +59,6 @@ bool is_face_file(const fs::path& file) {
   return file.filename() == face::kFaceFile;
 }
 
-bool is_saving(Purpose purpose) {
-  const bool opening = purpose == Purpose::PlayStream || purpose == Purpose::ComposeStream ||
-                       purpose == Purpose::ImportAus || purpose == Purpose::CameraFilm;
-  return !opening && !is_folder(purpose);
-}
-
-bool is_folder(Purpose purpose) {
-  return purpose == Purpose::LookForFaces || purpose == Purpose::PictureFolder ||
-         purpose == Purpose::GalleryFolder;
-}
-
 void FileBrowser::open(Purpose purpose, const fs::path& folder, std::string name) {
   view_ = {};
   view_.open = true;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "client/face/muscle_mixer.h"
+#include "client/gui/browser_view.h"
 #include "client/gui/composer_view.h"
 #include "client/gui/display_settings.h"
-#include "client/gui/file_browser.h"
 #include "client/gui/gallery_view.h"
 #include "client/gui/mirror_view.h"
 #include "client/gui/picture_settings.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "client/gui/file_browser.h"
+#include "client/gui/browser_view.h"
 #include "client/gui/picture_settings.h"
 #include "common/action_unit.h"
 #include "common/result.h"
