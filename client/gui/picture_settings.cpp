@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 #include <utility>
 
 #include "client/gui/texts.h"
@@ -10,8 +9,6 @@
 
 namespace aucast::gui {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kWordMax = 80;
 
@@ -63,30 +60,6 @@ Result<std::string> picture_name(std::string_view pattern, const PictureWords& w
   if (name.find('/') != std::string::npos) return wrong(tr("pattern.folder"));
   if (name.front() == '.') return wrong(tr("pattern.hidden"));
   return name;
-}
-
-Result<fs::path> picture_file(const PictureSettings& settings, const PictureWords& words,
-                              const std::string& ending) {
-  const fs::path folder = settings.folder.empty() ? fs::path(".") : fs::path(settings.folder);
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) {
-    return Error{ErrorKind::Failed, "cannot make " + at_place(folder.string(), failed.message())};
-  }
-  const auto first = picture_name(settings.pattern, words, 1);
-  if (!first) return first.error();
-  const bool counts = settings.pattern.find("{number}") != std::string::npos;
-  for (int number = 1;; ++number) {
-    std::string name = *first;
-    if (counts) {
-      name = *picture_name(settings.pattern, words, number);
-    } else if (number > 1) {
-      name += "-" + std::to_string(number);
-    }
-    fs::path file = folder / (name + ending);
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) return file;
-  }
 }
 
 }  // namespace aucast::gui

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,12 +34,5 @@ struct PictureWords {
 /// pattern that is empty or has a '/'.
 [[nodiscard]] Result<std::string> picture_name(std::string_view pattern, const PictureWords& words,
                                                int number);
-
-/// The path of the first file for the pattern that does not exist yet, so that none is overwritten.
-/// A pattern without {number} gets -2, -3 and so on where needed. Makes the folder; fails if it
-/// cannot.
-[[nodiscard]] Result<std::filesystem::path> picture_file(const PictureSettings& settings,
-                                                         const PictureWords& words,
-                                                         const std::string& ending);
 
 }  // namespace aucast::gui

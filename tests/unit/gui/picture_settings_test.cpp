@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/temp_folder.h"
-
 namespace aucast::gui {
 namespace {
 
@@ -34,29 +32,6 @@ TEST(PictureSettings, APatternThatMeansNothingIsSaid) {
   EXPECT_NE(problem("").find("empty"), std::string::npos);
   EXPECT_NE(problem("a/b").find("folder"), std::string::npos);
   EXPECT_NE(problem(".a").find("hidden"), std::string::npos);
-}
-
-TEST(PictureSettings, WhatIsThereIsNeverOverwritten) {
-  const test::TempFolder folder;
-  PictureSettings settings;
-  settings.folder = folder.path() / "new" / "pictures";
-  const auto next = [&] {
-    const auto file = picture_file(settings, kWords, ".png");
-    EXPECT_TRUE(file) << file.error().message;
-    return file ? file->filename().string() : "";
-  };
-  EXPECT_EQ(next(), "face-player-1.png") << "the folder is made";
-  folder.write("new/pictures/face-player-1.png", "");
-  folder.write("new/pictures/face-player-2.png", "");
-  EXPECT_EQ(next(), "face-player-3.png");
-  settings.pattern = "{face}";
-  EXPECT_EQ(next(), "marek.png");
-  folder.write("new/pictures/marek.png", "");
-  EXPECT_EQ(next(), "marek-2.png");
-  settings.folder = folder.path() / "new" / "pictures" / "marek.png";
-  const auto none = picture_file(settings, kWords, ".png");
-  ASSERT_FALSE(none);
-  EXPECT_NE(none.error().message.find("cannot make"), std::string::npos);
 }
 
 }  // namespace

@@ -2,11 +2,15 @@
 
 #include <array>
 #include <ctime>
+#include <system_error>
 
 #include "client/gallery/gallery_plan.h"
+#include "common/text.h"
 
 namespace aucast::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -15,6 +19,16 @@ std::string today() {
   std::array<char, 16> text{};
   const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
   return {text.data(), length};
+}
+
+gui::PictureWords words_of(const Named& shown) {
+  gui::PictureWords words;
+  words.face = shown.face;
+  words.date = today();
+  words.stream = shown.stream;
+  if (shown.keyframe > 0) words.keyframe = std::to_string(shown.keyframe);
+  words.aus = shown.aus ? gallery::file_stem(*shown.aus) : shown.edited;
+  return words;
 }
 
 }  // namespace
@@ -43,15 +57,29 @@ std::string new_file_name(gui::Purpose purpose, const Named& shown) {
   }
 }
 
-Result<std::filesystem::path> new_picture_file(const gui::PictureSettings& settings,
-                                               const Named& shown, const std::string& ending) {
-  gui::PictureWords words;
-  words.face = shown.face;
-  words.date = today();
-  words.stream = shown.stream;
-  if (shown.keyframe > 0) words.keyframe = std::to_string(shown.keyframe);
-  words.aus = shown.aus ? gallery::file_stem(*shown.aus) : shown.edited;
-  return gui::picture_file(settings, words, ending);
+Result<fs::path> new_picture_file(const gui::PictureSettings& settings, const Named& shown,
+                                  const std::string& ending) {
+  const fs::path folder = settings.folder.empty() ? fs::path(".") : fs::path(settings.folder);
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) {
+    return Error{ErrorKind::Failed, "cannot make " + at_place(folder.string(), failed.message())};
+  }
+  const gui::PictureWords words = words_of(shown);
+  const auto first = gui::picture_name(settings.pattern, words, 1);
+  if (!first) return first.error();
+  const bool counts = settings.pattern.find("{number}") != std::string::npos;
+  for (int number = 1;; ++number) {
+    std::string name = *first;
+    if (counts) {
+      name = *gui::picture_name(settings.pattern, words, number);
+    } else if (number > 1) {
+      name += "-" + std::to_string(number);
+    }
+    fs::path file = folder / (name + ending);
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return file;
+  }
 }
 
 }  // namespace aucast::app

@@ -58,5 +58,30 @@ TEST(FileNames, APictureIsNamedAfterWhatIsShown) {
   EXPECT_EQ(of_muscles->filename(), "marek_talk_none_au12_edited.png");
 }
 
+TEST(FileNames, APictureThatIsThereIsNeverOverwritten) {
+  const test::TempFolder folder;
+  gui::PictureSettings settings;
+  settings.folder = folder.path() / "new" / "pictures";
+  Named shown;
+  shown.face = "marek";
+  const auto next = [&] {
+    const auto file = new_picture_file(settings, shown, ".png");
+    EXPECT_TRUE(file) << file.error().message;
+    return file ? file->filename().string() : "";
+  };
+  EXPECT_EQ(next(), "face-player-1.png") << "the folder is made";
+  folder.write("new/pictures/face-player-1.png", "");
+  folder.write("new/pictures/face-player-2.png", "");
+  EXPECT_EQ(next(), "face-player-3.png");
+  settings.pattern = "{face}";
+  EXPECT_EQ(next(), "marek.png");
+  folder.write("new/pictures/marek.png", "");
+  EXPECT_EQ(next(), "marek-2.png");
+  settings.folder = folder.path() / "new" / "pictures" / "marek.png";
+  const auto none = new_picture_file(settings, shown, ".png");
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("cannot make"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace aucast::app
