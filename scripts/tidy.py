@@ -25,8 +25,9 @@ FILE_MAX = 600
 SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
-APP = SERVER | {"common/expressions"} | {"client/" + room for room in
-                ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "gui", "glb", "gallery")}
+GUI = {"client/gui", "client/gui/storage"}
+APP = SERVER | GUI | {"common/expressions"} | {"client/" + room for room in
+                      ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "glb", "gallery")}
 
 # The rooms of the window; the files directly in it are on top of them.
 WINDOW = {"client/app/window/" + room for room in
@@ -76,6 +77,7 @@ MAY_INCLUDE = {
     "client/mirror": {"common", "common/preview"},
     "client/gui": {"common", "common/preview", "protocol", "client/playback", "client/face", "client/view",
                    "client/gallery"},
+    "client/gui/storage": {"common", "client/face", "client/gui"},
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},
@@ -88,7 +90,7 @@ MAY_INCLUDE = {
     "client/app/window/thumbnails": APP | {"client/app/film"},
     "client/app/window": APP | {"client/app", "client/app/film", "client/app/gallery"} | WINDOW,
     "client/app/commands": APP | {"client/app", "client/app/film"},
-    "client/web": APP - {"client/gui", "client/glb", "client/gallery", "client/mirror"} | {"client/app/film"},
+    "client/web": APP - GUI - {"client/glb", "client/gallery", "client/mirror"} | {"client/app/film"},
     "client": APP | {"client/app", "client/app/film", "client/app/gallery", "client/app/window",
                      "client/app/window/settings", "client/app/commands"},
     "speaker": {"common", "common/expressions", "common/voice", "protocol"},

@@ -26,7 +26,7 @@
 #include "client/app/window/settings/settings_session.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
-#include "client/gui/kept_settings.h"
+#include "client/gui/storage/kept_settings.h"
 #include "client/pipeline/idle_face.h"
 
 namespace aucast::app {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/file_browser.h"
+#include "client/gui/storage/file_browser.h"
 #include "common/result.h"
 
 namespace aucast::app {

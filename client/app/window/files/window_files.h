@@ -20,7 +20,7 @@
 #include "client/app/window/recording/onset_session.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
-#include "client/gui/kept_settings.h"
+#include "client/gui/storage/kept_settings.h"
 
 namespace aucast::app {
 

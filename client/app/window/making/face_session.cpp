@@ -8,7 +8,7 @@
 
 #include "client/app/window/making/own_faces.h"
 #include "client/face/face.h"
-#include "client/gui/user_face.h"
+#include "client/gui/storage/user_face.h"
 #include "common/files.h"
 #include "common/log.h"
 

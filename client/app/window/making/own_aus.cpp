@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "client/app/window/making/own_faces.h"
+#include "client/gui/storage/user_face.h"
 #include "client/gui/texts.h"
-#include "client/gui/user_face.h"
 #include "common/files.h"
 
 namespace aucast::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/app/assets.h"
-#include "client/gui/aus_file.h"
+#include "client/gui/storage/aus_file.h"
 #include "client/pipeline/au_mapping.h"
 #include "common/result.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "client/gui/user_face.h"
+#include "client/gui/storage/user_face.h"
 
 namespace aucast::app {
 

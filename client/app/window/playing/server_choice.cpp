@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "client/app/remote_options.h"
-#include "client/gui/kept_settings.h"
+#include "client/gui/storage/kept_settings.h"
 #include "client/net/security.h"
 
 namespace aucast::app {

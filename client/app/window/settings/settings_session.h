@@ -8,7 +8,7 @@
 #include "client/app/player_options.h"
 #include "client/gui/gui_commands.h"
 #include "client/gui/gui_model.h"
-#include "client/gui/kept_settings.h"
+#include "client/gui/storage/kept_settings.h"
 #include "client/pipeline/au_mapping.h"
 
 namespace aucast::app {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "client/app/player_options.h"
-#include "client/gui/kept_settings.h"
+#include "client/gui/storage/kept_settings.h"
 
 namespace aucast::app {
 

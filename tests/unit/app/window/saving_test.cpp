@@ -14,8 +14,8 @@
 
 #include "client/app/window/making/composition_file.h"
 #include "client/gui/composer.h"
-#include "client/gui/kept_settings.h"
-#include "client/gui/user_face.h"
+#include "client/gui/storage/kept_settings.h"
+#include "client/gui/storage/user_face.h"
 #include "client/view/image.h"
 #include "common/files.h"
 #include "tests/support/temp_folder.h"

@@ -1,4 +1,4 @@
-#include "client/gui/aus_file.h"
+#include "client/gui/storage/aus_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/gui/file_browser.h"
+#include "client/gui/storage/file_browser.h"
 
 #include <algorithm>
 #include <system_error>

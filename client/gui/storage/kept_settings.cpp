@@ -1,4 +1,4 @@
-#include "client/gui/kept_settings.h"
+#include "client/gui/storage/kept_settings.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "client/gui/user_face.h"
+#include "client/gui/storage/user_face.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/aus_file.h"
 #include "client/gui/gui_model.h"
+#include "client/gui/storage/aus_file.h"
 #include "common/result.h"
 
 namespace aucast::gui {
