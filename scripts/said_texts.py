@@ -1,15 +1,15 @@
 """Sentences that client/gui translates by pattern, and the code that says them.
 
-What comes up in English from other folders is recognised by the rows of client/gui/english_errors.h. Reworded there, a
-sentence would stay English in every other language and nobody would notice: so each part of a row between two places to
-fill in must stand in a string of the code, or be what the system says.
+What comes up in English from other folders is recognised by the rows of client/gui/texts/english_errors.h. Reworded
+there, a sentence would stay English in every other language and nobody would notice: so each part of a row between two
+places to fill in must stand in a string of the code, or be what the system says.
 """
 
 import os
 import re
 
-TABLE = "client/gui/english_errors.h"
-TABLES = "client/gui/english"
+TABLE = "client/gui/texts/english_errors.h"
+TABLES = "client/gui/texts/english"
 SPEAKERS = ("common/", "protocol/", "server/", "client/")
 # A comment may have a quote in it, and a raw string any.
 TOKEN = re.compile(r'//[^\n]*|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\\n]|\\.)*)"', re.S)

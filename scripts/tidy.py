@@ -25,7 +25,7 @@ FILE_MAX = 600
 SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
-GUI = {"client/gui", "client/gui/storage"}
+GUI = {"client/gui", "client/gui/storage", "client/gui/texts"}
 APP = SERVER | GUI | {"common/expressions"} | {"client/" + room for room in
                       ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "glb", "gallery")}
 
@@ -75,9 +75,10 @@ MAY_INCLUDE = {
     "client/gallery": {"common", "common/expressions", "protocol", "client/face", "client/pipeline"},
     "client/render": {"common", "client/view"},
     "client/mirror": {"common", "common/preview"},
+    "client/gui/texts": {"common"},
     "client/gui": {"common", "common/preview", "protocol", "client/playback", "client/face", "client/view",
-                   "client/gallery"},
-    "client/gui/storage": {"common", "client/face", "client/gui"},
+                   "client/gallery", "client/gui/texts"},
+    "client/gui/storage": {"common", "client/face", "client/gui", "client/gui/texts"},
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},

@@ -242,16 +242,16 @@ class TidyTest(unittest.TestCase):
 
     def test_texts_that_are_translated_but_never_said(self):
         def said(source, row="{place}: it is gone; call {whom}"):
-            return {"client/gui/english_errors.h": '#pragma once\n{"bad.gone",\n "' + row + '"},\n',
-                    "client/gui/english_tips.h": "#pragma once\n", "server/a.cpp": source}
+            return {"client/gui/texts/english_errors.h": '#pragma once\n{"bad.gone",\n "' + row + '"},\n',
+                    "client/gui/texts/english_tips.h": "#pragma once\n", "server/a.cpp": source}
 
         for source in ('f("it is gone; call ");\n', 'f("it is "\n  "gone; call " + name);\n',
                        'f("it is" + rest(" gone; call"));\n', 'f(R"(it is gone; call)");\n'):
             self.assert_clean(said(source))
         for source in ('f("it is away; call ");\n', '// "it is gone; call "\n', 'f("it is");\n'):
-            self.assert_found(said(source), "client/gui/english_errors.h:2: bad.gone: nothing says 'it is gone; call'")
+            self.assert_found(said(source), "client/gui/texts/english_errors.h:2: bad.gone: nothing says 'it is gone; call'")
         self.assert_clean(said("", "No such file or directory"))
-        tip = said("") | {"client/gui/english_tips.h": '#pragma once\n{"it is gone; call "},\n'}
+        tip = said("") | {"client/gui/texts/english_tips.h": '#pragma once\n{"it is gone; call "},\n'}
         self.assert_found(tip, "nothing says 'it is gone; call'")
 
 

@@ -1,6 +1,6 @@
 #include "client/app/live_text.h"
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::app {
 namespace {

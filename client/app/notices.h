@@ -3,7 +3,7 @@
 #include <string>
 
 #include "client/gui/gui_model.h"
-#include "client/gui/said_text.h"
+#include "client/gui/texts/said_text.h"
 #include "common/time.h"
 
 namespace aucast::app {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "client/gui/expression_editor.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
 #include "common/action_unit.h"
 #include "common/text.h"

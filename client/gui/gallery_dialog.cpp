@@ -5,7 +5,7 @@
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
 
 namespace aucast::gui {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/gallery/section_names.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 

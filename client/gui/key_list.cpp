@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

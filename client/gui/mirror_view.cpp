@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/film_name.h"
 
 namespace aucast::gui {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "client/gui/panels.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/text.h"
 
 namespace aucast::gui {

@@ -10,7 +10,7 @@
 
 #include "client/gui/keyboard_focus.h"
 #include "client/gui/panels.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
 #include "client/gui/view_text.h"
 

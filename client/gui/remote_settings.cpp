@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

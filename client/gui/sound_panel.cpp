@@ -4,7 +4,7 @@
 #include <array>
 
 #include "client/gui/panels.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
 
 namespace aucast::gui {

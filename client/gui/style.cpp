@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

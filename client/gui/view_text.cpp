@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/text.h"
 
 namespace aucast::gui {

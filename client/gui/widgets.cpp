@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "client/gui/keyboard_focus.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
 #include "common/text.h"
 

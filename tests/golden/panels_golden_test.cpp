@@ -18,7 +18,7 @@
 #include "client/app/window/window_session.h"
 #include "client/face/face_folder.h"
 #include "client/gui/gui.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/render/offscreen_context.h"
 #include "client/render/offscreen_target.h"
 #include "tests/golden/baseline.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::app {
 namespace {

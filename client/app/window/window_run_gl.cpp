@@ -26,7 +26,7 @@
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
 #include "client/gui/redraw.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/render/window.h"
 #include "common/files.h"
 #include "common/log.h"

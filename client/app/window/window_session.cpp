@@ -6,8 +6,8 @@
 
 #include "client/app/film/glb_export.h"
 #include "client/app/gallery/gallery_command.h"
-#include "client/gui/said_text.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/said_text.h"
+#include "client/gui/texts/texts.h"
 #include "client/net/stream_list.h"
 #include "common/files.h"
 #include "common/overloaded.h"

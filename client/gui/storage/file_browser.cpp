@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "client/face/face_folder.h"
-#include "client/gui/said_text.h"
+#include "client/gui/texts/said_text.h"
 #include "common/film_name.h"
 #include "common/sound_name.h"
 #include "common/text.h"

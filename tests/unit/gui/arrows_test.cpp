@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "client/gui/keyboard_focus.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gui/texts.h"
+#include "client/gui/storage/language_file.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

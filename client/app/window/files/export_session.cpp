@@ -6,7 +6,7 @@
 #include "client/app/window/files/au_table.h"
 #include "client/app/window/making/composition_file.h"
 #include "client/face/face_deformer.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/files.h"
 #include "protocol/limits.h"
 

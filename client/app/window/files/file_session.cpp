@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "client/gui/said_text.h"
 #include "client/gui/storage/kept_settings.h"
+#include "client/gui/texts/said_text.h"
 #include "common/files.h"
 
 namespace aucast::app {

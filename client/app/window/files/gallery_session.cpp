@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "client/gui/said_text.h"
+#include "client/gui/texts/said_text.h"
 #include "common/overloaded.h"
 
 namespace aucast::app {

@@ -5,7 +5,7 @@
 
 #include "client/app/stream_files.h"
 #include "client/app/window/making/composition_file.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"

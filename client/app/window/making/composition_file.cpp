@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/files.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"

@@ -7,7 +7,7 @@
 
 #include "client/face/face_folder.h"
 #include "client/gui/channel_groups.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/view_text.h"
 #include "client/pipeline/expression_muscles.h"
 #include "common/files.h"

@@ -4,7 +4,7 @@
 
 #include "client/app/window/making/own_faces.h"
 #include "client/gui/storage/user_face.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/files.h"
 
 namespace aucast::app {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/overloaded.h"
 
 namespace aucast::app {

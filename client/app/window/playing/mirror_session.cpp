@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "client/gui/said_text.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/said_text.h"
+#include "client/gui/texts/texts.h"
 #include "client/mirror/host_addresses.h"
 #include "client/mirror/mirror.h"
 #include "common/overloaded.h"

@@ -8,7 +8,7 @@
 #include "client/app/remote_options.h"
 #include "client/app/window/playing/local_stream.h"
 #include "client/app/window/recording/session_video.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/view_text.h"
 #include "client/playback/seekable_playback.h"
 #include "common/log.h"

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "client/app/live_text.h"
-#include "client/gui/said_text.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/said_text.h"
+#include "client/gui/texts/texts.h"
 #include "client/gui/view_text.h"
 
 namespace aucast::app {

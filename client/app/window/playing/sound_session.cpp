@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "client/app/sound_device.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/sound/openal_out.h"
 #include "common/log.h"
 #include "common/overloaded.h"

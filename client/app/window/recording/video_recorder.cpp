@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/files.h"
 
 namespace aucast::app {

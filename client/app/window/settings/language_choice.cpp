@@ -6,7 +6,8 @@
 #include <system_error>
 #include <utility>
 
-#include "client/gui/texts.h"
+#include "client/gui/storage/language_file.h"
+#include "client/gui/texts/texts.h"
 #include "common/text.h"
 
 namespace aucast::app {

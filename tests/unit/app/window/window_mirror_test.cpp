@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "common/files.h"
 #include "common/preview/preview_writer.h"
 #include "tests/support/eventually.h"

@@ -4,7 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "client/gui/texts.h"
+#include "client/gui/storage/language_file.h"
+#include "client/gui/texts/texts.h"
 #include "tests/unit/app/window/window_session_fixture.h"
 
 namespace aucast::app {

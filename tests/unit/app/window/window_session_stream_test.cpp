@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "client/app/stream_files.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "client/playback/seekable_playback.h"
 #include "client/sound/wav_file.h"
 #include "common/files.h"

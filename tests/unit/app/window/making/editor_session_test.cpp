@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "protocol/codec.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::app {
 namespace {

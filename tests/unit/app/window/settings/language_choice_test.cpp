@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "client/app/assets.h"
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "client/gui/english_text.h"
+#include "client/gui/texts/english_text.h"
 
 namespace aucast::gui {
 

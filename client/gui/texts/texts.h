@@ -3,14 +3,12 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "client/gui/english.h"
-#include "common/result.h"
+#include "client/gui/texts/english.h"
 
 namespace aucast::gui {
 
@@ -66,10 +64,6 @@ struct Language {
   bool operator==(const Language&) const = default;
 };
 
-/// Reads a file of data/languages. BadData "file:line:column: ..." if a text is missing or unknown,
-/// or its places to be filled in differ from the English text's.
-[[nodiscard]] Result<Language> load_language(const std::filesystem::path& file);
-
 /// Uses this language for all texts from now on. What tr() returned before stays valid. Thread: the
 /// player's.
 void use_language(Language language);
@@ -86,6 +80,9 @@ void use_english();
 [[nodiscard]] inline std::string place_text(std::integral auto number) {
   return std::to_string(number);
 }
+/// The names of the places to be filled in, in their order.
+[[nodiscard]] std::vector<std::string_view> places_of(std::string_view text);
+
 /// The text of a row of the table with its places filled in. `values`: in the order of the English
 /// text.
 [[nodiscard]] std::string filled(std::size_t row, const std::vector<std::string>& values);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "client/gui/english_errors.h"
-#include "client/gui/english_text.h"
-#include "client/gui/english_tips.h"
+#include "client/gui/texts/english_errors.h"
+#include "client/gui/texts/english_text.h"
+#include "client/gui/texts/english_tips.h"
 
 namespace aucast::gui {
 

@@ -1,11 +1,11 @@
-#include "client/gui/said_text.h"
+#include "client/gui/texts/said_text.h"
 
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "client/gui/texts.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {

@@ -1,4 +1,4 @@
-#include "client/gui/said_text.h"
+#include "client/gui/texts/said_text.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "client/gui/texts.h"
+#include "client/gui/storage/language_file.h"
+#include "client/gui/texts/texts.h"
 
 namespace aucast::gui {
 namespace {
