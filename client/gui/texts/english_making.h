@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+
+#include "client/gui/texts/english_text.h"
+
+namespace aucast::gui {
+
+/// What is made: expressions, Action Units, streams.
+inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
+    {"compose.empty", "Make a face below and add it here."},
+    {"compose.new_stream", "New stream"},
+    {"compose.unsaved", "{name}  (not saved)"},
+    {"compose.play", "Play"},
+    {"compose.up", "Up"},
+    {"compose.down", "Down"},
+    {"compose.time", "Time in ms"},
+    {"compose.time_tip", "off: the time that the player gives"},
+    {"compose.sad", "sad"},
+    {"compose.happy", "happy"},
+    {"compose.excited", "excited"},
+    {"compose.calm", "calm"},
+    {"compose.keyframe", "Keyframe {number}"},
+    {"compose.new_keyframe", "New keyframe"},
+    {"compose.double", "Add copy"},
+    {"compose.add", "Add it"},
+    {"compose.take", "Take"},
+    {"compose.take_tip", "the AUs that the face shows now, playing or as an expression"},
+    {"curves.title", "Curves"},
+    {"curves.help", "Percent at the playing position, or at the pointer; a click seeks."},
+    {"editor.yours", "{au}  (yours)"},
+    {"editor.name", "Name"},
+    {"editor.name_hint", "what it shows"},
+    {"editor.as_it_came", "As shipped"},
+    {"editor.import_tip",
+     "takes AUs from a file, such as an exported one, into your copy of the face"},
+    {"editor.delete_tip", "takes this AU out of your copy of the face"},
+    {"editor.as_it_came_tip", "gives your copy the AU that the player ships with"},
+    {"editor.not_there_tip", "nothing is saved under this number yet"},
+    {"editor.is_as_it_came_tip", "this AU is as shipped"},
+    {"editor.not_own_tip",
+     "this AU belongs to the face of another folder; only those of your own copy can be deleted"},
+    {"editor.new", "{number}  (new)"},
+    {"editor.title", "Action Unit"},
+    {"editor.title_unsaved", "Action Unit  (not saved)"},
+    {"editor.edit", "Edit"},
+    {"editor.choose_one", "choose one"},
+    {"editor.save_as", "Save as AU"},
+    {"editor.where", "Saving goes into your own copy of the face; the shipped one stays."},
+    {"editor.how",
+     "Choose an AU, or begin with the face as it is: move the muscles below, then save it under a "
+     "number."},
+    {"editor.muscles", "Muscles"},
+    {"expression.none_found", "none has these words"},
+    {"expression.more", "more"},
+    {"expression.search_hint", "search: a word, AUs, an author"},
+    {"expression.strength", "Strength"},
+    {"expression.strength_tip",
+     "of all intensities of an expression; Ctrl+click to type; by keys: Space, then Left and "
+     "Right"},
+    {"expression.title", "Expressions"},
+    {"expression.macros", "Waters' macros"},
+    {"expression.way", "Transition"},
+    {"expression.frames", "Frames"},
+    {"expression.each_ms", "Each in ms"},
+    {"expression.takes", "It takes {ms} ms."},
+    {"expression.together", "Action Units together"},
+    {"expression.together_tip", "AUs as in a packet; mixer and rules are applied"},
+    {"expression.asked", "asked"},
+    {"expression.legend", "In percent. Shown is what the rules leave of it."},
+    {"region.brow", "Forehead and brows"},
+    {"region.eyes", "Eyes and cheeks"},
+    {"region.nose", "Nose"},
+    {"region.mouth", "Mouth"},
+    {"region.jaw", "Jaw, chin and neck"},
+    {"region.head", "Head"},
+    {"region.other", "Other"},
+    {"unit.bytes", "B"},
+    {"unit.bit_rate", "bit/s"},
+    {"unit.point", "."},
+});
+
+}  // namespace aucast::gui
