@@ -3,10 +3,10 @@
 
     scripts/tidy.py [ROOT]        one line per finding, exit 1 when there is one
 
-It checks which folder includes what, what pure folders touch, that a file's own header comes first,
-the lengths of lines, functions and files, leftovers, names that only a unity build would find
-twice, texts that are translated but never said, and that READMEs name every file. It reads what git tracks; outside a
-git repository, everything below ROOT but build/.
+It checks which folder includes what, what pure folders touch, that view models know no file, that a file's own header
+comes first, the lengths of lines, functions and files, leftovers, names that only a unity build would find twice, texts
+that are translated but never said, and that READMEs name every file. It reads what git tracks; outside a git
+repository, everything below ROOT but build/.
 """
 
 import pathlib
@@ -25,7 +25,7 @@ FILE_MAX = 600
 SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
-GUI = {"client/gui", "client/gui/storage", "client/gui/texts"}
+GUI = {"client/gui"} | {"client/gui/" + room for room in ("texts", "model", "editing", "storage")}
 APP = SERVER | GUI | {"common/expressions"} | {"client/" + room for room in
                       ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "glb", "gallery")}
 
@@ -76,9 +76,11 @@ MAY_INCLUDE = {
     "client/render": {"common", "client/view"},
     "client/mirror": {"common", "common/preview"},
     "client/gui/texts": {"common"},
-    "client/gui": {"common", "common/preview", "protocol", "client/playback", "client/face", "client/view",
-                   "client/gallery", "client/gui/texts"},
-    "client/gui/storage": {"common", "client/face", "client/gui", "client/gui/texts"},
+    "client/gui/model": {"common", "common/preview", "protocol", "client/playback", "client/face", "client/view",
+                         "client/gallery", "client/gui/texts"},
+    "client/gui/editing": {"common", "client/playback", "client/face", "client/gui/texts", "client/gui/model"},
+    "client/gui/storage": {"common", "client/face", "client/gui/texts", "client/gui/model"},
+    "client/gui": {"common", "protocol", "client/playback", "client/gui/texts", "client/gui/model"},
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},
@@ -102,11 +104,14 @@ MAY_INCLUDE = {
 # Folders whose code knows no socket, clock, OpenGL or log.
 PURE = {"protocol", "common/mesh", "common/preview", "common/tls", "common/sources", "common/voice", "common/web",
         "client/playback", "client/face", "client/pipeline", "client/sound", "client/glb",
-        "client/gallery"}
+        "client/gallery", "client/gui/texts", "client/gui/model", "client/gui/editing"}
 IMPURE = re.compile(
     r"::now\(\)|sleep_for|sleep_until|std::c(out|err)\b|\bf?printf\(|spdlog|<asio|<epoxy|GLFW/|<EGL"
     r"|<thread>|<arpa/|<netinet/|<sys/|<unistd|<fcntl|<poll\.h|<dlfcn|\b(un)?setenv\(|\bgetenv\("
 )
+# Folders whose code is plain data and what follows from it: it also knows no file.
+KNOWS_NO_FILE = {"client/gui/texts", "client/gui/model", "client/gui/editing"}
+FILES = re.compile(r'<(filesystem|fstream)>|"common/(files|text_file)\.h"')
 # What single files of them do all the same.
 MAY_TOUCH = {
     "protocol/endpoint.cpp": "<arpa/",  # inet_pton: addresses as text
@@ -171,7 +176,8 @@ def check_own_header_first(path, lines, all_paths):
 
 
 def check_lines(path, lines):
-    pure = folder_of(path) in PURE
+    folder = folder_of(path)
+    pure = folder in PURE
     for number, line in enumerate(lines, 1):
         if len(line) > LINE_MAX and "http" not in line and 'R"(' not in line:
             yield number, f"{len(line)} columns, at most {LINE_MAX}"
@@ -188,6 +194,8 @@ def check_lines(path, lines):
             yield number, "a pure folder reads no clock, logs nothing and prints nothing"
         if pure and INCLUDE.match(line) and IMPURE.search(line):
             yield number, "a pure folder includes no socket, thread, OpenGL or log"
+        if folder in KNOWS_NO_FILE and INCLUDE.match(line) and FILES.search(line):
+            yield number, f"{folder} knows no file"
 
 
 def without_literals(lines):

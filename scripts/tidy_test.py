@@ -123,6 +123,12 @@ class TidyTest(unittest.TestCase):
         self.assert_clean({"server/a.cpp": "auto t = Clock::now();\n"})
         self.assert_clean({"common/link/a.cpp": "#include <asio.hpp>\n"})
 
+    def test_folders_that_know_no_file(self):
+        for folder in tidy.KNOWS_NO_FILE:
+            for header in ("<filesystem>", "<fstream>", '"common/files.h"', '"common/text_file.h"'):
+                self.assert_found({f"{folder}/a.h": f"#pragma once\n#include {header}\n"}, "knows no file")
+        self.assert_clean({"client/gui/storage/a.h": "#pragma once\n#include <filesystem>\n"})
+
     def test_what_single_files_of_pure_folders_touch_all_the_same(self):
         root = pathlib.Path(tidy.__file__).parent.parent
         for path in tidy.MAY_TOUCH:

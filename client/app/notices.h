@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/texts/said_text.h"
 #include "common/time.h"
 

@@ -10,7 +10,7 @@
 
 #include "client/face/muscle_mixer.h"
 #include "client/glb/basis.h"
-#include "client/gui/display_settings.h"
+#include "client/gui/model/display_settings.h"
 #include "client/mirror/mirror_options.h"
 #include "client/net/security.h"
 #include "client/playback/blinking.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/app/player_options.h"
-#include "client/gui/remote_settings.h"
+#include "client/gui/model/remote_settings.h"
 #include "client/net/remote_source.h"
 
 namespace aucast::app {

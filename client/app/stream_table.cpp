@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "client/gui/view_text.h"
+#include "client/gui/model/view_text.h"
 #include "common/text.h"
 
 namespace aucast::app {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "client/gui/keyboard_focus.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
-#include "client/gui/view_text.h"
 
 namespace aucast::gui {
 namespace {

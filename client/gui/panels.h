@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/gui_commands.h"
-#include "client/gui/gui_model.h"
-#include "client/gui/thumbnails.h"
+#include "client/gui/model/gui_commands.h"
+#include "client/gui/model/gui_model.h"
+#include "client/gui/model/thumbnails.h"
 #include "client/gui/widgets.h"
 #include "protocol/limits.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "client/gui/keyboard_focus.h"
-#include "client/gui/label_places.h"
+#include "client/gui/model/label_places.h"
 #include "client/gui/widgets.h"
 
 namespace aucast::gui {

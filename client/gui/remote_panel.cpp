@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "client/gui/keyboard_focus.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/panels.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/tips.h"
-#include "client/gui/view_text.h"
 
 namespace aucast::gui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 
 namespace aucast::gui {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "client/gui/gui_model.h"
-#include "client/gui/thumbnails.h"
+#include "client/gui/model/gui_model.h"
+#include "client/gui/model/thumbnails.h"
 
 struct ImFont;
 struct ImVec2;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/gui/composer.h"
+#include "client/gui/editing/composer.h"
 
 namespace aucast::test {
 

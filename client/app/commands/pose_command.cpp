@@ -11,7 +11,7 @@
 #include "client/face/au_blender.h"
 #include "client/face/face_deformer.h"
 #include "client/face/side_word.h"
-#include "client/gui/view_text.h"
+#include "client/gui/model/view_text.h"
 #include "client/pipeline/expression_muscles.h"
 #include "common/files.h"
 #include "common/text.h"

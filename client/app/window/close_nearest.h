@@ -1,8 +1,8 @@
 #pragma once
 
 #include "client/gui/gui.h"
-#include "client/gui/gui_commands.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_commands.h"
+#include "client/gui/model/gui_model.h"
 
 namespace aucast::app {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "common/time.h"
 
 namespace aucast::app {

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "client/app/window/window_session.h"
-#include "client/gui/gui_commands.h"
+#include "client/gui/model/gui_commands.h"
 #include "client/render/window.h"
 
 namespace aucast::app {

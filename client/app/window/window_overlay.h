@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "client/app/window/input_pacer.h"
-#include "client/gui/curtain.h"
 #include "client/gui/gui.h"
+#include "client/gui/model/curtain.h"
 #include "client/render/picture_texture.h"
 #include "client/render/window.h"
 

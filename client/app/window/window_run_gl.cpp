@@ -25,7 +25,7 @@
 #include "client/app/window/window_keys.h"
 #include "client/app/window/window_overlay.h"
 #include "client/app/window/window_session.h"
-#include "client/gui/redraw.h"
+#include "client/gui/model/redraw.h"
 #include "client/gui/texts/texts.h"
 #include "client/render/window.h"
 #include "common/files.h"

@@ -24,8 +24,8 @@
 #include "client/app/window/playing/stream_lister.h"
 #include "client/app/window/recording/onset_session.h"
 #include "client/app/window/settings/settings_session.h"
-#include "client/gui/gui_commands.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_commands.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/pipeline/idle_face.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "client/gui/browser_view.h"
+#include "client/gui/model/browser_view.h"
 
 namespace aucast::gui {
 

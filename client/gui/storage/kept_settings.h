@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "common/result.h"
 
 namespace aucast::gui {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/storage/aus_file.h"
 #include "common/result.h"
 

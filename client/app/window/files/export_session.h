@@ -11,7 +11,7 @@
 #include "client/app/player_options.h"
 #include "client/app/window/playing/played.h"
 #include "client/face/face.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "client/gui/browser_view.h"
-#include "client/gui/picture_settings.h"
+#include "client/gui/model/browser_view.h"
+#include "client/gui/model/picture_settings.h"
 #include "common/action_unit.h"
 #include "common/result.h"
 

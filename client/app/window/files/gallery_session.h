@@ -4,7 +4,7 @@
 
 #include "client/app/background_work.h"
 #include "client/app/player_options.h"
-#include "client/gui/gallery_view.h"
+#include "client/gui/model/gallery_view.h"
 
 namespace aucast::app {
 

@@ -6,10 +6,10 @@
 #include <variant>
 
 #include "client/app/stream_files.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/storage/user_face.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/view_text.h"
 #include "common/files.h"
 #include "common/film_name.h"
 #include "common/overloaded.h"

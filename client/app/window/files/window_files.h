@@ -18,8 +18,8 @@
 #include "client/app/window/playing/mirror_session.h"
 #include "client/app/window/playing/playback_session.h"
 #include "client/app/window/recording/onset_session.h"
-#include "client/gui/gui_commands.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_commands.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/storage/kept_settings.h"
 
 namespace aucast::app {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "client/app/assets.h"
-#include "client/gui/composer.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/editing/composer.h"
+#include "client/gui/model/gui_model.h"
 #include "client/pipeline/au_mapping.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "client/gui/composer.h"
+#include "client/gui/editing/composer.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "client/face/face_folder.h"
-#include "client/gui/channel_groups.h"
+#include "client/gui/editing/channel_groups.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/view_text.h"
 #include "client/pipeline/expression_muscles.h"
 #include "common/files.h"
 #include "common/overloaded.h"

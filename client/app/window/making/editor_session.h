@@ -10,9 +10,9 @@
 #include "client/app/assets.h"
 #include "client/app/notices.h"
 #include "client/app/window/making/own_aus.h"
-#include "client/gui/expression_editor.h"
-#include "client/gui/gui_commands.h"
-#include "client/gui/transition.h"
+#include "client/gui/editing/expression_editor.h"
+#include "client/gui/editing/transition.h"
+#include "client/gui/model/gui_commands.h"
 #include "client/pipeline/au_mapping.h"
 
 namespace aucast::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/app/assets.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "common/result.h"
 
 namespace aucast::app {

@@ -5,7 +5,7 @@
 
 #include "client/app/notices.h"
 #include "client/app/window/playing/playing_stream.h"
-#include "client/gui/au_curves.h"
+#include "client/gui/model/au_curves.h"
 #include "client/playback/seekable_playback.h"
 
 namespace aucast::app {

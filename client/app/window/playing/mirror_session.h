@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "client/gui/mirror_view.h"
+#include "client/gui/model/mirror_view.h"
 #include "client/mirror/mirror_options.h"
 #include "client/mirror/own_camera.h"
 #include "common/result.h"

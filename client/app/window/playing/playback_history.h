@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/playback/keyframe_source.h"
 #include "common/action_unit.h"
 #include "common/time.h"

@@ -13,7 +13,7 @@
 #include "client/app/window/playing/remote_stream.h"
 #include "client/app/window/playing/server_choice.h"
 #include "client/app/window/playing/sound_session.h"
-#include "client/gui/gui_commands.h"
+#include "client/gui/model/gui_commands.h"
 #include "client/net/remote_source.h"
 #include "client/sound/heard_player.h"
 

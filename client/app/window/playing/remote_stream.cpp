@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "client/app/live_text.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/view_text.h"
 
 namespace aucast::app {
 namespace {

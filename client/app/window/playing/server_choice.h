@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/app/player_options.h"
-#include "client/gui/remote_settings.h"
+#include "client/gui/model/remote_settings.h"
 #include "client/net/remote_source.h"
 #include "common/result.h"
 

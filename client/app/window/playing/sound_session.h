@@ -9,7 +9,7 @@
 #include "client/app/notices.h"
 #include "client/app/player_options.h"
 #include "client/app/window/playing/spoken_text.h"
-#include "client/gui/gui_commands.h"
+#include "client/gui/model/gui_commands.h"
 #include "client/sound/heard_player.h"
 #include "client/sound/sound_out.h"
 #include "client/sound/sound_player.h"

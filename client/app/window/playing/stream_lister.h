@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/net/remote_source.h"
 #include "common/task.h"
 #include "protocol/packet.h"

@@ -9,7 +9,7 @@
 
 #include "client/app/background_work.h"
 #include "client/app/window/recording/session_video.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/sound/sound_player.h"
 #include "client/view/image.h"
 #include "common/result.h"

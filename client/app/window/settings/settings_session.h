@@ -6,8 +6,8 @@
 #include "client/app/assets.h"
 #include "client/app/notices.h"
 #include "client/app/player_options.h"
-#include "client/gui/gui_commands.h"
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_commands.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/pipeline/au_mapping.h"
 

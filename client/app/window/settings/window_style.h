@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "client/gui/gui_model.h"
+#include "client/gui/model/gui_model.h"
 #include "client/view/style.h"
 
 namespace aucast::app {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "client/face/face.h"
-#include "client/gui/thumbnails.h"
+#include "client/gui/model/thumbnails.h"
 #include "client/render/picture_texture.h"
 #include "common/result.h"
 #include "common/task.h"

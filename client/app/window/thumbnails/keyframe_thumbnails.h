@@ -8,7 +8,7 @@
 
 #include "client/app/film/face_view.h"
 #include "client/face/face.h"
-#include "client/gui/thumbnails.h"
+#include "client/gui/model/thumbnails.h"
 #include "client/render/picture_texture.h"
 
 namespace aucast::app {

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "client/app/window/making/composition_file.h"
-#include "client/gui/composer.h"
+#include "client/gui/editing/composer.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/gui/storage/user_face.h"
 #include "client/view/image.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/gui/stream_view.h"
+#include "client/gui/model/stream_view.h"
 
 namespace aucast::app {
 namespace {

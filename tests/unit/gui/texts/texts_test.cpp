@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
+#include "client/gui/model/view_text.h"
 #include "client/gui/storage/language_file.h"
-#include "client/gui/view_text.h"
 
 namespace aucast::gui {
 namespace {

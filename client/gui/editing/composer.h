@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/gui/editing/history.h"
+#include "common/action_unit.h"
+
+namespace aucast::gui {
+
+/// A set of AUs and the time to reach it, as the user makes it.
+struct ComposedKeyframe {
+  AuFrame aus;
+  std::optional<std::uint32_t> ms = 500;  ///< the time to reach it; nullopt: the player's default
+  friend bool operator==(const ComposedKeyframe&, const ComposedKeyframe&) = default;
+};
+
+/// A stream in the making, without its widgets: the keyframes, the current one, and all steps so
+/// that they can be undone. The current keyframe is the chosen one of them, or a new one that is
+/// not among them yet. Beginning another stream is a step too, so that nothing is ever lost.
+class Composer {
+ public:
+  /// The longest time of a keyframe, as the protocol limits it.
+  static constexpr std::uint32_t kMsMax = 3'600'000;
+
+  using Keyframes = std::vector<std::shared_ptr<const ComposedKeyframe>>;
+
+  [[nodiscard]] const Keyframes& keyframes() const { return history_.now().keyframes; }
+  [[nodiscard]] std::optional<std::size_t> chosen() const { return history_.now().chosen; }
+  /// The chosen keyframe, else the new one.
+  [[nodiscard]] const ComposedKeyframe& current() const;
+  /// The file that it was loaded from or saved to; empty: none yet.
+  [[nodiscard]] const std::string& file() const { return history_.now().file; }
+  /// Whether there are changes to be saved, or a new keyframe that was not added.
+  [[nodiscard]] bool unsaved() const;
+  [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
+  [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
+  /// A number that grows with every change.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+  /// Sets the intensity of an AU on both sides, in percent, 0 if it is absent. `continued`: the
+  /// change belongs to the previous step, like the many values of one drag.
+  void set_au(int number, int left_percent, int right_percent, bool continued);
+  void set_aus(const AuFrame& aus, bool continued);
+  /// Sets the time of the current keyframe, limited to kMsMax.
+  void set_time(std::optional<std::uint32_t> ms, bool continued);
+  /// Appends the new keyframe. If one is chosen, inserts a copy after it instead, which is then the
+  /// chosen one.
+  void add();
+  /// Chooses a keyframe; nullopt: a new one, which begins as a copy of the current one.
+  void choose(std::optional<std::size_t> keyframe);
+  void remove();
+  /// Moves the chosen keyframe one place towards the beginning (-1) or the end (+1).
+  void move(int direction);
+  void load(const std::vector<ComposedKeyframe>& keyframes, std::string file);
+  void begin_anew();
+  void saved(const std::string& file);
+  void undo();
+  void redo();
+
+ private:
+  struct State {
+    Keyframes keyframes;
+    Keyframes stored;  ///< the keyframes in the file
+    ComposedKeyframe fresh;
+    bool fresh_touched = false;  ///< `fresh` has AUs that were not added
+    std::optional<std::size_t> chosen;
+    std::string file;
+  };
+
+  void step(State next, bool continued = false);
+  void change_current(const ComposedKeyframe& keyframe, bool continued);
+
+  /// More steps than anybody undoes.
+  static constexpr std::size_t kStepsMax = 500;
+
+  History<State> history_{kStepsMax};
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace aucast::gui
