@@ -25,7 +25,8 @@ FILE_MAX = 600
 SERVER = {"common", "common/camera", "common/mesh", "common/preview", "common/sources", "common/tls", "common/web", "common/voice",
           "common/link",
           "protocol"}
-GUI = {"client/gui"} | {"client/gui/" + room for room in ("texts", "model", "editing", "storage")}
+GUI = {"client/gui"} | {"client/gui/" + room for room in
+                       ("texts", "model", "editing", "storage", "widgets", "panels")}
 APP = SERVER | GUI | {"common/expressions"} | {"client/" + room for room in
                       ("playback", "face", "pipeline", "net", "sound", "view", "render", "mirror", "glb", "gallery")}
 
@@ -80,7 +81,10 @@ MAY_INCLUDE = {
                          "client/gallery", "client/gui/texts"},
     "client/gui/editing": {"common", "client/playback", "client/face", "client/gui/texts", "client/gui/model"},
     "client/gui/storage": {"common", "client/face", "client/gui/texts", "client/gui/model"},
-    "client/gui": {"common", "protocol", "client/playback", "client/gui/texts", "client/gui/model"},
+    "client/gui/widgets": {"common", "client/gui/texts", "client/gui/model"},
+    "client/gui/panels": {"common", "protocol", "client/playback", "client/gui/texts", "client/gui/model",
+                          "client/gui/widgets"},
+    "client/gui": {"common", "client/gui/texts", "client/gui/model", "client/gui/widgets", "client/gui/panels"},
     "client/app": APP,
     "client/app/film": APP | {"client/app"},
     "client/app/gallery": APP | {"client/app", "client/app/film"},

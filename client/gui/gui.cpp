@@ -7,12 +7,12 @@
 #include <array>
 #include <utility>
 
-#include "client/gui/key_list.h"
-#include "client/gui/keyboard_focus.h"
-#include "client/gui/panels.h"
-#include "client/gui/style.h"
+#include "client/gui/panels/key_list.h"
+#include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/style.h"
+#include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
 namespace {

@@ -1,4 +1,4 @@
-#include "client/gui/style.h"
+#include "client/gui/widgets/style.h"
 
 #include <array>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "client/gui/widgets.h"
+#include "client/gui/widgets/widgets.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -12,9 +12,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "client/gui/keyboard_focus.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/tips.h"
 #include "common/text.h"
 
 namespace aucast::gui {

@@ -1,4 +1,4 @@
-#include "client/gui/key_list.h"
+#include "client/gui/panels/key_list.h"
 
 #include <imgui.h>
 

@@ -10,7 +10,7 @@
 #include "client/gui/model/gui_commands.h"
 #include "client/gui/model/gui_model.h"
 #include "client/gui/model/thumbnails.h"
-#include "client/gui/widgets.h"
+#include "client/gui/widgets/widgets.h"
 #include "protocol/limits.h"
 
 namespace aucast::gui {

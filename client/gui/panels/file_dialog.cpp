@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "client/gui/keyboard_focus.h"
 #include "client/gui/model/view_text.h"
-#include "client/gui/panels.h"
+#include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
 namespace {

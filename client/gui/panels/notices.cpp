@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "client/gui/panels.h"
+#include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
 
 namespace aucast::gui {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/gui/widgets.h"
+#include "client/gui/widgets/widgets.h"
 
 namespace aucast::gui {
 

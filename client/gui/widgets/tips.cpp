@@ -1,4 +1,4 @@
-#include "client/gui/tips.h"
+#include "client/gui/widgets/tips.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "client/gui/keyboard_focus.h"
-#include "client/gui/panels.h"
+#include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/tips.h"
 #include "common/action_unit.h"
 #include "common/text.h"
 #include "common/text_file.h"

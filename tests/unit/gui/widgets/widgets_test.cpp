@@ -1,5 +1,5 @@
 // The widgets alone, in a window of the test's own.
-#include "client/gui/widgets.h"
+#include "client/gui/widgets/widgets.h"
 
 #include <functional>
 #include <memory>
@@ -10,7 +10,7 @@
 #include <imgui_internal.h>
 
 #include "client/gui/gui.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/tips.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {

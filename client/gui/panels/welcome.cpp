@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "client/gui/panels.h"
+#include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "client/gui/keyboard_focus.h"
 #include "client/gui/model/label_places.h"
-#include "client/gui/widgets.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/widgets.h"
 
 namespace aucast::gui {
 namespace {

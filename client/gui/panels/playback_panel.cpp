@@ -4,10 +4,10 @@
 #include <array>
 #include <cstdio>
 
-#include "client/gui/keyboard_focus.h"
-#include "client/gui/panels.h"
+#include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/tips.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/tips.h"
 #include "client/playback/local_playback.h"
 
 namespace aucast::gui {

@@ -1,4 +1,4 @@
-#include "client/gui/keyboard_focus.h"
+#include "client/gui/widgets/keyboard_focus.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "client/gui/keyboard_focus.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/keyboard_focus.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {
