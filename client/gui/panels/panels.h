@@ -99,8 +99,6 @@ void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& 
 /// The bar under the face that controls a stream that is available whole. `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
-/// The part of the remote player's panel about stream files.
-void file_part(const GuiModel& model, GuiCommands& commands);
 /// The part for pictures, video, gallery and stream files of what is played, and where they are
 /// saved.
 void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands);

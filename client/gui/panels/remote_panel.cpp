@@ -305,6 +305,23 @@ void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
       model.playing.aus);
 }
 
+/// Opens stream files, also those that were opened before.
+void file_part(const GuiModel& model, GuiCommands& commands) {
+  if (wide_button(tr("button.open_file"), 0, 2, true))
+    commands.push_back(Browse{Purpose::PlayStream});
+  tip(tr("play.open_tip"));
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::BeginDisabled(model.recent_files.empty());
+  if (ImGui::BeginCombo("##files", tr("play.recent"))) {
+    for (const std::string& file : model.recent_files) {
+      if (list_item(file, false)) commands.push_back(OpenStream{file});
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::EndDisabled();
+}
+
 }  // namespace
 
 void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,

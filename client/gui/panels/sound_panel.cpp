@@ -14,8 +14,6 @@ constexpr float kMeterHeight = 8;
 /// Above these parts of the meter the sound is loud, and too loud.
 constexpr float kLoud = 0.75F;
 constexpr float kTooLoud = 0.94F;
-constexpr float kCaptionMargin = 24;
-constexpr float kCaptionWidthMax = 640;
 
 /// A bar from soft to loud in green, amber and red.
 void level_meter(const Look& look, int percent) {
@@ -61,32 +59,6 @@ void device_choice(const Look& look, const SoundView& sound, GuiCommands& comman
   ImGui::EndCombo();
 }
 
-/// Text over the face, its middle at `x`; `anchor`: 0, `y` is its upper edge, 1, its lower.
-void written(const Look& look, const char* id, const std::string& text, float x, float y,
-             float anchor, float room) {
-  const ImVec2 padding(12 * look.scale, 7 * look.scale);
-  const float wrap = std::min(room, kCaptionWidthMax * look.scale) - padding.x;
-  // The size is given: ImGui would find it one frame late, and cut a text that is longer than the
-  // last.
-  const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-  ImGui::SetNextWindowSize(ImVec2(text_size.x + 2 * padding.x, text_size.y + 2 * padding.y));
-  ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(0.5F, anchor));
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
-      ImGuiWindowFlags_NoBringToFrontOnFocus;
-  ImGui::SetNextWindowBgAlpha(0.72F);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * look.scale);
-  if (ImGui::Begin(id, nullptr, kFlags)) {
-    ImGui::PushTextWrapPos(padding.x + wrap);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-}
-
 }  // namespace
 
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) {
@@ -118,20 +90,6 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
     commands.push_back(SoundCommand(ToggleCaptions{}));
   }
   tip("c");
-}
-
-void captions(const Look& look, const GuiModel& model, float width) {
-  const SpokenView& spoken = model.spoken;
-  if (!spoken.shown || model.editor.active || model.composer.active) return;
-  const float margin = kCaptionMargin * look.scale;
-  const float room = std::max(width - 4 * margin, 120 * look.scale);
-  if (!spoken.title.empty()) {
-    written(look, "title", spoken.title, width / 2, margin, 0, room);
-  }
-  if (spoken.caption.empty()) return;
-  const float above = transport_height(look, model, width);
-  written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - above - margin,
-          1, room);
 }
 
 }  // namespace aucast::gui

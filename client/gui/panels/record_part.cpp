@@ -1,0 +1,129 @@
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "client/gui/panels/panels.h"
+#include "client/gui/texts/texts.h"
+#include "client/gui/widgets/keyboard_focus.h"
+#include "client/gui/widgets/tips.h"
+
+namespace aucast::gui {
+namespace {
+
+template <std::size_t N>
+void put(const std::string& text, std::array<char, N>& field) {
+  field = {};
+  text.copy(field.data(), N - 1);
+}
+
+constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
+
+/// Where pictures and videos are saved. Initially folded.
+void where_they_go(const Look& look, const PictureSettings& now, RecordForm& form,
+                   GuiCommands& commands) {
+  if (!ImGui::TreeNodeEx(tr("play.where"),
+                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    return;
+  }
+  if (!form.filled || form.taken != now) {
+    if (!form.filled || form.taken.folder != now.folder) put(now.folder, form.folder);
+    if (!form.filled || form.taken.pattern != now.pattern) put(now.pattern, form.name);
+    form.taken = now;
+    form.filled = true;
+  }
+  PictureSettings wanted = now;
+  label(look, tr("play.folder"));
+  const float button = 66 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
+                          ImGui::GetStyle().ItemSpacing.x);
+  ImGui::InputTextWithHint("##picturefolder", tr("play.folder_hint"), form.folder.data(),
+                           form.folder.size());
+  if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
+  stay_in_field();
+  ImGui::SameLine();
+  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
+    commands.push_back(Browse{Purpose::PictureFolder});
+  }
+  label(look, tr("play.name"));
+  if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
+    wanted.pattern = form.name.data();
+  }
+  stay_in_field();
+  tip(tr("play.name_tip", "{number}", "{face}", "{stream}", "{keyframe}", "{aus}", "{date}"));
+  if (const auto name = picture_name(wanted.pattern, {}, 1); !name) {
+    toned_text(Tone::Bad, name.error().message);
+  }
+  label(look, tr("play.size"));
+  int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;
+  const std::array<const char*, 3> sizes = {tr("play.size_window"), "1920 x 1080",
+                                            tr("play.size_other")};
+  if (choice("size", sizes, kind)) {
+    wanted.width = kind == 0 ? 0 : kind == 1 ? 1920 : 800;
+    wanted.height = kind == 0 ? 0 : kind == 1 ? 1080 : 1000;
+  }
+  if (kind == 2) {
+    const std::string limits = tr("play.side_tip", kPictureSideMin, kPictureSideMax);
+    label(look, tr("play.width"));
+    static_cast<void>(number_field("##picturewidth", wanted.width, kSideSteps));
+    tip(limits);
+    label(look, tr("play.height"));
+    static_cast<void>(number_field("##pictureheight", wanted.height, kSideSteps));
+    tip(limits);
+  }
+  if (wanted == now) return;
+  form.taken = wanted;
+  commands.push_back(ChangePictures{wanted});
+}
+
+/// The menu of exports for other programs.
+void export_menu(const GuiModel& model, GuiCommands& commands) {
+  if (!ImGui::BeginPopup("export")) return;
+  const auto item = [&](const char* text, Purpose purpose, bool enabled) {
+    if (ImGui::MenuItem(text, nullptr, false, enabled)) commands.push_back(Browse{purpose});
+  };
+  const bool played = !model.playing.keyframe.empty();
+  item(tr("play.export_keyframes"), Purpose::ExportKeyframes, played);
+  item(tr("play.export_table"), Purpose::ExportTable, played);
+  const ExportView& now = model.exported;
+  if (now.file.empty()) {
+    item(tr("play.export_glb"), Purpose::ExportGlb, true);
+  } else if (ImGui::MenuItem(tr("play.cancel_glb"), nullptr, false, !now.ending)) {
+    commands.push_back(CancelExport{});
+  }
+  item(tr("play.export_mesh"), Purpose::ExportMesh, true);
+  if (model.onsets.empty()) {
+    item(tr("play.onsets"), Purpose::LogOnsets, true);
+  } else if (ImGui::MenuItem(tr("play.end_onsets"))) {
+    commands.push_back(EndOnsets{});
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands) {
+  const bool recording = !model.video.recording.empty();
+  if (wide_button(tr("play.picture"), 0, 4, true)) commands.push_back(TakePicture{});
+  tip(tr("play.picture_tip"));
+  if (wide_button(recording ? tr("play.end_video") : tr("play.video"), 1, 4,
+                  model.video.completing.empty(), recording)) {
+    commands.push_back(ToggleVideo{});
+  }
+  tip(tr("play.video_tip"));
+  if (wide_button(tr("play.gallery"), 2, 4, true, model.gallery.running)) {
+    commands.push_back(GalleryCommand(OpenGallery{}));
+  }
+  tip(tr("play.gallery_tip"));
+  if (wide_button(tr("button.export"), 3, 4, true)) ImGui::OpenPopup("export");
+  tip(tr("play.export_tip"));
+  export_menu(model, commands);
+  if (recording) quiet_text(tr("play.recording", model.video.recording));
+  if (!model.video.completing.empty()) quiet_text(tr("play.completing", model.video.completing));
+  const ExportView& exported = model.exported;
+  if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
+  if (!model.onsets.empty()) quiet_text(tr("play.times_go", model.onsets));
+  where_they_go(look, model.pictures, form, commands);
+}
+
+}  // namespace aucast::gui
