@@ -1,15 +1,12 @@
-// The options that say how sources are read, and `convert`.
-#include <algorithm>
+#include "server/streams/convert_command.h"
+
+#include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "common/files.h"
 #include "common/text.h"
-#include "server/settings/source_options.h"
-#include "server/streams/check_report.h"
-#include "server/streams/convert_command.h"
-#include "server/streams/load_sources.h"
-#include "server/streams/source_path.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -17,104 +14,6 @@ namespace aucast::server {
 namespace {
 
 using test::TempFolder;
-
-Result<SourceOptions> read_source(const TypedWords& words) {
-  SourceOptions options;
-  const auto rows = recording_rows(options);
-  if (auto done = read_words(rows, words); !done) return done.error();
-  return options;
-}
-
-std::string source_message(const std::string& name, const std::string& word) {
-  const auto options = read_source({{name, {word}}});
-  if (options) return "accepted";
-  EXPECT_EQ(options.error().kind, ErrorKind::Usage);
-  return options.error().message;
-}
-
-TEST(SourceOptions, AreRead) {
-  EXPECT_EQ(*read_source({}), SourceOptions());
-  const auto all = read_source({{"fps", {"29.97"}},
-                                {"au-scale", {"100"}},
-                                {"face-id", {"-3"}},
-                                {"min-confidence", {"0.8"}},
-                                {"rate", {"12.5"}}});
-  ASSERT_TRUE(all);
-  EXPECT_EQ(all->recording.fps, 29.97);
-  EXPECT_EQ(all->recording.au_scale, 100);
-  EXPECT_EQ(all->recording.face, -3);
-  EXPECT_EQ(all->recording.confidence_min, 0.8);
-  EXPECT_EQ(all->rate, 12.5);
-  EXPECT_FALSE(read_source({{"au-scale", {"auto"}}})->recording.au_scale);
-}
-
-TEST(SourceOptions, WrongWordsAreNamedWithTheirRange) {
-  const std::string fps =
-      " is not a number of pictures a second above 0, at most 1000 (try --help)";
-  EXPECT_EQ(source_message("fps", "0"), "--fps '0'" + fps);
-  EXPECT_EQ(source_message("fps", "nan"), "--fps 'nan'" + fps);
-  EXPECT_EQ(source_message("fps", "30fps"), "--fps '30fps'" + fps);
-  EXPECT_EQ(source_message("au-scale", "7"),
-            "--au-scale '7' is not one of 1, 5, 100 and auto (try --help)");
-  EXPECT_EQ(source_message("face-id", "a"),
-            "--face-id 'a' is neither a whole number nor all (try --help)");
-  EXPECT_EQ(source_message("min-confidence", "50"),
-            "--min-confidence '50' is not a number from 0 to 1 (try --help)");
-  EXPECT_EQ(source_message("rate", "0.01"),
-            "--rate '0.01' is not a number of keyframes a second from 0.1 to 1000 (try --help)");
-}
-
-TEST(LoadSources, TellsRecordingsByTheirContentAndNotByTheirName) {
-  const TempFolder folder;
-  const auto sources = load_sources({folder.write("a.txt", sources::tables::kOpenFace1),
-                                     folder.write("b.csv", "Beg_Stream\n1,2\nEnd_Stream\n"),
-                                     folder.write("c", sources::tables::kLiveLinkFace)});
-  ASSERT_TRUE(sources) << sources.error().message;
-  EXPECT_TRUE(sources->at(0).found);
-  EXPECT_FALSE(sources->at(1).found);
-  ASSERT_TRUE(sources->at(2).found);
-  EXPECT_EQ(sources->at(2).found->format, "Live Link Face");
-  const std::string report = check_report(sources->at(0), 250);
-  EXPECT_NE(report.find("  format      OpenFace 1\n"), std::string::npos) << report;
-}
-
-TEST(LoadSources, UnknownTablesAreRefusedAsTables) {
-  const TempFolder folder;
-  const auto sources = load_sources({folder.write("a.csv", "time,joy,anger\n1,2,3\n")});
-  ASSERT_FALSE(sources);
-  EXPECT_EQ(sources.error().kind, ErrorKind::BadData);
-  EXPECT_NE(sources.error().message.find("a.csv:1:1: a table whose columns are of no recogniser"),
-            std::string::npos);
-}
-
-TEST(LoadSources, AllFacesAreStreamsNamedAfterThem) {
-  const TempFolder folder;
-  const auto both = folder.write("two.csv",
-                                 "frame,face_id,timestamp,confidence,success,AU12_r\n"
-                                 "1,4,0,1,1,1\n2,4,0.1,1,1,1\n2,-1,0.1,1,1,2\n2,9,0.1,1,1,2\n"
-                                 "3,9,0.2,1,1,2\n3,4,0.2,1,1,2\n");
-  const auto plain = folder.write("talk.txt", "Beg_Stream\n1\nEnd_Stream\n");
-  SourceOptions options;
-  options.recording.all_faces = true;
-  const auto sources = load_sources({both, plain}, options);
-  ASSERT_TRUE(sources) << sources.error().message;
-  std::vector<std::string> names;
-  for (const Source& source : *sources) names.push_back(source.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"two-4", "two-9", "two--1", "talk"}));
-  const auto taken = folder.write("two-9.txt", "Beg_Stream\n1\nEnd_Stream\n");
-  EXPECT_EQ(load_sources({both, taken}, options).error().kind, ErrorKind::Usage);
-}
-
-TEST(LoadSources, RateIsForStreamFilesToo) {
-  const TempFolder folder;
-  SourceOptions options;
-  options.rate = 20;
-  const auto sources =
-      load_sources({folder.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n")}, options, {100});
-  ASSERT_TRUE(sources);
-  ASSERT_EQ(sources->at(0).summary.keyframes, 2U);
-  EXPECT_EQ(sources->at(0).stream->times[0], protocol::KeyframeTime(50));
-}
 
 TEST(Convert, WritesARecordingAsAStreamFile) {
   const TempFolder folder;
@@ -221,30 +120,6 @@ TEST(Convert, AutoStraightensTheHeadOfATableAndLeavesItsAus) {
   const auto as_it_is = run_convert({in, "-"});
   ASSERT_TRUE(as_it_is);
   EXPECT_NE(as_it_is->text.find("52:33"), std::string::npos) << as_it_is->text;
-}
-
-TEST(SourcePath, ACameraIsALiveSourceOfThatName) {
-  EXPECT_EQ(camera_device("camera"), "/dev/video0");
-  EXPECT_EQ(camera_device("camera:/dev/video2"), "/dev/video2");
-  EXPECT_EQ(camera_device("camera:"), std::nullopt);
-  EXPECT_EQ(camera_device("./camera"), std::nullopt);
-  EXPECT_EQ(camera_device("cameraman.txt"), std::nullopt);
-  EXPECT_EQ(stream_name("camera:/dev/video2"), "camera");
-  EXPECT_TRUE(is_live("camera", false));
-  const auto checked = load_sources({"camera"});
-  ASSERT_FALSE(checked);
-  EXPECT_EQ(checked.error().kind, ErrorKind::Usage);
-}
-
-TEST(CameraOptions, AreRead) {
-  camera::CameraOptions options;
-  const auto rows = camera_rows(options);
-  EXPECT_TRUE(read_words(rows, {{"camera-size", {"1280x720"}}, {"camera-fps", {"25"}}}));
-  EXPECT_EQ(options, (camera::CameraOptions{"/dev/video0", 1280, 720, 25}));
-  for (const char* word : {"1280", "x720", "1280x", "0x0", "640x480x3", "99999x10"}) {
-    EXPECT_FALSE(read_words(rows, {{"camera-size", {word}}})) << word;
-  }
-  EXPECT_FALSE(read_words(rows, {{"camera-fps", {"0"}}}));
 }
 
 TEST(Convert, HelpFitsOneScreen) {

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "server/streams/check_report.h"
 #include "server/streams/memory.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
 
 namespace aucast::server {
 namespace {
@@ -152,6 +154,58 @@ TEST(LoadSources, ARateThatMemoryCannotHoldIsRefused) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
   EXPECT_TRUE(has(refused.error(), "a.txt: too large to hold: it needs "));
+}
+
+TEST(LoadSources, TellsRecordingsByTheirContentAndNotByTheirName) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("a.txt", sources::tables::kOpenFace1),
+                                     folder.write("b.csv", "Beg_Stream\n1,2\nEnd_Stream\n"),
+                                     folder.write("c", sources::tables::kLiveLinkFace)});
+  ASSERT_TRUE(sources) << sources.error().message;
+  EXPECT_TRUE(sources->at(0).found);
+  EXPECT_FALSE(sources->at(1).found);
+  ASSERT_TRUE(sources->at(2).found);
+  EXPECT_EQ(sources->at(2).found->format, "Live Link Face");
+  const std::string report = check_report(sources->at(0), 250);
+  EXPECT_NE(report.find("  format      OpenFace 1\n"), std::string::npos) << report;
+}
+
+TEST(LoadSources, UnknownTablesAreRefusedAsTables) {
+  const TempFolder folder;
+  const auto sources = load_sources({folder.write("a.csv", "time,joy,anger\n1,2,3\n")});
+  ASSERT_FALSE(sources);
+  EXPECT_EQ(sources.error().kind, ErrorKind::BadData);
+  EXPECT_NE(sources.error().message.find("a.csv:1:1: a table whose columns are of no recogniser"),
+            std::string::npos);
+}
+
+TEST(LoadSources, AllFacesAreStreamsNamedAfterThem) {
+  const TempFolder folder;
+  const auto both = folder.write("two.csv",
+                                 "frame,face_id,timestamp,confidence,success,AU12_r\n"
+                                 "1,4,0,1,1,1\n2,4,0.1,1,1,1\n2,-1,0.1,1,1,2\n2,9,0.1,1,1,2\n"
+                                 "3,9,0.2,1,1,2\n3,4,0.2,1,1,2\n");
+  const auto plain = folder.write("talk.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  SourceOptions options;
+  options.recording.all_faces = true;
+  const auto sources = load_sources({both, plain}, options);
+  ASSERT_TRUE(sources) << sources.error().message;
+  std::vector<std::string> names;
+  for (const Source& source : *sources) names.push_back(source.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"two-4", "two-9", "two--1", "talk"}));
+  const auto taken = folder.write("two-9.txt", "Beg_Stream\n1\nEnd_Stream\n");
+  EXPECT_EQ(load_sources({both, taken}, options).error().kind, ErrorKind::Usage);
+}
+
+TEST(LoadSources, RateIsForStreamFilesToo) {
+  const TempFolder folder;
+  SourceOptions options;
+  options.rate = 20;
+  const auto sources =
+      load_sources({folder.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n")}, options, {100});
+  ASSERT_TRUE(sources);
+  ASSERT_EQ(sources->at(0).summary.keyframes, 2U);
+  EXPECT_EQ(sources->at(0).stream->times[0], protocol::KeyframeTime(50));
 }
 
 TEST(CheckMemory, RefusesWhatWouldLeaveTooLittle) {

@@ -11,7 +11,7 @@
 #include "protocol/live_replay.h"
 #include "server/settings/limits.h"
 #include "tests/support/fake_link.h"
-#include "tests/unit/server/talk_fixture.h"
+#include "tests/unit/server/serve/talk_fixture.h"
 
 namespace aucast::server {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/fake_link.h"
-#include "tests/unit/server/talk_fixture.h"
+#include "tests/unit/server/serve/talk_fixture.h"
 
 namespace aucast::server {
 namespace {
