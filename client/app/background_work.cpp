@@ -26,7 +26,7 @@ Result<void> BackgroundWork::begin(Work work) {
 }
 
 void BackgroundWork::cancel() {
-  if (course_ != nullptr) course_->cancelled_ = true;
+  if (course_ != nullptr) course_->cancel_.request_stop();
 }
 
 }  // namespace aucast::app

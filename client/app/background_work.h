@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "common/result.h"
@@ -23,13 +24,15 @@ class BackgroundWork {
       total_ = total;
       done_ = done;
     }
-    [[nodiscard]] bool cancelled() const { return cancelled_; }
+    [[nodiscard]] bool cancelled() const { return cancel_.stop_requested(); }
+    /// For work that waits: asks it to stop when it is cancelled.
+    [[nodiscard]] std::stop_token stop() const { return cancel_.get_token(); }
 
    private:
     friend class BackgroundWork;
     std::atomic<std::size_t> done_{0};
     std::atomic<std::size_t> total_{0};
-    std::atomic<bool> cancelled_{false};
+    std::stop_source cancel_;
   };
   /// Returns a sentence about what was made. An exception counts as a failure.
   using Work = std::function<Result<std::string>(Course&)>;
@@ -47,7 +50,7 @@ class BackgroundWork {
   /// Waits until the work has ended.
   void wait() const { task_.wait(); }
   [[nodiscard]] bool running() const { return task_.running(); }
-  [[nodiscard]] bool cancelled() const { return course_ != nullptr && course_->cancelled_; }
+  [[nodiscard]] bool cancelled() const { return course_ != nullptr && course_->cancelled(); }
   /// How much is done, and how much there is to do; both are 0 while that is not known.
   [[nodiscard]] std::size_t done() const { return course_ == nullptr ? 0 : course_->done_.load(); }
   [[nodiscard]] std::size_t total() const {

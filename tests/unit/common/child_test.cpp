@@ -1,5 +1,6 @@
 #include "common/child.h"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -118,13 +119,12 @@ TEST(Child, IsOutOfReachOfCtrlC) {
 }
 
 TEST(Child, IsKilledAndReapedWithItsOwner) {
-  const test::TempFolder folder;
-  const auto file = folder.path() / "pid";
-  auto child = shell("echo $$ > '" + file.string() + ".new'; mv '" + file.string() + ".new' '" +
-                     file.string() + "'; read line; sleep 1000");
-  while (!std::filesystem::exists(file)) {
-  }
-  const pid_t pid = std::stoi(folder.read("pid"));
+  bool missing = false;
+  auto child =
+      *Child::start({"sh", "-c", "echo $$; read line; sleep 1000"}, missing, Child::Flow::Both);
+  std::array<std::uint8_t, 32> bytes{};
+  const std::size_t size = child->read(bytes);
+  const pid_t pid = std::stoi(std::string(bytes.begin(), bytes.begin() + size));
   ASSERT_EQ(::kill(pid, 0), 0);
   child.reset();
   EXPECT_EQ(::kill(pid, 0), -1);

@@ -44,6 +44,8 @@ class ExportSession {
                                         const std::string& name, const std::filesystem::path& file);
   /// Cancels the GLB file.
   void cancel() { work_.cancel(); }
+  /// Waits until the GLB file has ended.
+  void wait() const { work_.wait(); }
   /// The result of the GLB file, once it has ended.
   [[nodiscard]] std::optional<Result<std::string>> advance();
   [[nodiscard]] gui::ExportView view() const;

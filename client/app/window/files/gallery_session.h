@@ -24,6 +24,8 @@ class GallerySession {
   void set_folder(const std::filesystem::path& folder) { view_.settings.folder = folder.string(); }
   /// Updates view() with how far the work is.
   void advance();
+  /// Waits until the gallery that is being made has ended; advance() then tells.
+  void wait() const { work_.wait(); }
   [[nodiscard]] const gui::GalleryView& view() const { return view_; }
 
  private:

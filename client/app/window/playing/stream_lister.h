@@ -27,6 +27,8 @@ class StreamLister {
   /// Asks this server. If a question is not answered yet, this one is asked after it; only the last
   /// one counts.
   void ask(net::RemoteOptions server);
+  /// Waits until the server that is being asked has answered.
+  void wait() const { asking_.wait(); }
   /// Puts the answer into view() if it has come.
   void advance();
   [[nodiscard]] const gui::StreamsView& view() const { return view_; }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/fake_link.h"
+#include "tests/support/run_until.h"
 #include "tests/unit/server/serve/talk_fixture.h"
 
 namespace aucast::server {
@@ -100,7 +101,7 @@ TEST_F(ShutdownTest, TheDrainIsOverWhenAllHaveGone) {
   shutdown().on_signal(SIGTERM);
   viewer->end({});
   EXPECT_TRUE(happened_.empty()) << "not within what has told it";
-  while (happened_.empty()) io_.run_one();
+  ASSERT_TRUE(test::run_until(io_, [this] { return !happened_.empty(); }));
   EXPECT_EQ(happened_, (std::vector<std::string>{"stop", "end"}));
 }
 
@@ -116,7 +117,7 @@ TEST_F(ShutdownTest, AServerThatWasDialledIsNeitherSentAwayNorWaitedFor) {
   EXPECT_TRUE(viewer->finished());
   EXPECT_FALSE(campus->finished()) << "what is brought there goes on until the end";
   viewer->end({});
-  while (happened_.empty()) io_.run_one();
+  ASSERT_TRUE(test::run_until(io_, [this] { return !happened_.empty(); }));
   EXPECT_EQ(happened_, (std::vector<std::string>{"stop"}));
   EXPECT_NE(campus->heard().find("{-2}"), std::string::npos);
   campus->end({});
@@ -130,7 +131,7 @@ TEST_F(ShutdownTest, TheDrainSendsAlsoThoseAwayThatBeganToPlayLater) {
   shutdown().on_signal(SIGTERM);
   late->say("{hello v=2}");
   static_cast<void>(late->heard());
-  while (shutdown().phase() != Phase::Stopping) io_.run_one();
+  ASSERT_TRUE(test::run_until(io_, [this] { return shutdown().phase() == Phase::Stopping; }));
   EXPECT_EQ(late->heard().find("{-2}"), std::string::npos);
   EXPECT_TRUE(late->finished());
 }

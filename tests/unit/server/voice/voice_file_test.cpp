@@ -15,6 +15,7 @@
 #include "server/voice/voice_summary.h"
 #include "server/voice/voice_tracks.h"
 #include "tests/support/quiet_log.h"
+#include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/voice/speech_like.h"
 
@@ -181,9 +182,7 @@ TEST_F(VoiceFileTest, CheckTellsLengthsAndSilence) {
 class VoiceTracksTest : public VoiceFileTest {
  protected:
   void run_until_complete(const protocol::EncodedTrack& track) {
-    while (!track.complete() && io_.run_one_for(10s) > 0) {
-    }
-    EXPECT_TRUE(track.complete());
+    EXPECT_TRUE(test::run_until(io_, [&track] { return track.complete(); }));
   }
 
   asio::io_context io_;

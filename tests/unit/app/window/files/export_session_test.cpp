@@ -2,7 +2,7 @@
 
 #include <future>
 #include <stdexcept>
-#include <thread>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,9 @@ playback::Keyframe keyframe(std::initializer_list<AuTerm> terms, int ms) {
 }
 
 Result<std::string> outcome_of(ExportSession& session) {
-  while (true) {
-    if (auto outcome = session.advance()) return *outcome;
-    std::this_thread::yield();
-  }
+  session.wait();
+  auto outcome = session.advance();
+  return outcome ? *std::move(outcome) : Error{ErrorKind::Failed, "nothing was begun"};
 }
 
 TEST(AuTable, HasARowForEachKeyframeAndAColumnForEachAuThatOccurs) {
@@ -105,14 +104,19 @@ TEST(ExportSession, AGlbFileIsWrittenInTheBackgroundOneAtATime) {
 }
 
 TEST(ExportSession, AGlbFileCanBeCancelled) {
-  ExportSession session([](const PlayerOptions&, const auto&, const std::string&,
-                           BackgroundWork::Course& course) -> Result<std::string> {
+  std::promise<void> begun;
+  ExportSession session([&begun](const PlayerOptions&, const auto&, const std::string&,
+                                 BackgroundWork::Course& course) -> Result<std::string> {
     course.reached(1, 4);
-    while (!course.cancelled()) std::this_thread::yield();
+    begun.set_value();
+    std::promise<void> cancelled;
+    const std::stop_callback on_cancel(course.stop(), [&cancelled] { cancelled.set_value(); });
+    cancelled.get_future().wait();
     return Error{ErrorKind::Failed, "stopped"};
   });
   ASSERT_TRUE(session.glb({}, {}, "talk", "/x/talk.glb"));
-  while (session.view().percent != 25) std::this_thread::yield();
+  begun.get_future().wait();
+  EXPECT_EQ(session.view().percent, 25);
   EXPECT_FALSE(session.view().ending);
   session.cancel();
   EXPECT_TRUE(session.view().ending || session.view().file.empty());

@@ -2,7 +2,6 @@
 
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -22,34 +21,32 @@ class GallerySessionTest : public testing::Test {
     made_with_ = options;
     for (std::size_t drawn = 0; drawn < 3; ++drawn) {
       std::unique_lock lock(mutex_);
-      news_.wait(lock, [&] { return may_draw_ > drawn || course.cancelled(); });
-      if (course.cancelled()) return Error{ErrorKind::Failed, "stopped"};
+      const bool may = news_.wait(lock, course.stop(), [&] { return may_draw_ > drawn; });
+      if (!may) return Error{ErrorKind::Failed, "stopped"};
       course.reached(drawn + 1, 3);
+      drawn_ = drawn + 1;
+      news_.notify_all();
     }
     return std::string("three pictures");
   }
+  /// Returns once so many pictures are drawn.
   void draw(std::size_t pictures) {
-    {
-      const std::lock_guard lock(mutex_);
-      may_draw_ = pictures;
-    }
+    std::unique_lock lock(mutex_);
+    may_draw_ = pictures;
     news_.notify_all();
+    news_.wait(lock, [&] { return drawn_ == pictures; });
   }
-  /// The test's own time limit ends it if that never comes.
-  template <typename Until>
-  void go_on_until(const Until& until) {
-    while (!until()) {
-      session_.advance();
-      news_.notify_all();
-      std::this_thread::yield();
-    }
+  void end() {
+    session_.wait();
+    session_.advance();
   }
 
   PlayerOptions shown_;
   PlayerOptions made_with_;
   std::mutex mutex_;
-  std::condition_variable news_;
+  std::condition_variable_any news_;
   std::size_t may_draw_ = 0;
+  std::size_t drawn_ = 0;
   /// As many as there are sections, and no sweep but that of AU 12.
   static Result<std::size_t> count(const PlayerOptions& options) {
     const auto& sweeps = options.gallery.sweeps;
@@ -72,13 +69,15 @@ TEST_F(GallerySessionTest, SaysHowFarItIsAndWhatCameOfIt) {
   ask(gui::BeginGallery{});
   EXPECT_TRUE(view_.running);
   draw(2);
-  go_on_until([this] { return view_.drawn == 2; });
+  session_.advance();
+  EXPECT_EQ(view_.drawn, 2U);
   EXPECT_EQ(view_.total, 3U);
   EXPECT_TRUE(view_.running);
   ask(gui::CloseGallery{});
   EXPECT_TRUE(view_.running) << "it goes on without its dialog";
   draw(3);
-  go_on_until([this] { return !view_.running; });
+  end();
+  EXPECT_FALSE(view_.running);
   EXPECT_EQ(view_.outcome, "three pictures");
   EXPECT_FALSE(view_.failed);
   EXPECT_EQ(made_with_.face.face, "marek");
@@ -92,24 +91,19 @@ TEST_F(GallerySessionTest, IsCancelledAndCanBeginAgain) {
   ask(gui::BeginGallery{});
   ask(gui::CancelGallery{});
   EXPECT_TRUE(view_.ending);
-  go_on_until([this] { return !view_.running; });
+  end();
+  EXPECT_FALSE(view_.running);
   EXPECT_FALSE(view_.failed) << "it was wanted so";
   EXPECT_EQ(view_.outcome, "stopped");
   EXPECT_FALSE(view_.ending);
-  draw(3);
   ask(gui::BeginGallery{});
-  go_on_until([this] { return !view_.running; });
+  draw(3);
+  end();
+  EXPECT_FALSE(view_.running);
   EXPECT_EQ(view_.outcome, "three pictures");
 }
 
 TEST_F(GallerySessionTest, WhoLeavesNeedNotWaitForAllPictures) {
-  // make() waits for pictures that never may be drawn.
-  std::jthread waker([this](const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
-      news_.notify_all();
-      std::this_thread::yield();
-    }
-  });
   {
     GallerySession another([this](const PlayerOptions& options,
                                   BackgroundWork::Course& course) { return make(options, course); },
@@ -117,7 +111,7 @@ TEST_F(GallerySessionTest, WhoLeavesNeedNotWaitForAllPictures) {
     another.apply(gui::ChangeGallery{view_.settings}, shown_);
     another.apply(gui::BeginGallery{}, shown_);
   }
-  EXPECT_EQ(may_draw_, 0U);
+  EXPECT_EQ(drawn_, 0U) << "make() waits for pictures that never may be drawn";
 }
 
 TEST_F(GallerySessionTest, SaysBeforeItBeginsHowManyPicturesItWouldBe) {

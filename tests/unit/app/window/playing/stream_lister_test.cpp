@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
-
 namespace aucast::app {
 namespace {
 
@@ -12,8 +10,8 @@ using Streams = std::vector<protocol::ListedStream>;
 
 void answered(StreamLister& lister) {
   while (lister.view().asking) {
+    lister.wait();
     lister.advance();
-    std::this_thread::yield();
   }
 }
 
