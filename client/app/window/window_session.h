@@ -109,6 +109,7 @@ class WindowSession {
   /// panels ask first, and a second call leaves.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
+  [[nodiscard]] const gui::AnimationSettings& animation() const { return settings_.animation(); }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return settings_.rendering(); }
   [[nodiscard]] const gui::DisplaySettings& display() const { return settings_.display().settings; }
   [[nodiscard]] const gui::PictureSettings& pictures() const { return settings_.pictures(); }
