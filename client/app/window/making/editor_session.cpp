@@ -10,9 +10,9 @@
 #include "client/gui/model/view_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/pipeline/expression_muscles.h"
+#include "common/action_unit.h"
 #include "common/files.h"
 #include "common/overloaded.h"
-#include "common/text_file.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
@@ -92,12 +92,12 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
         return false;
       },
       [&](const gui::NameAu& one) {
-        name_au(one);
+        names_.type(one.number, one.name, note_of(one.number));
         return false;
       },
       [&](const gui::RemoveAu& one) { return remove_au(one.number, now); },
       [&](const gui::RevertAu&) {
-        names_.clear();
+        names_.revert();
         return edit([&] { editor_.revert(); });
       },
       [&](const gui::NeutralFace&) { return edit([&] { editor_.neutral(); }); },
@@ -183,7 +183,7 @@ void EditorSession::go_to(std::vector<float> target, bool continued, Instant now
 void EditorSession::change_face(const std::vector<std::string>& before) {
   transition_.reset();
   own_.change_face();
-  deleted_names_.clear();
+  names_.change_face();
   editor_.change_face(before);
   list_aus();
   if (!aus_) return;
@@ -199,37 +199,20 @@ void EditorSession::save_au(const gui::SaveAu& wanted, Instant now) {
   notices_.say(saved ? *saved : saved.error().message, !saved, now);
 }
 
-void EditorSession::name_au(const gui::NameAu& typed) {
-  const auto saved = mapping_.recordings.find(typed.number);
-  const std::string before = saved == mapping_.recordings.end() ? "" : saved->second.note;
-  names_.erase(typed.number);
-  deleted_names_.erase(typed.number);
-  if (typed.name != before) names_[typed.number] = typed.name;
-}
-
-bool EditorSession::has_name(int number, const std::string& given) const {
-  const auto before = mapping_.recordings.find(number);
-  return !given.empty() || facs_name(number) ||
-         (before != mapping_.recordings.end() && !before->second.note.empty());
+std::string EditorSession::note_of(int number) const {
+  const auto saved = mapping_.recordings.find(number);
+  return saved == mapping_.recordings.end() ? std::string() : saved->second.note;
 }
 
 /// Returns a sentence about where it was saved.
 Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
-  // Saved by a key there is no name but the one that was typed.
-  const auto typed = names_.find(wanted.number);
-  std::string name = wanted.name;
-  if (name.empty() && typed != names_.end()) {
-    name = std::string(trimmed(typed->second, " "));
-  }
-  const auto deleted = deleted_names_.find(wanted.number);
-  if (name.empty() && deleted != deleted_names_.end()) name = deleted->second;
-  if (!has_name(wanted.number, name)) {
+  const std::string name = names_.name_for(wanted.number, wanted.name);
+  if (name.empty() && !facs_name(wanted.number) && note_of(wanted.number).empty()) {
     return Error{ErrorKind::Usage, gui::tr("said.au_unnamed", wanted.number)};
   }
   const auto file = own_.save(wanted.number, editor_.activations(), name);
   if (!file) return file.error();
-  names_.erase(wanted.number);
-  deleted_names_.erase(wanted.number);
+  names_.saved(wanted.number);
   editor_.saved(wanted.number);
   saved_in(*file);
   return gui::tr("said.au_saved", wanted.number, file->string());
@@ -263,13 +246,12 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
 bool EditorSession::remove_au(int number, Instant now) {
   if (!own_.differs_from_shipped(number)) return false;
   const bool shipped = own_.shipped(number);
-  const std::string name = mapping_.recordings.at(number).note;
+  const std::string name = note_of(number);
   if (const auto removed = own_.remove(number); !removed) {
     notices_.say(removed.error().message, true, now);
     return false;
   }
-  names_.erase(number);
-  if (!shipped) deleted_names_[number] = name;
+  names_.removed(number, shipped ? std::string() : name);
   transition_.reset();
   show_none_of_them();
   editor_.recorded_anew(number);
@@ -285,21 +267,7 @@ Result<std::string> EditorSession::export_au(const std::filesystem::path& file) 
 }
 
 void EditorSession::list_aus() {
-  std::vector<gui::AuEntry> entries;
-  for (const auto& [number, recording] : mapping_.recordings) {
-    if (number == 0) continue;
-    gui::AuEntry entry;
-    entry.number = number;
-    const auto name = facs_name(number);
-    entry.name = name ? std::string(*name) : recording.note;
-    entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
-    const auto looks = assets_.au_looks.find(number);
-    if (looks != assets_.au_looks.end()) entry.looks = looks->second;
-    entry.own = own_.differs_from_shipped(number);
-    entry.shipped = own_.shipped(number);
-    entries.push_back(std::move(entry));
-  }
-  known_aus_ = std::make_shared<const std::vector<gui::AuEntry>>(std::move(entries));
+  known_aus_ = std::make_shared<const std::vector<gui::AuEntry>>(own_.entries());
 }
 
 std::vector<float> EditorSession::activations(Instant now) const {
@@ -332,8 +300,7 @@ gui::EditorView EditorSession::view(bool active) const {
   view.linked = editor_.linked();
   view.au = editor_.au().value_or(-1);
   view.unsaved = unsaved();
-  view.names = names_;
-  view.names.insert(deleted_names_.begin(), deleted_names_.end());
+  view.names = names_.view();
   view.can_undo = editor_.can_undo();
   view.can_redo = editor_.can_redo();
   view.compound = compound_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +8,7 @@
 
 #include "client/app/assets.h"
 #include "client/app/notices.h"
+#include "client/app/window/making/au_names.h"
 #include "client/app/window/making/own_aus.h"
 #include "client/gui/editing/expression_editor.h"
 #include "client/gui/editing/transition.h"
@@ -65,7 +65,7 @@ class EditorSession {
   /// expression made of muscles, or "edited".
   [[nodiscard]] std::string made_of() const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
-  [[nodiscard]] bool unsaved() const { return editor_.unsaved() || !names_.empty(); }
+  [[nodiscard]] bool unsaved() const { return editor_.unsaved() || names_.unsaved(); }
   /// Whether the last attempt to save an AU failed.
   [[nodiscard]] bool save_failed() const { return save_failed_; }
   /// The folder of the face into which AUs were saved; empty: none were.
@@ -88,9 +88,8 @@ class EditorSession {
   AuFrame explained(std::span<float> target);
   void show_none_of_them();
   void save_au(const gui::SaveAu& wanted, Instant now);
-  void name_au(const gui::NameAu& typed);
-  /// Whether FACS or the user has named it.
-  [[nodiscard]] bool has_name(int number, const std::string& given) const;
+  /// The name that an AU is saved with; empty: none.
+  [[nodiscard]] std::string note_of(int number) const;
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
   [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
@@ -107,10 +106,8 @@ class EditorSession {
   gui::TransitionSettings transition_settings_;
   bool save_failed_ = false;
   std::string saved_face_;
-  std::map<int, std::string> names_;  ///< names of AUs that were typed and have not been saved yet
-  std::map<int, std::string> deleted_names_;  ///< names of removed AUs, in case they are saved
-                                              ///< again
-  std::string complaint_;                     ///< what is wrong with the AUs that were typed last
+  AuNames names_;
+  std::string complaint_;  ///< what is wrong with the AUs that were typed last
   std::optional<AuFrame> aus_;
   AuFrame asked_;                     ///< aus_, before the rules
   std::vector<gui::AuRow> compound_;  ///< asked_ and what became of it

@@ -5,6 +5,7 @@
 #include "client/app/window/making/own_faces.h"
 #include "client/gui/storage/user_face.h"
 #include "client/gui/texts/texts.h"
+#include "common/action_unit.h"
 #include "common/files.h"
 
 namespace aucast::app {
@@ -35,6 +36,24 @@ bool OwnAus::differs_from_shipped(int number) const {
   const auto shipped = shipped_.find(number);
   return shipped == shipped_.end() ||
          shipped->second != gui::drive_of(mapping_.face, recording->second.activation);
+}
+
+std::vector<gui::AuEntry> OwnAus::entries() const {
+  std::vector<gui::AuEntry> entries;
+  for (const auto& [number, recording] : mapping_.recordings) {
+    if (number == 0) continue;
+    gui::AuEntry entry;
+    entry.number = number;
+    const auto name = facs_name(number);
+    entry.name = name ? std::string(*name) : recording.note;
+    entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
+    const auto looks = assets_.au_looks.find(number);
+    if (looks != assets_.au_looks.end()) entry.looks = looks->second;
+    entry.own = differs_from_shipped(number);
+    entry.shipped = shipped(number);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
 }
 
 Result<std::filesystem::path> OwnAus::save(int number, const std::vector<float>& activations,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/app/assets.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/storage/aus_file.h"
 #include "client/pipeline/au_mapping.h"
 #include "common/result.h"
@@ -25,6 +26,9 @@ class OwnAus {
   [[nodiscard]] bool differs_from_shipped(int number) const;
   /// Whether the shipped face has this AU.
   [[nodiscard]] bool shipped(int number) const { return shipped_.contains(number); }
+
+  /// The AUs of the face, with what they drive and look like.
+  [[nodiscard]] std::vector<gui::AuEntry> entries() const;
 
   /// Saves activations, one per channel, as this AU. `name`: for an AU that FACS does not name;
   /// empty: its name stays. Returns the file.
