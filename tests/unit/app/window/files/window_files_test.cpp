@@ -9,6 +9,7 @@
 #include "client/gui/texts/texts.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
 
 namespace aucast::app {
 namespace {
@@ -161,6 +162,66 @@ TEST_F(WindowFilesTest, AFilmIsWhatTheCameraOpensNext) {
   const std::filesystem::path film = folder_.write("me.mp4", "");
   choose(Purpose::CameraFilm, film);
   EXPECT_EQ(mirror_.view().source, "camera:" + film.string());
+}
+
+TEST_F(WindowFilesTest, AFolderIsSearchedForFacesOrIsOne) {
+  folder_.write("people/anna/face.toml", "");
+  const std::filesystem::path people = folder_.path() / "people";
+  ask(gui::Browse{Purpose::LookForFaces});
+  ask(gui::EnterFolder{people.string()});
+  ask(gui::ChooseFile{"."});
+  EXPECT_FALSE(files_->browser().open);
+  EXPECT_EQ(faces_.view().elsewhere, people.string());
+  EXPECT_EQ(face_, "") << "they are listed, none is shown";
+  ask(gui::Browse{Purpose::LookForFaces});
+  ask(gui::EnterFolder{(people / "anna").string()});
+  ask(gui::ChooseFile{"."});
+  EXPECT_EQ(face_, people / "anna");
+}
+
+TEST_F(WindowFilesTest, WhatPlayedIsExportedUnderTheNameThatIsSuggested) {
+  choose(Purpose::PlayStream, stream());
+  ask(gui::Browse{Purpose::ExportKeyframes});
+  EXPECT_EQ(files_->browser().name, "two_played.txt");
+  const std::filesystem::path out = folder_.path() / "out.txt";
+  ask(gui::ChooseFile{out.string()});
+  EXPECT_FALSE(files_->browser().open) << files_->browser().problem;
+  EXPECT_NE(notices_.view().text.find(out.string()), std::string::npos) << notices_.view().text;
+  EXPECT_NE(folder_.read("out.txt").find("26;100"), std::string::npos);
+}
+
+TEST_F(WindowFilesTest, OnsetsAreLoggedWhereItWasChosen) {
+  const std::filesystem::path out = folder_.path() / "onsets.csv";
+  choose(Purpose::LogOnsets, out);
+  EXPECT_EQ(onsets_.file(), out.string());
+  EXPECT_EQ(notices_.view().text, gui::tr("said.onsets_begun", out.string()));
+}
+
+TEST_F(WindowFilesTest, ASoundNeedsAStreamToGoWith) {
+  ask(gui::OpenStream{folder_.write("voice.wav", "").string()});
+  EXPECT_TRUE(notices_.view().bad);
+  EXPECT_EQ(notices_.view().text, gui::tr("said.sound_alone", "voice.wav"));
+}
+
+TEST_F(WindowFilesTest, AusThatCannotBeImportedShowNothing) {
+  choose(Purpose::ImportAus, folder_.write("aus.toml", "nothing"));
+  EXPECT_TRUE(files_->browser().open);
+  EXPECT_FALSE(files_->browser().problem.empty());
+  EXPECT_EQ(shown_, std::nullopt);
+}
+
+TEST_F(WindowFilesTest, HowATableWasReadIsSaidAndKnownTheNextTime) {
+  const std::filesystem::path table = folder_.write("table.csv", sources::tables::kOpenFace1);
+  gui::TableSettings settings;
+  settings.gain_percent = 150;
+  ask(gui::Browse{Purpose::PlayStream});
+  ask(gui::ChangeTable{settings});
+  ask(gui::ChooseFile{table.string()});
+  EXPECT_EQ(shown_, Shown::Playback) << files_->browser().problem;
+  EXPECT_NE(notices_.view().text.find("OpenFace 1"), std::string::npos) << notices_.view().text;
+  ask(gui::OpenStream{table.string()});
+  ASSERT_EQ(files_->tables().known->size(), 1U);
+  EXPECT_EQ(files_->tables().known->front(), (gui::KnownTable{table.string(), settings}));
 }
 
 TEST_F(WindowFilesTest, WhatIsKeptBeginsTheSameWay) {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,20 @@ class EditorSessionTest : public testing::Test {
   }
   [[nodiscard]] float at(const char* name) const {
     return editor_->activations(clock_.now())[channel(name)];
+  }
+  [[nodiscard]] std::vector<std::string> names_of_channels() const {
+    std::vector<std::string> names;
+    for (const face::Channel& one : assets_.face.channels) names.push_back(one.name);
+    return names;
+  }
+  /// As the window does when AUs were saved: the face is the user's copy from now on.
+  void show_saved_face() {
+    assets_.face_folder = editor_->saved_face();
+    auto face = face::load_face(assets_.face_folder, assets_.data_folder);
+    ASSERT_TRUE(face.has_value()) << face.error().message;
+    assets_.face = std::move(*face);
+    mapping_->recordings = assets_.face.recordings;
+    editor_->change_face(names_of_channels());
   }
   /// The way to an expression is over.
   void arrive() { clock_.advance(std::chrono::seconds(1)); }
@@ -195,6 +211,62 @@ TEST_F(EditorSessionTest, AnAuWithoutANameIsNotSavedAndItsNameIsKeptUntilThen) {
 TEST_F(EditorSessionTest, OnlyAnAuOfOnesOwnCanBeRemoved) {
   EXPECT_FALSE(ask(gui::RemoveAu{12})) << "it came with the face";
   EXPECT_EQ(entry(12).number, 12);
+}
+
+TEST_F(EditorSessionTest, AnAuOfOnesOwnIsAsItCameAgainWhenItIsRemoved) {
+  ask(gui::LoadAu{26});
+  set("jaw", 1);
+  ask(gui::SaveAu{26});
+  show_saved_face();
+  EXPECT_TRUE(entry(26).own);
+  EXPECT_TRUE(ask(gui::RemoveAu{26}));
+  EXPECT_EQ(notices_.view().text, gui::tr("said.au_shipped", 26));
+  EXPECT_FALSE(entry(26).own);
+  EXPECT_FLOAT_EQ(mapping_->recordings.at(26).activation[channel("jaw")], 2.2F);
+}
+
+TEST_F(EditorSessionTest, AnAuThatIsOnlyOnesOwnIsGoneWhenItIsRemovedAndKeepsItsName) {
+  set("jaw", 3);
+  ask(gui::SaveAu{77, "wide"});
+  show_saved_face();
+  EXPECT_TRUE(ask(gui::RemoveAu{77}));
+  EXPECT_EQ(notices_.view().text, gui::tr("said.au_deleted", 77));
+  EXPECT_EQ(entry(77).number, 0);
+  EXPECT_FALSE(editor_->unsaved());
+  ask(gui::SaveAu{77});
+  EXPECT_FALSE(editor_->save_failed()) << notices_.view().text;
+  EXPECT_EQ(entry(77).name, "wide");
+}
+
+TEST_F(EditorSessionTest, AusOfAFileBecomeOnesOwnAndTheFirstIsShown) {
+  const auto file = data_.write("two.toml",
+                                "[[au]]\nnumber = 26\ndrive = { jaw = 2.0 }\n"
+                                "[[au]]\nnumber = 77\nnote = \"Yell\"\ndrive = { jaw = 4.0 }\n");
+  const auto imported = editor_->import_aus(file);
+  ASSERT_TRUE(imported.has_value()) << imported.error().message;
+  const auto aus = home_.path() / "aucast" / "faces" / "small";
+  EXPECT_EQ(editor_->saved_face(), aus.string());
+  EXPECT_NE(imported->find("26, 77"), std::string::npos) << *imported;
+  EXPECT_EQ(at("jaw"), 2);
+  EXPECT_EQ(editor_->au(), 26);
+  EXPECT_EQ(entry(77).name, "Yell");
+}
+
+TEST_F(EditorSessionTest, OnAnotherFaceTheSameAusAreShown) {
+  ask(gui::ShowAus{"26"});
+  arrive();
+  mapping_->recordings.at(26).activation[channel("jaw")] = 1;
+  editor_->change_face(names_of_channels());
+  EXPECT_EQ(at("jaw"), 1) << "as this face shows them";
+  EXPECT_EQ(editor_->aus(), aus_of("26"));
+}
+
+TEST_F(EditorSessionTest, WhatIsShownHasANameForFiles) {
+  EXPECT_EQ(editor_->made_of(), "edited");
+  ask(gui::ShowExpression{1});
+  EXPECT_EQ(editor_->made_of(), "yawn");
+  ask(gui::LoadAu{26});
+  EXPECT_EQ(editor_->made_of(), "au26_edited");
 }
 
 TEST_F(EditorSessionTest, AFileThatHasNoAusIsRefused) {
