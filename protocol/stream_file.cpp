@@ -206,6 +206,7 @@ std::string stream_title(std::string_view text) {
 Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,
                                      const StopToken& stop) {
   StreamFile stream;
+  stream.title = stream_title(text);
   // A keyframe a line: room for all of them at once, where growing takes three times as much.
   stream.keyframes.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
   const auto read = read_stream_file(text, file, [&](Keyframe&& keyframe) -> Result<void> {
@@ -277,7 +278,9 @@ std::string format_stream_line(const Keyframe& keyframe) {
 }
 
 std::string format_stream_file(const StreamFile& stream) {
-  std::string text = std::string(kBeginTag) + '\n';
+  std::string text;
+  if (!stream.title.empty()) text = "# title: " + stream.title + '\n';
+  text += std::string(kBeginTag) + '\n';
   for (const Keyframe& keyframe : stream.keyframes) text += format_stream_line(keyframe) + '\n';
   return text.append(kEndTag) + '\n';
 }

@@ -21,6 +21,7 @@ inline constexpr std::string_view kEndTag = "End_Stream";
 /// A stream file in memory: the keyframes between Beg_Stream and End_Stream, in order.
 struct StreamFile {
   std::vector<Keyframe> keyframes;  ///< at least one; none is changes-only
+  std::string title{};              ///< stream_title()
 };
 
 /// Takes the keyframes of a stream file one by one; an error ends the reading.
@@ -58,7 +59,8 @@ struct MendedText {
 /// The keyframe as a line: its canonical packet without braces, without a line end.
 [[nodiscard]] std::string format_stream_line(const Keyframe& keyframe);
 
-/// The whole file as text: the tags, and between them format_stream_line() of each keyframe.
+/// The whole file as text: the title if there is one, the tags, and between them
+/// format_stream_line() of each keyframe.
 [[nodiscard]] std::string format_stream_file(const StreamFile& stream);
 
 /// Sum of the keyframes' times in ms, untimed ones counted as `keyframe_ms`.

@@ -53,7 +53,7 @@ protocol::StreamFile resample(const protocol::StreamFile& stream, double rate,
   AUCAST_CHECK(!stream.keyframes.empty());
   const std::uint64_t whole_ms = protocol::media_ms(stream, keyframe_ms);
   Curve curve(stream, keyframe_ms);
-  protocol::StreamFile resampled;
+  protocol::StreamFile resampled{{}, stream.title};
   std::uint64_t place = 0;
   for (std::uint64_t step = 1; place < whole_ms && !stop.stop_requested(); ++step) {
     const double wanted = std::round(static_cast<double>(step) * 1000 / rate);
