@@ -50,6 +50,7 @@ struct Track {
   bool has_begun = false;
   double last_seconds = 0;
   double last_sure = 0;
+  bool broken = false;  ///< its time has jumped, which was refused
 };
 
 class RecordingReader {
@@ -215,7 +216,7 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
   if (!seconds) return;
   const MeasuredNeutral measured = measured_in(face, *seconds).measured();
   if (conditioning_.neutral_seconds) {
-    track.found.neutral = measured;
+    track.found.neutral = taken_off(conditioning_, measured);
     judge_quiet(face, track.found);
   }
   ConditioningSettings settled = conditioning_;
@@ -261,9 +262,10 @@ void RecordingReader::take(const Observation& row, Track& track) {
     ++found.left_out;
     return;
   }
+  if (track.broken) return;
   if (*time - track.last_seconds > kGapSecondsMax) {
     table_.refuse(std::nullopt, "the time jumps by more than a day");
-    track.last_seconds = *time;
+    track.broken = true;
     return;
   }
   // Who comes late was neutral until then.
@@ -283,6 +285,7 @@ void RecordingReader::take(const Observation& row, Track& track) {
 Result<std::vector<Recording>> RecordingReader::finish() {
   std::vector<Recording> recordings;
   bool one_time = false;
+  bool no_time = true;  // that could be read
   for (const std::int64_t face : chosen_) {
     Track& track = tracks_[face];
     count_gap(track.last_seconds - track.last_sure, track.found);
@@ -290,6 +293,7 @@ Result<std::vector<Recording>> RecordingReader::finish() {
       const auto steps = static_cast<double>(track.found.rows - 1);
       track.found.rows_a_second = steps / track.last_seconds;
     }
+    no_time = no_time && track.found.left_out == track.found.rows;
     Recording recording{track.timeline.finish(), std::move(track.found)};
     recording.found.steps_a_second = steps_a_second(recording.stream);
     const std::size_t keyframes = recording.stream.keyframes.size();
@@ -299,9 +303,15 @@ Result<std::vector<Recording>> RecordingReader::finish() {
     if (keyframes > 0 && !nobody) recordings.push_back(std::move(recording));
   }
   if (one_time && recordings.size() == 1) {
-    return need("all rows have the same time; " + needs_fps());
+    return need("no row has a later time than the first; " + needs_fps());
   }
   if (!recordings.empty()) return recordings;
+  if (timed_ && no_time) {
+    return Error{ErrorKind::BadData,
+                 at_place(file_, "no row has a time of at most " +
+                                     std::to_string(static_cast<std::int64_t>(kClockSecondsMax)) +
+                                     " s: it may be told in microseconds; " + needs_fps())};
+  }
   if (timed_ || options_.fps) return need("no face is seen in any row");
   return need("no row has a time; " + needs_fps());
 }

@@ -12,9 +12,6 @@ namespace {
 /// No head turns further.
 constexpr double kTurnMax = 10;
 
-/// Latest time that a source's clock may show.
-constexpr double kClockSecondsMax = 1e10;
-
 }  // namespace
 
 double scale_for(double native, double largest) {

@@ -10,6 +10,9 @@
 /// What recordings and live sources share: turns the rows of a table into samples of a face.
 namespace aucast::sources {
 
+/// Latest time that a source's clock may show.
+inline constexpr double kClockSecondsMax = 1e10;
+
 /// The value that is full intensity in the file. `native` is Format::native_scale(), 0 when only
 /// the values can tell; `largest`, the largest value so far, can prove it wrong.
 [[nodiscard]] double scale_for(double native, double largest);

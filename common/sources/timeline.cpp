@@ -63,11 +63,17 @@ void Timeline::bridge(double until) {
   store(back);
 }
 
+/// Where a keyframe cannot last as long as that, there are several.
 void Timeline::store(double seconds) {
-  constexpr double kStepMax = static_cast<double>(protocol::kDurationMsMax) / 1000;
-  while (last_seconds_ && seconds - *last_seconds_ > kStepMax) store(*last_seconds_ + kStepMax);
   const std::int64_t place = whole_milliseconds(seconds);
-  if (last_seconds_ && place <= last_ms_) return;
+  while (last_seconds_ && place - last_ms_ > protocol::kDurationMsMax) {
+    const std::int64_t step = last_ms_ + protocol::kDurationMsMax;
+    keep(static_cast<double>(step) / 1000, step);
+  }
+  if (!last_seconds_ || place > last_ms_) keep(seconds, place);
+}
+
+void Timeline::keep(double seconds, std::int64_t place) {
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(channels_.at(seconds));
   keyframe.duration_ms = static_cast<std::uint32_t>(last_seconds_ ? place - last_ms_ : 0);

@@ -44,6 +44,7 @@ class Timeline {
  private:
   void bridge(double until);
   void store(double seconds);
+  void keep(double seconds, std::int64_t place);
 
   Conditioning conditioning_;
   Channels channels_;

@@ -78,7 +78,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
      "{why}; say how many pictures a second there are, such as Pictures/s {number}"},
     {"made.no_times", "{format} wrote no times here"},
     {"made.no_row_times", "no row has a time"},
-    {"made.one_time", "all rows have the same time"},
+    {"made.one_time", "no row has a later time than the first"},
     {"made.hasty_clock", "{rate} rows a second are no camera's: Pictures/s says how many"},
     {"made.still_clock", "{rows} without a later time: Pictures/s {rate} reads them all"},
     {"made.count_row", "1 row"},

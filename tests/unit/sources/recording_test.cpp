@@ -295,7 +295,7 @@ TEST(Recording, MissingOrConstantTimesNeedAnOption) {
   const std::string images = kOpenFace2Header + row(1, "0") + row(2, "0") + row(3, "0");
   const Error constant = error_of(images);
   EXPECT_EQ(constant.kind, ErrorKind::Usage);
-  EXPECT_NE(constant.message.find("all rows have the same time"), std::string::npos);
+  EXPECT_NE(constant.message.find("no row has a later time than the first"), std::string::npos);
   RecordingOptions options;
   options.fps = 25;
   const auto recording = read_recording(images, "f.csv", options);
@@ -310,6 +310,24 @@ TEST(Recording, WhatIsNoRecordingIsRefused) {
   EXPECT_EQ(error_of("").kind, ErrorKind::BadData);
   EXPECT_EQ(error_of(kOpenFace2Header + row(1, "0") + row(2, "1e6")).message,
             "f.csv:3:1: the time jumps by more than a day");
+  EXPECT_EQ(error_of(kOpenFace2Header + row(1, "0") + row(2, "9e9") + row(3, "9.1e9")).message,
+            "f.csv:3:1: the time jumps by more than a day")
+      << "nothing is made of what comes after it";
+}
+
+TEST(Recording, TimesInMicrosecondsAreToldApartFromFacesThatAreNotSeen) {
+  const Error error =
+      error_of(kOpenFace2Header + row(1, "1700000000000000") + row(2, "1700000000033333"));
+  EXPECT_EQ(error.kind, ErrorKind::BadData);
+  EXPECT_EQ(error.message,
+            "f.csv: no row has a time of at most 10000000000 s: it may be told in microseconds; "
+            "say how many pictures a second there are, such as --fps 30");
+}
+
+TEST(Recording, RowsThatWereLeftOutAreToldInTheSentenceToo) {
+  const auto recording = read_rows(row(1, "0.5") + row(2, "0.5") + row(3, "0.6"));
+  EXPECT_NE(found_sentence(recording.found).find(", 1 left out (no later time)"), std::string::npos)
+      << found_sentence(recording.found);
 }
 
 TEST(Recording, ReportSaysWhatWasFound) {
@@ -321,7 +339,7 @@ TEST(Recording, ReportSaysWhatWasFound) {
             "  people      1: face 0 in 3 rows (taken)\n"
             "  rows        3, 0 of them no data, 0 left out (no later time)\n"
             "  gaps        1 over 0.5 s, the longest 2.40 s\n"
-            "  appended    1 header lines in the middle\n"
+            "  appended    1 header line in the middle\n"
             "  truncated   the last line has no end and was left out\n");
 }
 

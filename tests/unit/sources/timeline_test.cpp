@@ -131,5 +131,19 @@ TEST(Timeline, PausesOfHoursKeepToTheLongestKeyframe) {
   EXPECT_EQ(place_of(stream, stream.keyframes.size() - 1), 10'000'000U);
 }
 
+TEST(Timeline, PausesOfAnyLengthEnd) {
+  for (const double begin : {0.0, 0.633, 1.7e9}) {
+    for (const double pause : {18'010.7, 20'090.0, 86'399.9}) {
+      Timeline timeline;
+      timeline.add(begin, smile_of(0.8F));
+      timeline.add(begin + 0.033, smile_of(0.8F));
+      timeline.add(begin + pause, smile_of(0.6F));
+      const auto stream = timeline.finish();
+      EXPECT_LE(stream.keyframes.size(), 32U) << begin << " " << pause;
+      for (const auto& keyframe : stream.keyframes) EXPECT_LE(*keyframe.duration_ms, 3'600'000U);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aucast::sources

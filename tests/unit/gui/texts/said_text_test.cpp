@@ -37,7 +37,8 @@ const std::vector<std::string> kSaid = {
     "OpenFace 2: 10 rows, 2 without a face, 1 left out (no later time); one of 3 faces",
     "/tmp/p.csv: Py-Feat wrote no times here; say how many pictures a second there are, such as "
     "Pictures/s 30",
-    "/tmp/p.csv: all rows have the same time; say how many pictures a second there are, such as "
+    "/tmp/p.csv: no row has a later time than the first; say how many pictures a second there are, "
+    "such as "
     "Pictures/s 30",
     "1000 rows a second are no camera's: Pictures/s says how many",
     "100 rows without a later time: Pictures/s 60 reads them all",
