@@ -67,15 +67,21 @@ Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings)
   return signals;
 }
 
-Signals neutral_with(const ConditioningSettings& settings, const MeasuredNeutral& measured) {
+MeasuredNeutral taken_off(const ConditioningSettings& settings, MeasuredNeutral measured) {
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    if (settings.neutral_turns_only && !is_turn(channel)) measured.signals[channel] = kNoSignal;
+  }
+  return measured;
+}
+
+Signals neutral_with(const ConditioningSettings& settings, const MeasuredNeutral& all) {
+  const MeasuredNeutral measured = taken_off(settings, all);
   Signals neutral = settings.profile.neutral;
   const auto take = [&](std::size_t channel) {
     if (is_signal(measured.signals[channel])) neutral[channel] = measured.signals[channel];
   };
   if (settings.neutral_seconds) {
-    for (std::size_t channel = 0; channel < kChannels; ++channel) {
-      if (!settings.neutral_turns_only || is_turn(channel)) take(channel);
-    }
+    for (std::size_t channel = 0; channel < kChannels; ++channel) take(channel);
   } else {
     for (const std::size_t channel : kDistanceChannels) take(channel);
   }
@@ -109,7 +115,7 @@ void Conditioning::measure(double seconds, const Signals& signals) {
     neutral_ = neutral_with(settings_, meter_->measured());
     return;
   }
-  if (settings_.neutral_seconds) measured_ = meter_->measured();
+  if (settings_.neutral_seconds) measured_ = taken_off(settings_, meter_->measured());
   meter_.reset();
 }
 

@@ -77,6 +77,10 @@ class Conditioning {
 /// settings.distance.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
+/// Of a measured neutral face, what is subtracted: with neutral_turns_only turns of head and eyes.
+[[nodiscard]] MeasuredNeutral taken_off(const ConditioningSettings& settings,
+                                        MeasuredNeutral measured);
+
 /// What is to be subtracted: the profile's neutral face, with what was measured in its place.
 /// Without `neutral_seconds` only the distance is taken from `measured`.
 [[nodiscard]] Signals neutral_with(const ConditioningSettings& settings,

@@ -43,7 +43,7 @@ std::string faces_of(const Found& found) {
   for (std::size_t index = 0; index < found.faces.size() && index < kShown; ++index) {
     const Found::Face& face = found.faces[index];
     text += index == 0 ? ": " : ", ";
-    text += "face " + std::to_string(face.id) + " in " + std::to_string(face.rows) + " rows";
+    text += "face " + std::to_string(face.id) + " in " + counted(face.rows, "row");
     if (face.id == found.face) text += found.all_taken ? " (this one)" : " (taken)";
   }
   return text + (found.faces.size() > kShown ? ", ..." : "");
@@ -110,7 +110,7 @@ std::string found_lines(const Found& found) {
     text += line("not quiet", loud);
   }
   if (found.headers > 0) {
-    text += line("appended", std::to_string(found.headers) + " header lines in the middle");
+    text += line("appended", counted(found.headers, "header line") + " in the middle");
   }
   if (found.truncated) text += line("truncated", "the last line has no end and was left out");
   return text;
@@ -125,6 +125,7 @@ std::string found_sentence(const Found& found) {
     text += ", " + std::to_string(found.lost) + " of " + std::to_string(found.rows) +
             " rows without data";
   }
+  if (found.left_out > 0) text += ", " + left_out_of(found);
   if (found.truncated) text += ", the truncated last line left out";
   if (const std::string clock = hasty_clock(found, {}); !clock.empty()) text += ", " + clock;
   if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);

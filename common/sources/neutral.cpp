@@ -1,6 +1,7 @@
 #include "common/sources/neutral.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aucast::sources {
 namespace {
@@ -51,7 +52,8 @@ bool NeutralMeter::add(double seconds, const Signals& signals) {
 }
 
 MeasuredNeutral NeutralMeter::measured() const {
-  MeasuredNeutral neutral{no_signals(), wanted_, rows_};
+  const double span = begin_ ? std::round(*last_ - *begin_) : 0;
+  MeasuredNeutral neutral{no_signals(), wanted_ > kSecondsMax ? span : wanted_, rows_};
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
     neutral.signals[channel] = median(sorted_[channel]);
   }

@@ -12,7 +12,7 @@ namespace aucast::sources {
 /// A neutral face that was measured.
 struct MeasuredNeutral {
   Signals signals = no_signals();  ///< no data: none was seen
-  double seconds = 0;              ///< how long was to be measured
+  double seconds = 0;              ///< how long: as asked, or what there was of a whole recording
   std::size_t rows = 0;            ///< with data
 };
 

@@ -227,8 +227,8 @@ std::string measured_text(const MeasuredNeutral& neutral) {
     text += text.empty() ? "" : ", ";
     text += au_name_text(au) + " " + std::to_string(std::lround(percent)) + " %";
   }
-  return "measured in " + std::to_string(neutral.rows) + " rows of " +
-         number_text(neutral.seconds) + " s: " + (text.empty() ? "nothing over 1 %" : text);
+  return "measured in " + counted(neutral.rows, "row") + " of " + number_text(neutral.seconds) +
+         " s: " + (text.empty() ? "nothing over 1 %" : text);
 }
 
 }  // namespace aucast::sources

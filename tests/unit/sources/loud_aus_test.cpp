@@ -80,5 +80,11 @@ TEST(LoudAus, AFaceAtRestAndTurnsAloneAreNoReasonToWarn) {
   EXPECT_TRUE(warnings(found_with(loud_at_first(3, 3), 2, true)).empty());
 }
 
+TEST(LoudAus, OfTurnsAloneNothingElseIsSaidToBeTakenOff) {
+  const Found found = found_with(loud_at_first(3, 3), kWholeRecordingSeconds, true);
+  EXPECT_NE(found_lines(found).find(" rows of 3 s: nothing over 1 %\n"), std::string::npos)
+      << found_lines(found);
+}
+
 }  // namespace
 }  // namespace aucast::sources
