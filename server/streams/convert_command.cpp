@@ -9,13 +9,14 @@
 #include "common/film_name.h"
 #include "common/sources/found_report.h"
 #include "common/sources/openface_table.h"
-#include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
 #include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
 #include "server/streams/film_source.h"
+#include "server/streams/memory.h"
+#include "server/streams/resampling.h"
 
 namespace aucast::server {
 namespace {
@@ -72,7 +73,7 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
 
 Result<void> validate(const ConvertOptions& options) {
   if (options.in.empty() || (options.out.empty() && options.to.empty()))
-    return convert_usage("convert needs two files, IN and OUT");
+    return convert_usage("convert needs two files, IN and OUT, or --to DIR and files");
   if (options.to.empty() && !options.more.empty()) {
     return convert_usage("convert takes two files, IN and OUT, or more with --to DIR");
   }
@@ -92,16 +93,12 @@ Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::
   if (mended.lines_left_out > 0) {
     said += counted(mended.lines_left_out, "torn line") + " at the end left out; ";
   }
-  if (options.source.rate) {
-    *stream = sources::resample(*stream, *options.source.rate, options.keyframe_ms);
-  }
   return sources::SourceContent{std::move(*stream), std::nullopt};
 }
 
 std::string sides_sentence(std::size_t uneven) {
   if (uneven == 0) return {};
-  return ", which has no sides: in " + std::to_string(uneven) +
-         (uneven == 1 ? " keyframe" : " keyframes") + " the stronger one was taken";
+  return ", which has no sides: in " + counted(uneven, "keyframe") + " the stronger one was taken";
 }
 
 /// Reads the faces in a film.
@@ -124,11 +121,7 @@ Result<sources::SourceContent> read_seen(const ConvertOptions& options,
   auto contents = sources::parse_streams(*text, options.in.string(), options.source.recording,
                                          conditioning_for(options.in, conditioning));
   if (!contents) return contents.error();
-  sources::SourceContent& content = contents->front();
-  if (options.source.rate) {
-    content.stream = sources::resample(content.stream, *options.source.rate, options.keyframe_ms);
-  }
-  return std::move(content);
+  return std::move(contents->front());
 }
 
 Result<sources::SourceContent> read_any(const ConvertOptions& options,
@@ -136,8 +129,8 @@ Result<sources::SourceContent> read_any(const ConvertOptions& options,
                                         const SayProgress& say, std::string& said) {
   if (options.mend) return read_cut_off(options, said);
   if (is_film(options.in)) return read_seen(options, conditioning, say);
-  return sources::read_source(options.in, {options.source.recording, options.source.rate,
-                                           conditioning, options.keyframe_ms});
+  return sources::read_source(
+      options.in, {options.source.recording, std::nullopt, conditioning, options.keyframe_ms});
 }
 
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
@@ -150,8 +143,12 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   const auto conditioning = conditioning_of(signal);
   if (!conditioning) return conditioning.error();
   std::string said = at_place(options.in.string(), "");
-  const auto content = read_any(options, *conditioning, say, said);
+  auto content = read_any(options, *conditioning, say, said);
   if (!content) return content.error();
+  if (const auto rate = options.source.rate) {
+    auto done = resample(content->stream, *rate, options.keyframe_ms, options.in);
+    if (!done) return done.error();
+  }
   if (!signal.save_profile.empty()) {
     if (measures_neutral(signal) && !content->found) {
       return Error{
@@ -167,10 +164,14 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   said += counted(content->stream.keyframes.size(), "keyframe") + ", " +
           std::to_string(protocol::media_ms(content->stream, options.keyframe_ms)) + " ms\n";
   if (options.out.extension() == ".csv") {
+    const std::uint64_t rows =
+        protocol::media_ms(content->stream, options.keyframe_ms) / sources::kRowMsMax;
+    auto can = check_memory(options.out, rows * kWholeKeyframeBytes);
+    if (!can) return can.error();
     auto table = sources::write_openface_table(content->stream, options.keyframe_ms);
     text = std::move(table.text);
-    said += at_place(options.out.string(), "a table of OpenFace 2, ") + std::to_string(table.rows) +
-            " rows" + sides_sentence(table.uneven) + "\n";
+    said += at_place(options.out.string(), "a table of OpenFace 2, ") + counted(table.rows, "row") +
+            sides_sentence(table.uneven) + "\n";
   } else {
     text = protocol::format_stream_file(content->stream);
   }

@@ -7,17 +7,18 @@
 #include "common/film_name.h"
 #include "common/sources/content.h"
 #include "common/sources/dead_band.h"
-#include "common/sources/resample.h"
 #include "common/sources/source_reader.h"
 #include "common/stopped.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/endpoint.h"
+#include "protocol/limits.h"
 #include "protocol/stream_file.h"
 #include "protocol/voiced_stream.h"
 #include "server/streams/film_source.h"
 #include "server/streams/memory.h"
+#include "server/streams/resampling.h"
 #include "server/streams/source_path.h"
 #include "server/streams/thinning.h"
 #include "server/voice/companions.h"
@@ -37,10 +38,6 @@ Result<void> check_name(const std::filesystem::path& path, const std::string& na
 
 /// After how many keyframes the free memory is checked again.
 constexpr std::size_t kMemoryLookEvery = 65536;
-
-/// The most bytes that a keyframe takes while a whole stream is thinned, resampled or read from a
-/// table.
-constexpr std::uint64_t kWholeBytes = 400;
 
 /// What all files of one call have in common.
 struct Reading {
@@ -85,10 +82,8 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
   protocol::StreamFile& stream = content.stream;
   if (content.found) align_voice(stream, options.keyframe_ms, source);
   if (const auto rate = reading.source.rate) {
-    const auto ms = static_cast<double>(protocol::media_ms(stream, options.keyframe_ms));
-    const auto keyframes = static_cast<std::uint64_t>(ms * *rate / 1000);
-    if (auto can = check_memory(source.path, keyframes * kWholeBytes); !can) return can;
-    stream = sources::resample(stream, *rate, options.keyframe_ms, reading.stop);
+    auto done = resample(stream, *rate, options.keyframe_ms, source.path, reading.stop);
+    if (!done) return done;
   }
   if (content.found) {
     sources::apply_dead_band(stream, reading.conditioning.profile.dead_band);
@@ -126,6 +121,15 @@ Result<std::vector<Source>> address_source(const std::filesystem::path& path, Li
     return Error{ErrorKind::Usage, at_place(path.string(), "--check and --estimate read files")};
   }
   return std::vector<Source>{{.path = path, .name = address->stream, .live = true}};
+}
+
+/// The protocol has no place beyond that.
+Result<void> check_length(const Source& source) {
+  if (source.stream->duration_ms.value_or(0) <= protocol::kPlaceMsMax) return {};
+  return Error{ErrorKind::BadData,
+               at_place(source.path.string(), "the stream lasts longer than the " +
+                                                  std::to_string(protocol::kPlaceMsMax) +
+                                                  " ms that the protocol can tell; divide it")};
 }
 
 void add_voiced(const EncodingOptions& options, Source& source) {
@@ -168,11 +172,12 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back(source_named(stem));
     auto read = encode_file(*text, reading, streams.front());
     if (!read) return read.error();
+    if (auto can = check_length(streams.front()); !can) return can.error();
     add_voiced(reading.encoding, streams.front());
     return streams;
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
-  if (auto can = check_memory(path, lines * kWholeBytes); !can) return can.error();
+  if (auto can = check_memory(path, lines * kWholeKeyframeBytes); !can) return can.error();
   auto contents =
       sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
                              conditioning_for(path, reading.conditioning), reading.stop);
@@ -184,6 +189,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back(source_named(name));
     auto encoded = encode_whole(std::move(content), reading, streams.back());
     if (!encoded) return encoded.error();
+    if (auto can = check_length(streams.back()); !can) return can.error();
     add_voiced(reading.encoding, streams.back());
   }
   return streams;

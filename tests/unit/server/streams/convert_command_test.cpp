@@ -61,7 +61,7 @@ TEST(Convert, ResamplesAndTakesTheSourcesOptions) {
 
 TEST(Convert, WrongCommandLinesAreRefused) {
   EXPECT_EQ(run_convert({"a"}).error().message,
-            "convert needs two files, IN and OUT (try convert --help)");
+            "convert needs two files, IN and OUT, or --to DIR and files (try convert --help)");
   EXPECT_EQ(run_convert({"a", "b", "c"}).error().kind, ErrorKind::Usage);
   EXPECT_EQ(run_convert({"a", ""}).error().message, "OUT is empty (try --help)");
   EXPECT_EQ(run_convert({"--keyframe", "0", "a", "b"}).error().message,

@@ -1,0 +1,17 @@
+#include "server/streams/resampling.h"
+
+#include "common/sources/resample.h"
+#include "server/streams/memory.h"
+
+namespace aucast::server {
+
+Result<void> resample(protocol::StreamFile& stream, double rate, std::uint32_t keyframe_ms,
+                      const std::filesystem::path& path, const std::stop_token& stop) {
+  const auto ms = static_cast<double>(protocol::media_ms(stream, keyframe_ms));
+  const auto keyframes = static_cast<std::uint64_t>(ms * rate / 1000);
+  if (auto can = check_memory(path, keyframes * kWholeKeyframeBytes); !can) return can;
+  stream = sources::resample(stream, rate, keyframe_ms, stop);
+  return {};
+}
+
+}  // namespace aucast::server

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stop_token>
+
+#include "common/result.h"
+#include "protocol/stream_file.h"
+
+namespace aucast::server {
+
+/// The most bytes that a keyframe takes while a whole stream is thinned, resampled or read from a
+/// table.
+inline constexpr std::uint64_t kWholeKeyframeBytes = 400;
+
+/// Gives the stream `rate` keyframes a second (sources::resample()). `keyframe_ms`: of an untimed
+/// keyframe. Fails, and leaves the stream as it is, when they do not fit into memory; `path` is
+/// whose stream it is, for the message.
+[[nodiscard]] Result<void> resample(protocol::StreamFile& stream, double rate,
+                                    std::uint32_t keyframe_ms, const std::filesystem::path& path,
+                                    const std::stop_token& stop = {});
+
+}  // namespace aucast::server
