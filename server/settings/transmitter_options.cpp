@@ -67,6 +67,9 @@ Result<void> validate_streams(const TransmitterOptions& options) {
   if (!any && !options.push.addresses.empty())
     return usage_error("--push brings a SOURCE; name one");
   if (!any && !options.voice.file.empty()) return usage_error("--voice is for a SOURCE; name one");
+  if (options.voice.none && !options.voice.file.empty()) {
+    return usage_error("--no-voice leaves nothing for --voice to name: give one of them");
+  }
   for (const std::string& address : options.push.addresses) {
     if (auto parsed = protocol::parse_stream_address(address); !parsed) return parsed.error();
   }

@@ -34,7 +34,7 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        "the first source. For a live source it is - or a FIFO with raw sound: 16-bit signed "
        "little-endian, 16000 Hz, mono, as arecord -f S16_LE -r 16000 -c 1 -t raw writes it.",
        word(options.file), "Voice"},
-      {"no-voice", "", "", "serve faces only", "Sound files beside the sources are left alone.",
+      {"no-voice", "", "", "serve no sound", "Sound files beside the sources are left alone.",
        flag(options.none)},
       {"voice-delay", "MS", "0", "hear the sound MS later (0)",
        "Milliseconds, -10000 to 10000: how much later the sound is heard with the face, for a "
