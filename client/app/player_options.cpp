@@ -137,6 +137,9 @@ Result<void> check_security(const PlaybackOptions& options) {
   if (options.classic && !security.token.empty()) {
     return usage_error("--token-file needs a hello, which --protocol classic never sends");
   }
+  if (options.classic && !options.stream.empty()) {
+    return usage_error("a stream's name needs a hello, which --protocol classic never sends");
+  }
   return {};
 }
 

@@ -122,7 +122,7 @@ TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
       accepted({"--headless", "h",           "--buffer", "50",       "--playout",
                 "5",          "--threshold", "100",      "--speed",  "1000",
                 "--mixer",    "average",     "--rules",  "none",     "--interpolation",
-                "cosine",     "--protocol",  "classic",  "--stream", "talk",
+                "cosine",     "--protocol",  "auto",     "--stream", "talk",
                 "--face",     "f",           "--data",   "d",        "--connect-timeout",
                 "2.5",        "--stats",     "s.json",   "--fps",    "25",
                 "--size",     "64x48",       "--blink",  "7"});
@@ -134,7 +134,8 @@ TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
   EXPECT_EQ(options.face.mixer, face::Mixer::Average);
   EXPECT_EQ(options.face.rules, "none");
   EXPECT_EQ(options.playback.interpolation, playback::Interpolation::Cosine);
-  EXPECT_TRUE(options.playback.classic);
+  EXPECT_FALSE(options.playback.classic);
+  EXPECT_TRUE(accepted({"h", "--protocol", "classic"}).playback.classic);
   EXPECT_EQ(options.playback.stream, "talk");
   EXPECT_EQ(options.face.face, "f");
   EXPECT_EQ(options.face.data, "d");
@@ -295,6 +296,11 @@ TEST(PlayerOptions, RefuseWithOneLine) {
   EXPECT_NE(refused({"h", "--threshold", "101"}).find("--threshold"), std::string::npos);
   EXPECT_NE(refused({"h", "--mixer", "median"}).find("--mixer"), std::string::npos);
   EXPECT_NE(refused({"h", "--protocol", "udp"}).find("--protocol"), std::string::npos);
+  for (const Arguments& named : {Arguments{"h", "--stream", "x"}, Arguments{"aucast://h/x"}}) {
+    Arguments classic = named;
+    classic.insert(classic.end(), {"--protocol", "classic"});
+    EXPECT_NE(refused(classic).find("a stream's name needs a hello"), std::string::npos);
+  }
   EXPECT_NE(refused({"h", "--fps", "0"}).find("--fps"), std::string::npos);
   EXPECT_NE(refused({"a", "b"}).find("unexpected argument 'b'"), std::string::npos);
   EXPECT_NE(refused({"--headless"}).find("needs HOST"), std::string::npos);
