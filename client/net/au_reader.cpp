@@ -65,6 +65,8 @@ std::string_view remedy(SessionFailed::Why why) {
 
 /// The code of a server that is full or does not have the stream yet. Another server may have it.
 constexpr int kBusyCode = 503;
+/// The code of a server that has no stream of that name.
+constexpr int kNoStreamCode = 404;
 
 }  // namespace
 
@@ -301,7 +303,11 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
       event.why == SessionFailed::Why::Lost || event.why == SessionFailed::Why::Silent;
   busy_in_a_row_ = event.code == kBusyCode ? busy_in_a_row_ + 1 : 0;
   const bool elsewhere = busy_in_a_row_ > 0 && busy_in_a_row_ < options_.hosts;
-  if ((lost || elsewhere) && begin_again(reaction, options_.peer + ": " + event.reason)) return;
+  // A stream that was here comes again: its server may have begun anew, or be full for now.
+  const bool later =
+      keyframes_before_ > 0 && (event.code == kBusyCode || event.code == kNoStreamCode);
+  if ((lost || elsewhere || later) && begin_again(reaction, options_.peer + ": " + event.reason))
+    return;
   reaction.next = Reaction::Next::Close;
   status_.refusal = event.code;
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));

@@ -328,6 +328,20 @@ TEST_F(Reconnecting, DropsTheHalfPacketThatWasUnderWay) {
   EXPECT_EQ(status().end, EndReason::EndOfStream);
 }
 
+TEST_F(Reconnecting, AsksAgainForAStreamThatWasHere) {
+  feed("{hello v=2 window=4}{1}");
+  close();
+  for (const char* refusal :
+       {"{error 503 the server is full}", "{error 404 there is no stream 'x' here}"}) {
+    static_cast<void>(reader_->connected(clock_.now()));
+    feed(refusal);
+    EXPECT_EQ(last_.next, Next::ReconnectLater) << refusal;
+  }
+  static_cast<void>(reader_->connected(clock_.now()));
+  feed("{error 401 the token is wrong}");
+  EXPECT_EQ(last_.next, Next::Close);
+}
+
 TEST_F(Reconnecting, EndsWithTheStreamOrWithWhatNoRetryMends) {
   feed("{error 404 there is no stream 'x' here}");
   EXPECT_EQ(last_.next, Next::Close);
