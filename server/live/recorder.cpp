@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::server {
@@ -57,7 +58,8 @@ void Recorder::add_voice(protocol::VoicePacket packet, Milliseconds after) {
 Result<void> Recorder::finish() {
   const bool first_time = !std::exchange(finished_, true);
   const auto face = face_->finish();
-  if (first_time) spdlog::info("{} keyframes recorded to {}", face_->written(), path_.string());
+  if (first_time)
+    spdlog::info("{} recorded to {}", counted(face_->written(), "keyframe"), path_.string());
   if (!voice_) return face;
   if (first_time && pages_.any()) voice_->add({pages_.finish(end_)});
   const auto voice = voice_->finish();

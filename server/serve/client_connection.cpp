@@ -6,6 +6,7 @@
 
 #include "common/earlier.h"
 #include "common/log.h"
+#include "common/text.h"
 #include "protocol/limits.h"
 #include "server/settings/limits.h"
 
@@ -223,9 +224,9 @@ void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, b
   const std::string_view ended = name(end_reason);
   why_ = reason.empty() ? ended : reason;
   say(in_order ? spdlog::level::info : spdlog::level::warn,
-      "client {} {}: closed: {}{}{} ({} packets, {} bytes in {:.3f} s)", record_.number,
-      record_.peer, ended, reason.empty() ? "" : ": ", reason, record_.keyframes, record_.bytes,
-      seconds(record_.send_time));
+      "client {} {}: closed: {}{}{} ({}, {} in {:.3f} s)", record_.number, record_.peer, ended,
+      reason.empty() ? "" : ": ", reason, counted(record_.keyframes, "keyframe"),
+      counted(record_.bytes, "byte"), seconds(record_.send_time));
 }
 
 /// Nothing can be sent any more.

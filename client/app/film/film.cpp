@@ -14,6 +14,7 @@
 #include "client/app/steady.h"
 #include "client/pipeline/idle_face.h"
 #include "client/pipeline/player.h"
+#include "common/text.h"
 
 namespace aucast::app {
 namespace {
@@ -28,7 +29,7 @@ std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) 
   for (const auto& place : {output.frames, output.record, output.sheet}) {
     if (!place.empty()) places += (places.empty() ? "" : ", ") + place.string();
   }
-  return std::to_string(pictures) + " pictures drawn: " + places;
+  return counted(pictures, "picture") + " drawn: " + places;
 }
 
 std::string how_far(std::uint64_t pictures, double film_ms) {
