@@ -46,7 +46,21 @@ RecordWriter::~RecordWriter() {
 void RecordWriter::add(std::vector<std::string> pieces) {
   if (pieces.empty()) return;
   std::size_t bytes = 0;
-  for (const std::string& piece : pieces) bytes += piece.size();
+  Makers makers;
+  for (std::string& piece : pieces) {
+    bytes += piece.size();
+    makers.emplace_back([piece = std::move(piece)] { return piece; });
+  }
+  enqueue(bytes, std::move(makers));
+}
+
+void RecordWriter::add(std::size_t bytes, std::function<std::string()> make) {
+  Makers makers;
+  makers.push_back(std::move(make));
+  enqueue(bytes, std::move(makers));
+}
+
+void RecordWriter::enqueue(std::size_t bytes, Makers makers) {
   pieces_.change([&](Pieces& shared) {
     if (shared.error) return;
     if (shared.waiting_bytes + bytes > kUnwrittenBytesMax) {
@@ -56,8 +70,8 @@ void RecordWriter::add(std::vector<std::string> pieces) {
       return;
     }
     shared.waiting_bytes += bytes;
-    shared.waiting.insert(shared.waiting.end(), std::make_move_iterator(pieces.begin()),
-                          std::make_move_iterator(pieces.end()));
+    shared.waiting.insert(shared.waiting.end(), std::make_move_iterator(makers.begin()),
+                          std::make_move_iterator(makers.end()));
   });
 }
 
@@ -76,8 +90,10 @@ void RecordWriter::Pieces::end_with(const Error& why) {
 }
 
 /// Writes pieces one by one, so that those that still fit on the disk are kept.
-Result<void> RecordWriter::write(const std::vector<std::string>& pieces) {
-  for (const std::string& piece : pieces) {
+Result<void> RecordWriter::write(const Makers& makers) {
+  for (const auto& make : makers) {
+    const std::string piece = make();
+    if (piece.empty()) continue;
     if (auto added = file_.add(piece); !added) return added;
     ++written_;
   }
@@ -96,13 +112,12 @@ void RecordWriter::write_until_finished() {
   };
   Instant sync_at = Instant::max();
   while (!last) {
-    const std::vector<std::string> pieces = sync_at == Instant::max()
-                                                ? pieces_.wait(something, take)
-                                                : pieces_.wait_until(sync_at, something, take);
+    const Makers makers = sync_at == Instant::max() ? pieces_.wait(something, take)
+                                                    : pieces_.wait_until(sync_at, something, take);
     const Instant now = std::chrono::steady_clock::now();
     Result<void> done;
-    if (!pieces.empty()) {
-      done = write(pieces);
+    if (!makers.empty()) {
+      done = write(makers);
       sync_at = std::min<Instant>(sync_at, now + kSyncEvery);
     }
     if (done && (last || now >= sync_at)) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,14 +30,19 @@ class RecordWriter {
 
   /// Adds successive pieces; each is written whole or not at all.
   void add(std::vector<std::string> pieces);
+  /// Adds what `make` returns, which may be empty. It runs on the writing thread, in turn, and at
+  /// the latest in finish(); not at all once the recording has ended. It may return any amount:
+  /// only `bytes`, what it holds meanwhile, counts as waiting for the disk.
+  void add(std::size_t bytes, std::function<std::string()> make);
   /// Waits until everything is written. Fails with the error that ended the recording, if any.
   [[nodiscard]] Result<void> finish();
   /// How many pieces are in the file. Call it after finish().
   [[nodiscard]] std::size_t written() const { return written_; }
 
  private:
+  using Makers = std::vector<std::function<std::string()>>;
   struct Pieces {
-    std::vector<std::string> waiting;  ///< to be written
+    Makers waiting;  ///< of what is to be written
     std::size_t waiting_bytes = 0;
     bool finished = false;
     std::optional<Error> error;  ///< what ended the recording
@@ -44,8 +50,9 @@ class RecordWriter {
     void end_with(const Error& why);
   };
 
+  void enqueue(std::size_t bytes, Makers makers);
   void write_until_finished();
-  [[nodiscard]] Result<void> write(const std::vector<std::string>& pieces);
+  [[nodiscard]] Result<void> write(const Makers& makers);
 
   std::filesystem::path path_;
   RecordFile file_;          ///< of the writing thread

@@ -51,8 +51,10 @@ void Recorder::add(const protocol::Keyframe& keyframe, SteadyTime now, bool free
 void Recorder::add_voice(protocol::VoicePacket packet, Milliseconds after) {
   if (!voice_) return;
   packet.place = end_ + after;
-  if (!pages_.add(packet)) return;
-  if (std::string pages = pages_.take(); !pages.empty()) voice_->add({std::move(pages)});
+  const std::size_t bytes = sizeof(packet) + packet.opus.size();
+  voice_->add(bytes, [this, packet = std::move(packet)] {
+    return pages_.add(packet) ? pages_.take() : std::string();
+  });
 }
 
 Result<void> Recorder::finish() {
@@ -61,7 +63,10 @@ Result<void> Recorder::finish() {
   if (first_time)
     spdlog::info("{} recorded to {}", counted(face_->written(), "keyframe"), path_.string());
   if (!voice_) return face;
-  if (first_time && pages_.any()) voice_->add({pages_.finish(end_)});
+  if (first_time) {
+    voice_->add(0,
+                [this, end = end_] { return pages_.any() ? pages_.finish(end) : std::string(); });
+  }
   const auto voice = voice_->finish();
   return face ? voice : face;
 }

@@ -42,6 +42,7 @@ class Recorder {
   std::filesystem::path path_;
   std::unique_ptr<RecordWriter> face_;
   std::unique_ptr<RecordWriter> voice_;  ///< null: no voice is recorded
+  /// Of the voice's writing thread, since the silence of hours takes long to write.
   voice::OggOpusWriter pages_;
   sources::RecordTimeline timeline_;
   Milliseconds end_{0};  ///< of the last keyframe, on the file's clock
