@@ -33,15 +33,34 @@ bool write_at(int descriptor, std::string_view bytes, std::int64_t place) {
   return true;
 }
 
-/// Why an open file cannot be taken; empty: it can.
-std::string objection(int descriptor) {
+struct Objection {
+  std::string why;      ///< an open file cannot be taken; empty: it can
+  bool others = false;  ///< something else may be written to it
+};
+
+Objection objection(int descriptor) {
   struct stat status {};
-  if (::fstat(descriptor, &status) != 0) return system_reason(errno);
-  if (!S_ISREG(status.st_mode)) return "it is no plain file";
-  if (status.st_size > 0) return "it holds something already, which --record never writes over";
+  if (::fstat(descriptor, &status) != 0) return {system_reason(errno)};
+  if (!S_ISREG(status.st_mode)) {
+    return {"it is no plain file; give --record a new file, or a folder that is there"};
+  }
+  if (status.st_size > 0) {
+    return {"it holds something already, which --record never writes over", true};
+  }
   // Two that write at once would make one that nobody can read.
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return "another program is recording to it";
-  return "";
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return {};
+  if (errno == EWOULDBLOCK) return {"another program is recording to it", true};
+  return {"it cannot be locked: " + system_reason(errno) + "; record to a disk of this computer"};
+}
+
+/// A new file outlives a power cut only if its name, which is kept in the folder, does. What cannot
+/// be synced is as good as it gets: some file systems cannot, and a folder may be unreadable.
+void sync_folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 }  // namespace
@@ -55,6 +74,7 @@ RecordFile::RecordFile(RecordFile&& other) noexcept
       form_(other.form_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       made_(other.made_),
+      named_(other.named_),
       end_(other.end_) {}
 
 RecordFile::~RecordFile() {
@@ -70,9 +90,11 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path, const R
   const bool made = descriptor >= 0;
   if (!made) descriptor = ::open(path.c_str(), kFlags, 0644);
   if (descriptor < 0) return cannot_record(path, system_reason(errno));
-  if (const std::string why = objection(descriptor); !why.empty()) {
+  if (const Objection objected = objection(descriptor); !objected.why.empty()) {
+    // Another program that was quicker to lock the file writes to it now.
+    if (made && !objected.others) ::unlink(path.c_str());
     ::close(descriptor);
-    return cannot_record(path, why);
+    return cannot_record(path, objected.why);
   }
   return RecordFile(path, form, descriptor, made);
 }
@@ -101,8 +123,9 @@ Result<void> RecordFile::add(std::string_view piece) {
 }
 
 Result<void> RecordFile::sync() {
-  if (::fdatasync(descriptor_) == 0) return {};
-  return failed();
+  if (::fdatasync(descriptor_) != 0) return failed();
+  if (!std::exchange(named_, true)) sync_folder_of(path_);
+  return {};
 }
 
 }  // namespace aucast::server

@@ -24,8 +24,8 @@ inline constexpr RecordForm kPagesForm{};
 /// damage only what was not yet synced. A file that is not empty is never overwritten.
 class RecordFile {
  public:
-  /// Failed, with the reason, when the file cannot be created, is not a regular file, or is not
-  /// empty.
+  /// Failed, with the reason, when the file cannot be created or locked, is not a regular file, or
+  /// is not empty.
   [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path,
                                                  const RecordForm& form = kStreamFileForm);
   RecordFile(RecordFile&& other) noexcept;
@@ -37,7 +37,7 @@ class RecordFile {
 
   /// Adds a piece. If that fails, the file stays as it was.
   [[nodiscard]] Result<void> add(std::string_view piece);
-  /// Syncs what was added to the disk.
+  /// Syncs what was added to the disk, the first time with the name of the file.
   [[nodiscard]] Result<void> sync();
 
  private:
@@ -48,6 +48,7 @@ class RecordFile {
   RecordForm form_;
   int descriptor_ = -1;
   bool made_;             ///< the file did not exist before
+  bool named_ = false;    ///< its folder was synced
   std::int64_t end_ = 0;  ///< position of the tail; 0: nothing was added yet
 };
 

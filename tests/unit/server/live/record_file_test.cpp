@@ -1,10 +1,47 @@
 #include "server/live/record_file.h"
 
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "common/shared.h"
 #include "tests/support/temp_folder.h"
+
+// Linked before the system's own: what is synced is noted, and a test can have a lock fail.
+
+namespace {
+
+std::atomic<int> lock_error{0};
+
+aucast::Shared<std::vector<std::filesystem::path>>& synced() {
+  static aucast::Shared<std::vector<std::filesystem::path>> paths;
+  return paths;
+}
+
+}  // namespace
+
+extern "C" int fsync(int descriptor) {
+  std::error_code none;
+  const auto path =
+      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), none);
+  synced().with([&](auto& paths) { paths.push_back(path); });
+  return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
+
+extern "C" int flock(int descriptor, int operation) noexcept {
+  if (lock_error == 0) return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
+  errno = lock_error;
+  return -1;
+}
 
 namespace aucast::server {
 namespace {
@@ -62,10 +99,53 @@ TEST_F(RecordFileTest, TwoCannotWriteToOne) {
   EXPECT_NE(second.error().message.find("another program is recording to it"), std::string::npos);
 }
 
+TEST_F(RecordFileTest, IsSyncedTogetherWithItsName) {
+  const auto times = [this] {
+    return synced().with([this](const auto& paths) {
+      return std::count(paths.begin(), paths.end(), folder_.path());
+    });
+  };
+  auto file = RecordFile::create(path_);
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(file->add("12;40\n"));
+  EXPECT_TRUE(file->sync());
+  EXPECT_EQ(times(), 1);
+  ASSERT_TRUE(file->add("0;40\n"));
+  EXPECT_TRUE(file->sync());
+  EXPECT_EQ(times(), 1) << "that lasts";
+}
+
+TEST_F(RecordFileTest, WhatCannotBeLockedLeavesNoFile) {
+  lock_error = ENOLCK;
+  const auto file = RecordFile::create(path_);
+  EXPECT_FALSE(std::filesystem::exists(path_));
+  folder_.write("kept.txt", "");
+  EXPECT_FALSE(RecordFile::create(path_));
+  lock_error = 0;
+  EXPECT_TRUE(std::filesystem::exists(path_)) << "it was there before";
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error(),
+            (Error{ErrorKind::Failed, path_.string() +
+                                          ": cannot be recorded to: it cannot be locked: No locks "
+                                          "available; record to a disk of this computer"}));
+}
+
+TEST_F(RecordFileTest, AFileThatAnotherProgramWasQuickerToLockStays) {
+  lock_error = EWOULDBLOCK;
+  const auto file = RecordFile::create(path_);
+  lock_error = 0;
+  EXPECT_TRUE(std::filesystem::exists(path_));
+  ASSERT_FALSE(file);
+  EXPECT_NE(file.error().message.find("another program is recording to it"), std::string::npos);
+}
+
 TEST_F(RecordFileTest, OnlyPlainFilesAreTaken) {
   ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
   EXPECT_FALSE(RecordFile::create(path_));
-  EXPECT_FALSE(RecordFile::create("/dev/full"));
+  EXPECT_EQ(RecordFile::create("/dev/full").error(),
+            (Error{ErrorKind::Failed,
+                   "/dev/full: cannot be recorded to: it is no plain file; give --record a new "
+                   "file, or a folder that is there"}));
   EXPECT_FALSE(RecordFile::create(folder_.path() / "no" / "kept.txt"));
   EXPECT_FALSE(RecordFile::create(folder_.path()));
 }
