@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace aucast::server {
 namespace {
 
 /// The number after `key` in a file of lines such as "MemAvailable:  123 kB".
-std::optional<std::uint64_t> value_after(const char* file, const std::string& key) {
+std::optional<std::uint64_t> value_after(const std::filesystem::path& file,
+                                         const std::string& key) {
   std::ifstream lines(file);
   for (std::string word; lines >> word;) {
     std::uint64_t value = 0;
@@ -22,7 +24,7 @@ std::optional<std::uint64_t> value_after(const char* file, const std::string& ke
   return std::nullopt;
 }
 
-std::optional<std::uint64_t> number_in(const std::string& file) {
+std::optional<std::uint64_t> number_in(const std::filesystem::path& file) {
   std::uint64_t value = 0;
   if (std::ifstream(file) >> value) return value;
   return std::nullopt;  // "max" too
@@ -30,6 +32,10 @@ std::optional<std::uint64_t> number_in(const std::string& file) {
 
 std::uint64_t difference(std::uint64_t from, std::uint64_t value) {
   return from > value ? from - value : 0;
+}
+
+std::uint64_t lesser(std::optional<std::uint64_t> least, std::uint64_t value) {
+  return std::min(least.value_or(value), value);
 }
 
 std::optional<std::uint64_t> left_by_limit() {
@@ -41,15 +47,11 @@ std::optional<std::uint64_t> left_by_limit() {
 }
 
 /// Our own control group, of version 2.
-std::optional<std::uint64_t> left_by_group() {
+std::optional<std::uint64_t> left_by_own_group() {
   std::ifstream self("/proc/self/cgroup");
   std::string line;
   if (!std::getline(self, line) || !line.starts_with("0::/")) return std::nullopt;
-  const std::string folder = "/sys/fs/cgroup" + line.substr(3);
-  const auto most = number_in(folder + "/memory.max");
-  const auto used = number_in(folder + "/memory.current");
-  if (!most || !used) return std::nullopt;
-  return difference(*most, *used);
+  return left_by_groups("/sys/fs/cgroup", line.substr(4));
 }
 
 std::string megabytes(std::uint64_t bytes) {
@@ -58,14 +60,28 @@ std::string megabytes(std::uint64_t bytes) {
 
 }  // namespace
 
-std::optional<std::uint64_t> available_memory() {
+std::optional<std::uint64_t> left_by_groups(const std::filesystem::path& root,
+                                            const std::filesystem::path& group) {
   std::optional<std::uint64_t> least;
-  const auto take = [&least](std::optional<std::uint64_t> bytes) {
-    if (bytes) least = std::min(least.value_or(*bytes), *bytes);
+  const auto look_at = [&](const std::filesystem::path& folder) {
+    const auto most = number_in(folder / "memory.max");
+    const auto used = number_in(folder / "memory.current");
+    if (!most || !used) return;
+    const std::uint64_t cache = value_after(folder / "memory.stat", "inactive_file").value_or(0);
+    least = lesser(least, difference(*most, difference(*used, cache)));
   };
-  if (const auto kib = value_after("/proc/meminfo", "MemAvailable:")) take(*kib * 1024);
-  take(left_by_group());
-  take(left_by_limit());
+  look_at(root);
+  std::filesystem::path folder = root;
+  for (const std::filesystem::path& part : group) look_at(folder /= part);
+  return least;
+}
+
+std::optional<std::uint64_t> available_memory() {
+  std::optional<std::uint64_t> least = left_by_own_group();
+  if (const auto kib = value_after("/proc/meminfo", "MemAvailable:")) {
+    least = lesser(least, *kib * 1024);
+  }
+  if (const auto bytes = left_by_limit()) least = lesser(least, *bytes);
   return least;
 }
 
