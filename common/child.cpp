@@ -28,19 +28,35 @@ void close_quietly(int& descriptor) {
   descriptor = -1;
 }
 
+// As those of posix_spawn, the functions below return the number of an error, or 0.
+
 /// The child starts with no signal blocked and none ignored, whatever its parent does.
-void set_attributes(posix_spawnattr_t& attributes) {
+int set_attributes(posix_spawnattr_t& attributes) {
   sigset_t none;
   sigset_t defaults;
   sigemptyset(&none);
   sigemptyset(&defaults);
   for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&defaults, number);
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigmask(&attributes, &none);
-  ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-  ::posix_spawnattr_setpgroup(&attributes, 0);
-  ::posix_spawnattr_setflags(
-      &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  int error = ::posix_spawnattr_setsigmask(&attributes, &none);
+  if (error == 0) error = ::posix_spawnattr_setsigdefault(&attributes, &defaults);
+  if (error == 0) error = ::posix_spawnattr_setpgroup(&attributes, 0);
+  if (error == 0) {
+    error = ::posix_spawnattr_setflags(
+        &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  }
+  return error;
+}
+
+int connect(posix_spawn_file_actions_t& actions, Child::Flow flow, int theirs, int errors) {
+  const auto join = [&](int descriptor, Child::Flow without, int mode) {
+    return flow == without
+               ? ::posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", mode, 0)
+               : ::posix_spawn_file_actions_adddup2(&actions, theirs, descriptor);
+  };
+  int error = join(STDIN_FILENO, Child::Flow::Read, O_RDONLY);
+  if (error == 0) error = join(STDOUT_FILENO, Child::Flow::Fed, O_WRONLY);
+  if (error == 0) error = ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  return error;
 }
 
 int spawn(const std::vector<std::string>& arguments, Child::Flow flow, int theirs, int errors,
@@ -49,35 +65,29 @@ int spawn(const std::vector<std::string>& arguments, Child::Flow flow, int their
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   posix_spawnattr_t attributes;
-  set_attributes(attributes);
+  if (const int error = ::posix_spawnattr_init(&attributes); error != 0) return error;
   posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  const auto connect = [&](int descriptor, Child::Flow without, int mode) {
-    if (flow == without) {
-      ::posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", mode, 0);
-    } else {
-      ::posix_spawn_file_actions_adddup2(&actions, theirs, descriptor);
+  int error = ::posix_spawn_file_actions_init(&actions);
+  if (error == 0) {
+    error = set_attributes(attributes);
+    if (error == 0) error = connect(actions, flow, theirs, errors);
+    if (error == 0) {
+      error = ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
     }
-  };
-  connect(STDIN_FILENO, Child::Flow::Read, O_RDONLY);
-  connect(STDOUT_FILENO, Child::Flow::Fed, O_WRONLY);
-  ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
-  const int error_number =
-      ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
+    ::posix_spawn_file_actions_destroy(&actions);
+  }
   ::posix_spawnattr_destroy(&attributes);
-  return error_number;
+  return error;
 }
 
 Error cannot_start(const std::string& program, int error_number) {
-  return {ErrorKind::Failed, program + " cannot be started: " + system_reason(error_number)};
+  return {error_number == ENOENT ? ErrorKind::Unreadable : ErrorKind::Failed,
+          program + " cannot be started: " + system_reason(error_number)};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments,
-                                            bool& missing, Flow flow) {
-  missing = false;
+Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments, Flow flow) {
   std::array<int, 2> ends{-1, -1};  // ours, theirs
   std::array<int, 2> errors{-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -97,7 +107,6 @@ Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& argu
   if (error_number != 0) {
     close_quietly(ends[0]);
     close_quietly(errors[0]);
-    missing = error_number == ENOENT;
     return cannot_start(arguments[0], error_number);
   }
   return std::unique_ptr<Child>(new Child(pid, ends[0], errors[0]));

@@ -23,11 +23,11 @@ class Child {
  public:
   enum class Flow : std::uint8_t { Fed, Read, Both };
 
-  /// `arguments[0]` is looked up in $PATH. Failed with the system's reason when it cannot start;
-  /// `missing` is set to whether that is because there is no such program. Standard input or output
-  /// that `flow` does not pipe is /dev/null.
+  /// `arguments[0]` is looked up in $PATH. Unreadable when there is no such program, Failed with
+  /// the system's reason when it cannot start. Standard input or output that `flow` does not pipe
+  /// is /dev/null.
   [[nodiscard]] static Result<std::unique_ptr<Child>> start(
-      const std::vector<std::string>& arguments, bool& missing, Flow flow = Flow::Fed);
+      const std::vector<std::string>& arguments, Flow flow = Flow::Fed);
   ~Child();  ///< kills what still runs
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;

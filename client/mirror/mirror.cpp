@@ -64,7 +64,6 @@ Trouble why_ended(int exit_code, const std::string& last_line) {
 
 Result<std::unique_ptr<Mirror>> Mirror::start(const MirrorOptions& options) {
   const std::string program = find_program(options.program);
-  bool missing = false;
   std::vector<std::string> command{program,     "--preview", "--config", "/dev/null",   "--bind",
                                    "127.0.0.1", "--port",    "0",        "--log-level", "warning"};
   const auto add_file = [&command](const char* option, const std::filesystem::path& file) {
@@ -74,8 +73,8 @@ Result<std::unique_ptr<Mirror>> Mirror::start(const MirrorOptions& options) {
   add_file("--tls-cert", options.certificate);
   add_file("--tls-key", options.key);
   command.push_back(camera_of(options.source));
-  auto child = Child::start(command, missing, Child::Flow::Both);
-  if (!child && missing) {
+  auto child = Child::start(command, Child::Flow::Both);
+  if (!child && child.error().kind == ErrorKind::Unreadable) {
     return Error{ErrorKind::Unreadable, std::string(kProgram) +
                                             ", which opens the camera, is not installed: it "
                                             "belongs beside face-player or in a folder of PATH"};

@@ -165,6 +165,13 @@ struct VideoEncoder::State {
   [[nodiscard]] Result<void> add_sound(const std::filesystem::path& sound);
 };
 
+Error not_started(const std::filesystem::path& path, const Error& error) {
+  if (error.kind != ErrorKind::Unreadable) return error;
+  return {ErrorKind::Failed,
+          at_place(path.string(),
+                   "ffmpeg, which writes the video, is not installed: apt install ffmpeg")};
+}
+
 /// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
   const int code = ffmpeg->wait();
@@ -186,17 +193,18 @@ Result<void> VideoEncoder::State::add_sound(const std::filesystem::path& sound) 
   auto whole = create_temporary_beside(path);
   if (!whole) return whole.error();
   const std::filesystem::path silent = std::exchange(temporary, std::move(*whole));
-  bool missing = false;
-  auto started = Child::start(muxing_arguments(format, silent, sound, temporary), missing);
+  auto started = Child::start(muxing_arguments(format, silent, sound, temporary));
+  Result<void> done;
   if (started) {
     ffmpeg = std::move(*started);
-    if (ffmpeg->wait() != 0) started = give_up().error();
+    if (ffmpeg->wait() != 0) done = give_up();
     ffmpeg.reset();
+  } else {
+    done = not_started(path, started.error());
   }
   std::error_code ignored;
   std::filesystem::remove(silent, ignored);
-  if (started) return {};
-  return started.error();
+  return done;
 }
 
 VideoEncoder::VideoEncoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -223,17 +231,13 @@ Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::
   if (!temporary.has_value()) return temporary.error();
   state->temporary = std::move(*temporary);
   const bool pairs = state->format != Format::Gif;
-  bool missing = false;
-  auto ffmpeg = Child::start(ffmpeg_arguments(state->format, pairs ? even(width) : width,
-                                              pairs ? even(height) : height, fps, state->temporary),
-                             missing);
+  auto ffmpeg =
+      Child::start(ffmpeg_arguments(state->format, pairs ? even(width) : width,
+                                    pairs ? even(height) : height, fps, state->temporary));
   if (!ffmpeg.has_value()) {
     std::error_code ignored;
     std::filesystem::remove(state->temporary, ignored);
-    if (!missing) return ffmpeg.error();
-    return Error{ErrorKind::Failed,
-                 at_place(path.string(),
-                          "ffmpeg, which writes the video, is not installed: apt install ffmpeg")};
+    return not_started(path, ffmpeg.error());
   }
   state->ffmpeg = std::move(ffmpeg.value());
   return std::unique_ptr<VideoEncoder>(new VideoEncoder(std::move(state)));

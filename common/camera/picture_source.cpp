@@ -60,10 +60,9 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
                                           const std::string& name, ErrorKind kind,
                                           std::optional<Milliseconds> patience,
                                           const GivenUp& given_up) {
-  bool missing = false;
-  auto child = Child::start(arguments, missing, Child::Flow::Read);
+  auto child = Child::start(arguments, Child::Flow::Read);
   if (!child) {
-    if (!missing) return child.error();
+    if (child.error().kind != ErrorKind::Unreadable) return child.error();
     return Error{ErrorKind::Failed,
                  at_place(name, "ffmpeg, which decodes it, is not installed: apt install ffmpeg")};
   }
@@ -137,10 +136,9 @@ Error no_pictures(ErrorKind kind, const std::string& name, const std::string& co
 }
 
 std::optional<double> film_seconds(const std::filesystem::path& path) {
-  bool missing = false;
   auto probe = Child::start({"ffprobe", "-v", "error", "-show_entries", "format=duration", "-of",
                              "csv=p=0", file_url(path)},
-                            missing, Child::Flow::Read);
+                            Child::Flow::Read);
   if (!probe) return std::nullopt;
   std::string text;
   std::vector<std::uint8_t> chunk(256);

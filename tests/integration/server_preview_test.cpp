@@ -45,8 +45,7 @@ class ServerPreview : public testing::Test {
         program("au-transmitter"), "--preview", "--config", "/dev/null", "--port", "0"};
     command.insert(command.end(), options.begin(), options.end());
     command.emplace_back("camera");
-    bool missing = false;
-    auto child = Child::start(command, missing, Child::Flow::Both);
+    auto child = Child::start(command, Child::Flow::Both);
     ASSERT_TRUE(child.has_value());
     child_ = *std::move(child);
   }

@@ -1,6 +1,10 @@
 #include "common/child.h"
 
+#include <dlfcn.h>
+#include <spawn.h>
+
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -11,12 +15,37 @@
 
 #include "tests/support/temp_folder.h"
 
+// Linked before the system's own, so that a test can have them fail.
+
+namespace {
+
+int attributes_error = 0;
+int actions_error = 0;
+
+template <typename Function>
+Function* system_function(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" int posix_spawnattr_setflags(posix_spawnattr_t* attributes, short flags) noexcept {
+  static auto* const own = system_function<int(posix_spawnattr_t*, short)>(__func__);
+  return attributes_error != 0 ? attributes_error : own(attributes, flags);
+}
+
+extern "C" int posix_spawn_file_actions_addopen(posix_spawn_file_actions_t* actions, int descriptor,
+                                                const char* path, int flags, mode_t mode) noexcept {
+  static auto* const own =
+      system_function<int(posix_spawn_file_actions_t*, int, const char*, int, mode_t)>(__func__);
+  return actions_error != 0 ? actions_error : own(actions, descriptor, path, flags, mode);
+}
+
 namespace aucast {
 namespace {
 
 std::unique_ptr<Child> shell(const std::string& script) {
-  bool missing = false;
-  auto child = Child::start({"sh", "-c", script}, missing);
+  auto child = Child::start({"sh", "-c", script});
   EXPECT_TRUE(child.has_value());
   return std::move(child.value());
 }
@@ -36,8 +65,7 @@ TEST(Child, TakesAllBytesAndTellsItsCode) {
 TEST(Child, IsAwaitedUntilItWritesOrEnds) {
   using namespace std::chrono_literals;
   const auto begin = [](const char* script) {
-    bool missing = false;
-    return *Child::start({"sh", "-c", script}, missing, Child::Flow::Read);
+    return *Child::start({"sh", "-c", script}, Child::Flow::Read);
   };
   const auto silent = begin("echo trouble >&2; exec sleep 60");
   EXPECT_FALSE(silent->await(50ms));
@@ -50,10 +78,9 @@ TEST(Child, IsAwaitedUntilItWritesOrEnds) {
 }
 
 TEST(Child, FlowsBothWaysUntilItsInputEnds) {
-  bool missing = false;
   auto started = Child::start(
       {"sh", "-c", "while read word; do echo \"got $word\"; done; echo first >&2; echo last >&2"},
-      missing, Child::Flow::Both);
+      Child::Flow::Both);
   ASSERT_TRUE(started.has_value());
   const auto child = *std::move(started);
   std::string text;
@@ -74,13 +101,22 @@ TEST(Child, FlowsBothWaysUntilItsInputEnds) {
 }
 
 TEST(Child, SaysThatThereIsNoSuchProgram) {
-  bool missing = false;
-  const auto child = Child::start({"aucast-no-such-program"}, missing);
+  const auto child = Child::start({"aucast-no-such-program"});
   ASSERT_FALSE(child.has_value());
-  EXPECT_TRUE(missing);
-  EXPECT_EQ(child.error().kind, ErrorKind::Failed);
+  EXPECT_EQ(child.error().kind, ErrorKind::Unreadable);
   EXPECT_NE(child.error().message.find("aucast-no-such-program cannot be started"),
             std::string::npos);
+}
+
+TEST(Child, DoesNotStartOtherwiseThanItIsAsked) {
+  for (int* const error : {&attributes_error, &actions_error}) {
+    *error = ENOMEM;
+    const auto child = Child::start({"true"});
+    *error = 0;
+    ASSERT_FALSE(child.has_value());
+    EXPECT_EQ(child.error(),
+              (Error{ErrorKind::Failed, "true cannot be started: Cannot allocate memory"}));
+  }
 }
 
 TEST(Child, NoticesWithoutASignalThatNobodyReads) {
@@ -119,9 +155,7 @@ TEST(Child, IsOutOfReachOfCtrlC) {
 }
 
 TEST(Child, IsKilledAndReapedWithItsOwner) {
-  bool missing = false;
-  auto child =
-      *Child::start({"sh", "-c", "echo $$; read line; sleep 1000"}, missing, Child::Flow::Both);
+  auto child = *Child::start({"sh", "-c", "echo $$; read line; sleep 1000"}, Child::Flow::Both);
   std::array<std::uint8_t, 32> bytes{};
   const std::size_t size = child->read(bytes);
   const pid_t pid = std::stoi(std::string(bytes.begin(), bytes.begin() + size));
@@ -131,9 +165,8 @@ TEST(Child, IsKilledAndReapedWithItsOwner) {
 }
 
 TEST(Child, IsReadToItsEnd) {
-  bool missing = false;
   auto child = Child::start({"sh", "-c", "printf hello; echo why >&2; printf ' you'; exit 3"},
-                            missing, Child::Flow::Read);
+                            Child::Flow::Read);
   ASSERT_TRUE(child.has_value());
   std::string text;
   std::vector<std::uint8_t> chunk(4);
@@ -146,8 +179,7 @@ TEST(Child, IsReadToItsEnd) {
 }
 
 TEST(Child, IsStoppedWhileItIsRead) {
-  bool missing = false;
-  auto child = Child::start({"sh", "-c", "while :; do echo on; done"}, missing, Child::Flow::Read);
+  auto child = Child::start({"sh", "-c", "while :; do echo on; done"}, Child::Flow::Read);
   ASSERT_TRUE(child.has_value());
   std::vector<std::uint8_t> chunk(64);
   ASSERT_GT((*child)->read(chunk), 0U);
