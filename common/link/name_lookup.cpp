@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char* kIsTheNameRight = "; check the host's name";
 
-/// Blocks. Returns the failure with its remedy.
-std::string look_up(const std::string& host, std::uint16_t port, Addresses& found) {
+/// See NameLookup::Resolve. The failure has its remedy.
+std::string resolve_by_system(const std::string& host, Addresses& found) {
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
-  wanted.ai_flags = AI_ADDRCONFIG | AI_NUMERICSERV;
+  wanted.ai_flags = AI_ADDRCONFIG;
   addrinfo* list = nullptr;
-  const int failure = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &wanted, &list);
+  const int failure = ::getaddrinfo(host.c_str(), nullptr, &wanted, &list);
   if (failure == EAI_SYSTEM) return system_reason(errno) + kIsTheNameRight;
   if (failure != 0) return std::string(::gai_strerror(failure)) + kIsTheNameRight;
   for (const addrinfo* one = list; one != nullptr; one = one->ai_next) {
@@ -50,29 +50,41 @@ Addresses known_addresses(const std::string& host, std::uint16_t port) {
   return {{address, port}};
 }
 
+NameLookup::NameLookup(asio::io_context& io) : NameLookup(io, resolve_by_system) {}
+
 void NameLookup::start(const std::string& host, std::uint16_t port, OnFound on_found) {
-  cancel();
-  gate_ = std::make_shared<LoopGate>(io_);
+  ++question_;
+  host_ = host;
+  port_ = port;
   on_found_ = std::move(on_found);
-  const auto answer = [this, gate = gate_](std::string failure, Addresses found) {
-    gate->post([this, failure = std::move(failure), found = std::move(found)] {
-      std::exchange(on_found_, {})(failure, found);
-    });
-  };
   if (Addresses known = known_addresses(host, port); !known.empty()) {
-    answer({}, std::move(known));
+    answer_later({}, std::move(known));
     return;
   }
-  const auto started = start_unattended([answer, host, port] {
+  if (!running_.insert(host).second) return;
+  const auto started = start_unattended([this, gate = gate_, resolve = resolve_, host] {
     Addresses found;
-    std::string failure = look_up(host, port, found);
-    answer(std::move(failure), std::move(found));
+    std::string failure = resolve(host, found);
+    gate->post([this, host, failure = std::move(failure), found = std::move(found)] {
+      running_.erase(host);
+      if (host == host_) answer(failure, found);
+    });
   });
-  if (!started) answer(started.error().message, {});
+  if (started) return;
+  running_.erase(host);
+  answer_later(started.error().message, {});
 }
 
-void NameLookup::cancel() {
-  if (gate_) gate_->close();
+void NameLookup::answer_later(const std::string& failure, Addresses found) {
+  gate_->post([this, question = question_, failure, found = std::move(found)] {
+    if (question == question_) answer(failure, found);
+  });
+}
+
+void NameLookup::answer(const std::string& failure, Addresses found) {
+  if (!on_found_) return;
+  for (auto& endpoint : found) endpoint.port(port_);
+  std::exchange(on_found_, {})(failure, std::move(found));
 }
 
 }  // namespace aucast::link

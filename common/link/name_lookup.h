@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <asio/io_context.hpp>
@@ -20,26 +22,39 @@ using Addresses = std::vector<asio::ip::tcp::endpoint>;
 [[nodiscard]] Addresses known_addresses(const std::string& host, std::uint16_t port);
 
 /// Finds the addresses of a host. The system's own look-up cannot be interrupted, so it runs in a
-/// thread that nobody waits for, and a late result is dropped.
+/// thread that nobody waits for. Of each host only one runs at a time, however often it is
+/// cancelled and started again: a resolver that never answers costs one thread.
 class NameLookup {
  public:
   /// `failure`: cause and remedy; empty when there are addresses.
   using OnFound = std::function<void(const std::string& failure, Addresses found)>;
+  /// Blocks. Adds the addresses of a host, whose ports do not matter, and returns the failure.
+  using Resolve = std::function<std::string(const std::string& host, Addresses& found)>;
 
-  explicit NameLookup(asio::io_context& io) : io_(io) {}
-  ~NameLookup() { cancel(); }
+  explicit NameLookup(asio::io_context& io);
+  NameLookup(asio::io_context& io, Resolve resolve)
+      : gate_(std::make_shared<LoopGate>(io)), resolve_(std::move(resolve)) {}
+  ~NameLookup() { gate_->close(); }
   NameLookup(const NameLookup&) = delete;
   NameLookup& operator=(const NameLookup&) = delete;
 
   /// Calls `on_found` once in the thread of the io_context, never from within start(), and not at
-  /// all if it is cancelled before. One look-up at a time: a new one cancels the previous one.
+  /// all if it is cancelled before. One question at a time: a new one cancels the previous one, and
+  /// is answered by a look-up of the same host that still runs.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
-  void cancel();
+  void cancel() { on_found_ = nullptr; }
 
  private:
-  asio::io_context& io_;
-  std::shared_ptr<LoopGate> gate_;  ///< of the latest look-up; null: there was none
-  OnFound on_found_;
+  void answer_later(const std::string& failure, Addresses found);
+  void answer(const std::string& failure, Addresses found);
+
+  const std::shared_ptr<LoopGate> gate_;
+  const Resolve resolve_;
+  std::set<std::string> running_;  ///< hosts that are being looked up
+  std::uint64_t question_ = 0;     ///< the number of the latest
+  std::string host_;               ///< of the latest question, as its port
+  std::uint16_t port_ = 0;
+  OnFound on_found_;  ///< null: nothing is asked
 };
 
 }  // namespace aucast::link
