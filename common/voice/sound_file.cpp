@@ -17,6 +17,8 @@ namespace {
 
 constexpr int kChannelsMax = 64;
 constexpr std::size_t kFramesAtOnce = 4096;
+/// A header that tells of more has lied: who serves the sound would make a face for all that time.
+constexpr sf_count_t kHoursMax = 24;
 
 struct CloseFile {
   void operator()(SNDFILE* file) const { sf_close(file); }
@@ -76,6 +78,14 @@ Result<SoundFile> SoundFile::open(const std::filesystem::path& path) {
   if (src_is_valid_ratio(static_cast<double>(kEncoderRate) / info.samplerate) == 0) {
     return Error{ErrorKind::BadData, at_place(path.string(), std::to_string(info.samplerate) +
                                                                  " samples a second are no sound")};
+  }
+  if (info.frames / info.samplerate >= kHoursMax * 3600) {
+    return Error{
+        ErrorKind::BadData,
+        at_place(path.string(), "says that it lasts " +
+                                    std::to_string(info.frames / info.samplerate / 3600) +
+                                    " hours, of which fewer than " + std::to_string(kHoursMax) +
+                                    " are read; write it again, or cut it")};
   }
   state->name = path.string();
   state->frames.resize(kFramesAtOnce * static_cast<std::size_t>(info.channels));

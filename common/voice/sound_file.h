@@ -16,7 +16,8 @@ namespace aucast::voice {
 /// Thread: none of its own.
 class SoundFile {
  public:
-  /// Unreadable when the file is missing or no regular file, BadData when there is no sound in it.
+  /// Unreadable when the file is missing or no regular file, BadData when there is no sound in it,
+  /// or its header tells of a day or more.
   [[nodiscard]] static Result<SoundFile> open(const std::filesystem::path& path);
   ~SoundFile();
   SoundFile(SoundFile&&) noexcept;
@@ -26,7 +27,7 @@ class SoundFile {
   [[nodiscard]] std::size_t read(std::span<float> samples);
   /// Why read() stopped before the file's end, with the file's name; empty: it did not.
   [[nodiscard]] std::string complaint() const;
-  /// The length that the file's header gives.
+  /// The length that the file's header gives, less than a day.
   [[nodiscard]] Milliseconds duration() const;
 
  private:

@@ -111,6 +111,21 @@ TEST(SoundFile, ARateThatCannotBeConvertedIsNoSound) {
   EXPECT_GT(read_all(*file).size(), std::size_t{4 * kEncoderRate});
 }
 
+TEST(SoundFile, AHeaderThatTellsOfDaysIsNotBelieved) {
+  const TempFolder folder;
+  const auto path = write_sound(folder, "a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 16000, 1, 1);
+  std::string bytes = folder.read("a.flac");
+  // STREAMINFO: the number of samples is the last 36 bits before the checksum.
+  bytes[21] = static_cast<char>(bytes[21] | 0x0f);
+  bytes.replace(22, 4, 4, '\xff');
+  folder.write("a.flac", bytes);
+  const auto file = SoundFile::open(path);
+  ASSERT_FALSE(file) << file->duration().count() << " ms";
+  EXPECT_EQ(file.error().kind, ErrorKind::BadData);
+  EXPECT_NE(file.error().message.find("says that it lasts 1193 hours"), std::string::npos)
+      << file.error().message;
+}
+
 TEST(SoundFile, AFifoIsRefusedAtOnce) {
   const TempFolder folder;
   const auto path = folder.path() / "fifo.wav";
