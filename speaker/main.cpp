@@ -8,6 +8,8 @@ int main(int argc, char** argv) {
     return aucast::speaker::run_speaker({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "au-speaker: %s\n", error.what());
-    return 1;
+  } catch (...) {
+    std::fputs("au-speaker: unknown failure\n", stderr);
   }
+  return 1;
 }

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <span>
+#include <utility>
 
 #include "common/files.h"
 #include "common/manual.h"
@@ -16,13 +16,13 @@
 #include "common/result.h"
 #include "common/standard_output.h"
 #include "common/text.h"
-#include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
 #include "protocol/stream_file.h"
 #include "speaker/alignment.h"
 #include "speaker/captions.h"
 #include "speaker/espeak_voice.h"
 #include "speaker/performance.h"
+#include "speaker/recording.h"
 #include "speaker/script.h"
 
 namespace aucast::speaker {
@@ -53,7 +53,8 @@ std::vector<OptionRow> rows_of(Options& options) {
        "extension.",
        word(options.output), "", Where::Anywhere, 'o'},
       {"name", "NAME", "", "name of the files (that of TEXT, or speech)", "", word(options.name)},
-      {"voice", "FILE", "", "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)", "",
+      {"voice", "FILE", "", "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)",
+       "A recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most three hours.",
        word(options.recording)},
       {"labels", "FILE", "", "write when each sound (IPA) is heard, for Audacity", "",
        word(options.labels)},
@@ -168,31 +169,9 @@ Result<Speech> speech_of(const Script& script, const Options& options) {
     fill_last_packet(*spoken);
     return spoken;
   }
-  auto file = voice::SoundFile::open(options.recording);
-  if (!file) return file.error();
-  // What a file says of its length is not believed: it is read a minute at a time.
-  constexpr std::size_t kMinute = 60 * std::size_t{voice::kEncoderRate};
-  constexpr std::size_t kLongest = 12 * 60 * kMinute;
-  std::vector<float> samples;
-  for (std::size_t read = kMinute; read == kMinute && samples.size() < kLongest;) {
-    const std::size_t before = samples.size();
-    samples.resize(before + kMinute);
-    read = file->read(std::span(samples).subspan(before));
-    samples.resize(before + read);
-  }
-  if (const std::string broken = file->complaint(); !broken.empty()) {
-    return Error{ErrorKind::BadData, broken};
-  }
-  Speech speech = carried_over(*spoken, std::move(samples), voice::kEncoderRate);
-  const Milliseconds said = spoken->length();
-  if (speech.length() < said / 4 || speech.length() > said * 4) {
-    return Error{
-        ErrorKind::BadData,
-        at_place(options.recording.string(),
-                 "lasts " + std::to_string(speech.length().count() / 1000) + " s, its text about " +
-                     std::to_string(said.count() / 1000) + " s: is it a reading of that text?")};
-  }
-  return speech;
+  auto samples = read_recording(options.recording, spoken->length());
+  if (!samples) return samples.error();
+  return carried_over(*spoken, *std::move(samples), voice::kEncoderRate);
 }
 
 Result<Expressions> expressions_of(const Options& options) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+#include "common/result.h"
+#include "common/time.h"
+
+namespace aucast::speaker {
+
+/// The longest recording that is read. It is held in memory, 230 MB for each hour.
+inline constexpr Milliseconds kRecordingMax = std::chrono::hours(3);
+
+/// Reads the recording of a text that takes the synthesiser `said`, as mono samples in [-1,1] at
+/// voice::kEncoderRate. Unreadable as SoundFile::open(); BadData when it is no sound, breaks off,
+/// lasts longer than `longest`, or less than a quarter of `said` or more than four times that.
+[[nodiscard]] Result<std::vector<float>> read_recording(const std::filesystem::path& path,
+                                                        Milliseconds said,
+                                                        Milliseconds longest = kRecordingMax);
+
+}  // namespace aucast::speaker
