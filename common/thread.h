@@ -11,8 +11,8 @@ namespace aucast {
 [[nodiscard]] Result<std::jthread> start_thread(std::function<void()> work);
 
 /// Starts a thread that nobody joins, for a call that cannot be interrupted and may take too long
-/// to wait for because a server does not answer: getaddrinfo(), and libnats' first connection. The
-/// thread may outlive everything except what `work` owns; it reports its result through a
+/// to wait for because a server does not answer: getaddrinfo(), and what libnats does to connect
+/// anew. The thread may outlive everything except what `work` owns; it reports its result through a
 /// link::LoopGate, which the owner closes.
 [[nodiscard]] Result<void> start_unattended(std::function<void()> work);
 

@@ -180,9 +180,11 @@ void NatsBus::ask_again_later(const std::string& why) {
 }
 
 void NatsBus::connect_anew() {
-  connection_.reset();
-  const auto connect = [this, gate = gate_, module = module_, servers = servers_,
+  // When a subscription was refused it is still connected, and its end waits for the server.
+  const auto refused = std::make_shared<std::unique_ptr<NatsConnection>>(std::move(connection_));
+  const auto connect = [this, refused, gate = gate_, module = module_, servers = servers_,
                         listener = new_listener()] {
+    refused->reset();
     auto made = std::make_shared<Made>(module->connect(servers, listener));
     gate->post([this, made] {
       if (*made) {
@@ -192,7 +194,10 @@ void NatsBus::connect_anew() {
       }
     });
   };
-  if (auto started = start_unattended(connect); !started) ask_again_later(started.error().message);
+  if (auto started = start_unattended(connect); !started) {
+    connection_ = std::move(*refused);
+    ask_again_later(started.error().message);
+  }
 }
 
 Result<void> NatsBus::open() {

@@ -15,6 +15,7 @@
 
 #include "common/link/loop_gate.h"
 #include "common/log.h"
+#include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 
 namespace aucast::server {
@@ -87,6 +88,50 @@ TEST(NatsBus, TheLoopGoesRoundWhileAServerThatRefusedIsAskedAgain) {
   EXPECT_GT((*bus)->left_out(), kFitMax) << "empty messages have their limit too";
   bus->reset();
   spdlog::set_level(level_before);
+}
+
+std::atomic<int> opened{0};
+std::atomic<bool> ending{false};
+std::atomic<bool> went_on{false};
+std::binary_semaphore may_end{0};
+
+/// The first one is connected, but gets no subscription, and takes its time to end.
+class RefusedConnection final : public NatsConnection {
+ public:
+  explicit RefusedConnection(bool first) : first_(first) {}
+  ~RefusedConnection() override {
+    if (!first_) return;
+    ending = true;
+    went_on = may_end.try_acquire_for(10s);
+  }
+  [[nodiscard]] bool is_connected() const override { return true; }
+  [[nodiscard]] Result<void> subscribe(const std::string& /*subject*/) override {
+    return first_ ? Result<void>(Error{ErrorKind::Network, "not this"}) : Result<void>();
+  }
+  [[nodiscard]] Result<void> send(const Bus::Message& /*message*/) override { return {}; }
+
+ private:
+  bool first_;
+};
+
+TEST(NatsBus, TheLoopGoesRoundWhileAConnectionEndsThatGotNoSubscription) {
+  const test::QuietLog quiet;
+  const NatsModule module{"",
+                          [](const NatsServers&, const std::shared_ptr<NatsListener>&) {
+                            return Result<std::unique_ptr<NatsConnection>>(
+                                std::make_unique<RefusedConnection>(++opened == 1));
+                          },
+                          new_subject};
+  asio::io_context io;
+  const auto work = asio::make_work_guard(io);
+  auto bus = open_nats_bus(io, module, {},
+                           {[](const Bus::Message&) {}, [](const std::string&) {}, [] {}}, 1ms);
+  ASSERT_TRUE(bus);
+  (*bus)->subscribe("talk");
+  EXPECT_TRUE(test::run_until(io, [] { return ending.load(); }));
+  asio::post(io, [] { may_end.release(); });
+  EXPECT_TRUE(test::run_until(io, [] { return opened == 2; }));
+  EXPECT_TRUE(went_on);
 }
 
 }  // namespace
