@@ -6,19 +6,21 @@
 namespace aucast::mesh {
 namespace {
 
-double gaze_of(const Measures& measures, bool left) {
-  return (left ? measures.left : measures.right)[std::size_t(SideMeasure::GazeLeft)];
-}
+/// So that there is a mean of eyes that are shut in all three pictures.
+constexpr double kLeastOpen = 0.01;
 
-double median(double a, double b, double c) {
-  return std::max(std::min(a, b), std::min(std::max(a, b), c));
-}
-
-/// `of` with the median gaze of the three.
-Measures with_median(Measures of, const Measures& a, const Measures& b, const Measures& c) {
-  for (const bool left : {true, false}) {
-    (left ? of.left : of.right)[std::size_t(SideMeasure::GazeLeft)] =
-        median(gaze_of(a, left), gaze_of(b, left), gaze_of(c, left));
+/// `of` with the mean gaze of three pictures, one after the other.
+Measures with_mean(Measures of, const Measures& before, const Measures& at, const Measures& after) {
+  for (const auto side : {&Measures::left, &Measures::right}) {
+    double sum = 0;
+    double weights = 0;
+    for (const auto& [picture, times] : {std::pair(&before, 1.0), {&at, 2.0}, {&after, 1.0}}) {
+      const auto& eye = picture->*side;
+      const double weight = times * std::max(eye[std::size_t(SideMeasure::Aperture)], kLeastOpen);
+      sum += weight * eye[std::size_t(SideMeasure::GazeLeft)];
+      weights += weight;
+    }
+    (of.*side)[std::size_t(SideMeasure::GazeLeft)] = sum / weights;
   }
   return of;
 }
@@ -29,14 +31,15 @@ void steady_gaze(std::span<Measures> film) {
   if (film.size() < 3) return;
   Measures before = film[0];
   for (std::size_t index = 1; index + 1 < film.size(); ++index) {
-    const Measures steady = with_median(film[index], before, film[index], film[index + 1]);
+    const Measures steady = with_mean(film[index], before, film[index], film[index + 1]);
     before = std::exchange(film[index], steady);
   }
 }
 
 Measures RunningSteadyGaze::watch(const Measures& seen) {
-  last_[watched_++ % last_.size()] = seen;
-  return watched_ < last_.size() ? seen : with_median(seen, last_[0], last_[1], last_[2]);
+  std::rotate(last_.begin(), last_.begin() + 1, last_.end());
+  last_.back() = seen;
+  return ++watched_ < last_.size() ? seen : with_mean(seen, last_[0], last_[1], last_[2]);
 }
 
 }  // namespace aucast::mesh

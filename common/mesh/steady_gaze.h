@@ -8,18 +8,19 @@
 
 namespace aucast::mesh {
 
-/// Steadies the sideways gaze: each picture gets the median of itself and its two neighbours. The
-/// first and last picture stay as they are.
+/// Steadies the sideways gaze of each eye: each picture gets the mean of itself, which counts
+/// twice, and its two neighbours. The wider an eye is open, the more it counts; one that is shut
+/// shows no iris. The first and last picture stay as they are.
 void steady_gaze(std::span<Measures> film);
 
-/// The same for live pictures: each gets the median of the last three, so a glance shows one
-/// picture late.
+/// The same for live pictures: each gets the mean of the last three, so a glance shows one picture
+/// late.
 class RunningSteadyGaze {
  public:
   [[nodiscard]] Measures watch(const Measures& seen);
 
  private:
-  std::array<Measures, 3> last_{};
+  std::array<Measures, 3> last_{};  ///< the newest comes last
   std::size_t watched_ = 0;
 };
 
