@@ -18,7 +18,7 @@ constexpr int kUnitMax = 99;
 /// always shut gives no measure.
 constexpr double kLeastAperture = 0.15;
 constexpr const char* kSideNumbers = "18 numbers are expected";
-constexpr const char* kMiddleNumbers = "13 numbers are expected";
+constexpr const char* kMiddleNumbers = "29 numbers are expected";
 constexpr std::array<std::string_view, 3> kTurnNames{"turn-left", "turn-up", "tilt-left"};
 
 using Words = std::vector<std::string_view>;

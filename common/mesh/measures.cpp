@@ -81,7 +81,23 @@ std::array<double, kMiddleMeasures> measure_middle(const Points& p) {
           -mean_y(p, {200, 199, 201, 421}),
           -mean_z(p, {0, 13, 14, 17, 37, 267, 84, 314}),
           -mean_y(p, {1, 4}),
-          mean_x(p, {13, 14, 0, 17})};
+          mean_x(p, {13, 14, 0, 17}),
+          -mean_y(p, {33, 263}),
+          -mean_y(p, {133, 362}),
+          -p[168].y,
+          -p[6].y,
+          -p[197].y,
+          -p[195].y,
+          -p[5].y,
+          -p[4].y,
+          -p[1].y,
+          -p[19].y,
+          -p[94].y,
+          -p[2].y,
+          -mean_y(p, {162, 389}),
+          -mean_y(p, {127, 356}),
+          -mean_y(p, {234, 454}),
+          -mean_y(p, {93, 323})};
 }
 
 }  // namespace
@@ -133,10 +149,35 @@ const std::array<std::string_view, kSideMeasures>& side_measure_names() {
 }
 
 const std::array<std::string_view, kMiddleMeasures>& middle_measure_names() {
-  static constexpr std::array<std::string_view, kMiddleMeasures> kNames{
-      "brow-gap",    "mouth-width",  "lip-gap",      "upper-lip-height", "lower-lip-height",
-      "lips-height", "upper-lip-up", "lower-lip-up", "chin-up",          "chin-boss-up",
-      "lips-front",  "nose-tip-up",  "mouth-left"};
+  static constexpr std::array<std::string_view, kMiddleMeasures> kNames{"brow-gap",
+                                                                        "mouth-width",
+                                                                        "lip-gap",
+                                                                        "upper-lip-height",
+                                                                        "lower-lip-height",
+                                                                        "lips-height",
+                                                                        "upper-lip-up",
+                                                                        "lower-lip-up",
+                                                                        "chin-up",
+                                                                        "chin-boss-up",
+                                                                        "lips-front",
+                                                                        "nose-tip-up",
+                                                                        "mouth-left",
+                                                                        "still-outer-eye-up",
+                                                                        "still-inner-eye-up",
+                                                                        "still-bridge-top-up",
+                                                                        "still-bridge-high-up",
+                                                                        "still-bridge-middle-up",
+                                                                        "still-bridge-low-up",
+                                                                        "still-ridge-up",
+                                                                        "still-tip-up",
+                                                                        "still-tip-low-up",
+                                                                        "still-tip-under-up",
+                                                                        "still-septum-up",
+                                                                        "still-nose-base-up",
+                                                                        "still-temple-high-up",
+                                                                        "still-temple-up",
+                                                                        "still-ear-up",
+                                                                        "still-jaw-hinge-up"};
   return kNames;
 }
 

@@ -49,8 +49,27 @@ enum class MiddleMeasure : std::uint8_t {
   LipsFront,
   NoseTipUp,
   MouthLeft,
+  // From here on heights of what no expression moves: of eyes and nose, downwards along its bridge,
+  // and of the sides of the head. When a head nods, the net bends them where a head would turn.
+  StillOuterEyeUp,
+  StillInnerEyeUp,
+  StillBridgeTopUp,
+  StillBridgeHighUp,
+  StillBridgeMiddleUp,
+  StillBridgeLowUp,
+  StillRidgeUp,
+  StillTipUp,
+  StillTipLowUp,
+  StillTipUnderUp,
+  StillSeptumUp,
+  StillNoseBaseUp,
+  StillTempleHighUp,
+  StillTempleUp,
+  StillEarUp,
+  StillJawHingeUp,
 };
-inline constexpr std::size_t kMiddleMeasures = 13;
+inline constexpr std::size_t kMiddleMeasures = 29;
+inline constexpr auto kFirstStill = static_cast<std::size_t>(MiddleMeasure::StillOuterEyeUp);
 
 struct Measures {
   std::array<double, kSideMeasures> left{};

@@ -46,11 +46,12 @@ Measures measures_of(const Numbers& numbers) {
   return measures;
 }
 
-/// Whether the number belongs to head or gaze: where somebody looks.
+/// Whether the number belongs to head or gaze: where somebody looks. What no expression moves goes
+/// with the head.
 bool is_direction(std::size_t number) {
   const auto gaze = static_cast<std::size_t>(SideMeasure::GazeLeft);
   const std::size_t of_side = number % kSideMeasures;
-  return number >= 2 * kSideMeasures + kMiddleMeasures ||
+  return number >= 2 * kSideMeasures + kFirstStill ||
          (number < 2 * kSideMeasures && of_side >= gaze);
 }
 

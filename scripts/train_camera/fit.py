@@ -12,6 +12,10 @@ corner-up corner-out corner-front nose-wing-up nose-wing-out cheek-up cheek-out 
 nasolabial-up gaze-left gaze-up""".split()
 MIDDLE = """brow-gap mouth-width lip-gap upper-lip-height lower-lip-height lips-height upper-lip-up
 lower-lip-up chin-up chin-boss-up lips-front nose-tip-up mouth-left""".split()
+# What no expression moves. The net bends it where a head nods; by the turn alone frowns would be nods.
+STILL = [f"still-{name}-up" for name in """outer-eye inner-eye bridge-top bridge-high bridge-middle
+bridge-low ridge tip tip-low tip-under septum nose-base temple-high temple ear jaw-hinge""".split()]
+MIDDLE += STILL
 TURN = ["turn-left", "turn-up", "tilt-left"]
 # Towards the left on either side; turned round for the right one.
 TOWARDS_LEFT = {"gaze-left", "mouth-left", "turn-left", "tilt-left"}
@@ -41,9 +45,10 @@ DOUBT_OTHERWISE = 0.008
 # An eye is shut when nothing is left of what it is open at rest, be that much or little.
 LEAST_APERTURE = 0.15
 ACTIVE_COUNTS = 3.0
+TURNED = (51, 53, 55)  # and the opposite
 # How many times more than that they are trusted, most for the head's turn, which is seen alike on
 # everybody; less where heads that nobody has trained for are read worse.
-TRUST = {51: 8.0, 53: 8.0, 55: 8.0, 2: 1.0, 4: 1.0, 5: 4.0, 7: 1.0, 10: 0.25, 15: 1.0, 17: 0.5,
+TRUST = {51: 8.0, 53: 16.0, 55: 8.0, 2: 1.0, 4: 1.0, 5: 4.0, 7: 1.0, 10: 0.25, 15: 1.0, 17: 0.5,
          23: 4.0, 26: 0.25, 45: 1.0}
 TRUST_OTHERWISE = 2.0
 
@@ -56,7 +61,8 @@ SIGNED = {53: 54, 63: 64}           # up, and the other way
 # Which measures tell an AU, beside the turn of the head. What only happens to go along with it on
 # drawn heads is not among them: people who smile have brows at rest and chins that stay up.
 BROWS = "brow-inner-up brow-middle-up brow-outer-up brow-inner-out brow-gap".split()
-EYES = "aperture upper-lid-up lower-lid-up gaze-left gaze-up".split()
+LIDS = "aperture upper-lid-up lower-lid-up gaze-up".split()
+EYES = LIDS + ["gaze-left"]
 CHEEKS = """cheek-up cheek-out cheek-front nasolabial-up nose-wing-up nose-wing-out
 nose-tip-up""".split()
 # A mouth's outline and the heights of its lips are seen from the front too.
@@ -67,7 +73,7 @@ LIPS = HEIGHTS_OF_LIPS + ["upper-lip-up", "lower-lip-up", "lips-front"]
 CHIN = ["chin-up", "chin-boss-up"]
 MOUTH = CHEEKS + CORNERS + LIPS + CHIN
 TOLD_BY = {
-    **{number: BROWS + EYES + ["nose-wing-up", "nasolabial-up"] for number in (1, 2)},
+    **{number: BROWS + LIDS for number in (1, 2)},
     # A smile draws the brows down a little too.
     4: BROWS + EYES + CHEEKS + CORNERS + LIPS,
     **{number: BROWS + EYES + CHEEKS for number in (5, 45)},
@@ -84,6 +90,7 @@ TOLD_BY = {
     # Not the gap of the lips, which is wide in every smile that bares the teeth: a jaw that drops
     # takes chin and lower lip along.
     26: CHIN + ["lower-lip-up"],
+    53: SIDE + MIDDLE,
     61: ["gaze-left"],
     63: EYES + BROWS,
 }
@@ -166,9 +173,10 @@ def plain(name):
 
 
 def tells(feature, number):
-    """Whether a feature may tell an AU; of head turns everything may."""
+    """Whether a feature may tell an AU; of head turns everything may, but STILL
+    only of nods."""
     names = {plain(name) for name in feature[::2]}
-    told = {*TOLD_BY.get(number, [*names]), *TURN}
+    told = {*TOLD_BY.get(number, names - {*STILL}), *TURN}
     return feature in told or names <= told
 
 
@@ -221,8 +229,9 @@ def fit(people):
     for row, number, target in zip(weights, OUTPUTS, targets.T):
         used = numpy.array([True] + [tells(feature, number) for feature in FEATURES])
         trust = TRUST.get(number, TRUST_OTHERWISE)
-        # An AU is absent from most pictures; those that show it count more.
-        count = numpy.where(target != 0, ACTIVE_COUNTS, 1.0)
+        # An AU is absent from most pictures; those that show it count more. A head is always turned.
+        active = 1.0 if number in TURNED else ACTIVE_COUNTS
+        count = numpy.where(target != 0, active, 1.0)
         seen = x[:, used]
         squares = (seen * count[:, None]).T @ seen + numpy.diag((doubt[used] / trust) ** 2) * count.sum()
         row[used] = numpy.linalg.solve(squares, (seen * count[:, None]).T @ target)

@@ -84,6 +84,22 @@ TEST(Measures, TellTheSidesApart) {
               kFitTolerance);
 }
 
+TEST(Measures, HaveHeightsOfWhatNoExpressionMoves) {
+  FittedHead head;
+  head.points[162].y = -0.2;  // right and left temple
+  head.points[389].y = -0.4;
+  head.points[4].y = 0.35;
+  const Measures measures = measure(head);
+  const auto of = [&](MiddleMeasure what) {
+    return measures.middle[static_cast<std::size_t>(what)];
+  };
+  EXPECT_NEAR(of(MiddleMeasure::StillTempleHighUp), 0.3, kFitTolerance);
+  EXPECT_NEAR(of(MiddleMeasure::StillTipUp), -0.35, kFitTolerance);
+  EXPECT_EQ(middle_measure_names()[static_cast<std::size_t>(MiddleMeasure::StillTempleHighUp)],
+            "still-temple-high-up");
+  EXPECT_EQ(middle_measure_names().back(), "still-jaw-hinge-up");
+}
+
 TEST(Picture, ASquareIsSampledTurnedAndBlackOutside) {
   // 4x2 pixels: red is 10 times the column, green 100 times the row.
   std::vector<std::uint8_t> rgb;

@@ -17,7 +17,7 @@ constexpr double kTolerance = 1e-6;
 const std::string kWeights =
     "# for a test\n"
     "quiet-side 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
-    "quiet-middle 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "quiet-middle 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
     "feature own-corner-up\n"
     "feature own-aperture\n"
     "feature chin-up\n"
@@ -120,7 +120,7 @@ TEST(AuReader, WeighsPartsAboveAndProducts) {
 TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
   auto read = parse_au_weights(
       "raised-side 0 0 0 0 0 0 0 0.1 0 0 0 0 0 0 0 0 0 0\n"
-      "raised-middle 0 0 0 0 0 0 0 0 -0.3 0 0 0 0\n" +
+      "raised-middle 0 0 0 0 0 0 0 0 -0.3 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n" +
           kWeights,
       "weights.txt");
   ASSERT_TRUE(read.has_value()) << read.error().message;
@@ -165,9 +165,9 @@ TEST(AuWeights, SaysWhereAFileIsWrong) {
   EXPECT_NE(message("").find("no weights"), std::string::npos);
   EXPECT_NE(message("# x\nwhat 1 2\n").find("w.txt:2:1"), std::string::npos);
   EXPECT_NE(message("quiet-side 1 2\n").find("18 numbers"), std::string::npos);
-  EXPECT_NE(message("quiet-middle nan\n").find("13 numbers"), std::string::npos);
+  EXPECT_NE(message("quiet-middle nan\n").find("29 numbers"), std::string::npos);
   EXPECT_NE(message("raised-side 1 2\n").find("18 numbers"), std::string::npos);
-  EXPECT_NE(message("raised-middle 1 2\n").find("13 numbers"), std::string::npos);
+  EXPECT_NE(message("raised-middle 1 2\n").find("29 numbers"), std::string::npos);
   EXPECT_NE(message("feature nose\n").find("measure"), std::string::npos);
   EXPECT_NE(message("feature lip-gap times nose\n").find("measure"), std::string::npos);
   EXPECT_NE(message("feature lip-gap\nau 0 whole 0 0 1\n").find("AU from 1"), std::string::npos);
@@ -214,6 +214,18 @@ TEST(QuietFace, HasTheBrowsOfTheQuieterHalf) {
   EXPECT_NEAR(left_of(quiet, SideMeasure::BrowInnerUp), 0.2, kTolerance);
   EXPECT_NEAR(right_of(quiet, SideMeasure::BrowInnerOut), 0.08, kTolerance);
   EXPECT_NEAR(middle_of(quiet, MiddleMeasure::BrowGap), 0.35, kTolerance);
+}
+
+TEST(QuietFace, HasTheNodOfAllPictures) {
+  std::vector<Measures> film(100);
+  for (std::size_t picture = 0; picture < film.size(); ++picture) {
+    const bool at_rest = picture < film.size() / 4;
+    middle_of(film[picture], MiddleMeasure::StillTipUp) = at_rest ? -0.3 : -0.2;
+    middle_of(film[picture], MiddleMeasure::ChinUp) = at_rest ? 0 : -0.1;
+  }
+  Measures quiet = find_quiet_face(film, weights());
+  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::StillTipUp), -0.2, kTolerance);
+  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::ChinUp), 0, kTolerance);
 }
 
 TEST(QuietFace, HasShutLipsAlsoOfSomebodyWhoKeepsThemParted) {
