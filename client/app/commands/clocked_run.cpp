@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <thread>
 
 #include "client/app/live_text.h"
@@ -47,6 +48,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
   sound.set_muted(options.sound.mute);
   PlaybackMeter meter(stats);
   playback::PlaybackState state = playback.state();
+  std::string said;  // of why there is no connection
   while (!playback.over() || sound.rings_on()) {
     const Instant now = sound.now(steady_now());
     if (stop()) {
@@ -65,6 +67,12 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     sound.advanced();
     sound.face_shown();
     if (sound.take_loss()) spdlog::warn("the sound device plays no more; going on without it");
+    const playback::SourceStatus status = playback.status();
+    if (status.end == playback::EndReason::NotEnded && !status.reason.empty() &&
+        !status.connected && status.detail != said) {
+      said = status.detail;
+      spdlog::warn("{}", said);
+    }
     if (playback.state() != state) {
       state = playback.state();
       spdlog::info("{}", playback::name(state));
