@@ -61,10 +61,11 @@ void set_up_signals() {
 /// server.
 Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& options,
                                                       const SourcePlayback::Options& how) {
-  auto opened = open_stream(options.playback.file, {});
+  auto opened = open_stream(options.playback.file, options.table, kOptionNames);
   if (!opened) return opened.error();
   std::vector<playback::Keyframe>& keyframes = opened->keyframes;
   if (!opened->found.empty()) spdlog::info("{}", opened->found);
+  for (const std::string& warning : opened->warnings) spdlog::warn("{}", warning);
   if (!options.headless) {
     return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(
         std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));

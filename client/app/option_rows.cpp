@@ -362,6 +362,22 @@ std::vector<OptionRow> export_rows(PlayerOptions& options) {
 
 }  // namespace
 
+std::vector<OptionRow> table_rows(gui::TableSettings& table) {
+  return {
+      {"table-fps", "N", "", "pictures a second of a table without times",
+       "Pictures a second that a recogniser's table was made from, 1 to 1000. Without it: what its "
+       "own times say.",
+       whole(table.fps, 1, gui::kTableFpsMax), "Tables of recognisers"},
+      {"table-gain", "PERCENT", "", "gain for all AUs of a table",
+       "Multiplies the intensities of all AUs of a table, 1 to 1000 percent.",
+       whole(table.gain_percent, 1, gui::kTableGainPercentMax)},
+      {"table-quiet", "S", "", "the face is at rest for S seconds at first",
+       "For how many seconds at first the face of a table is at rest, 1 to 60; the face that it "
+       "shows there is subtracted.",
+       whole(table.quiet_s, 1, gui::kTableQuietMax)},
+  };
+}
+
 std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   net::SecurityOptions& security = playback.security;
@@ -448,6 +464,7 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
     rows = gallery_rows(options);
   } else if (command == Command::Export) {
     rows = export_rows(options);
+    append(rows, table_rows(options.table));
     append(rows, animation_rows(options.playback));
     append(rows, face_rows(options.face));
     append(rows, rules_rows(options.face));
@@ -464,6 +481,7 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
     return rows;
   }
   const bool plays = command == Command::Watch || command == Command::Play;
+  if (command == Command::Play) append(rows, table_rows(options.table));
   if (plays) append(rows, receiving_rows(options.playback));
   if (plays) append(rows, animation_rows(options.playback));
   if (plays) append(rows, sound_rows(options.sound));

@@ -11,6 +11,7 @@
 #include "client/face/muscle_mixer.h"
 #include "client/glb/basis.h"
 #include "client/gui/model/display_settings.h"
+#include "client/gui/model/table_settings.h"
 #include "client/mirror/mirror_options.h"
 #include "client/net/security.h"
 #include "client/playback/blinking.h"
@@ -133,6 +134,7 @@ struct PlayerOptions {
   PoseOptions pose;
   GalleryOptions gallery;
   ExportOptions exported;
+  gui::TableSettings table;      ///< --table-...: how the table of play and export is read
   gui::DisplaySettings display;  ///< --language, --text-size
   bool shows_mirror = false;     ///< --mirror: the window begins with the user's own camera
   mirror::MirrorOptions mirror;  ///< which camera, and how others may see it

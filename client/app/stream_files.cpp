@@ -20,12 +20,10 @@ std::vector<playback::Keyframe> keyframes_of(const protocol::StreamFile& stream)
   return keyframes;
 }
 
-/// The names of the settings in the file dialog (file.fps and file.quiet in the table of texts).
-constexpr sources::SettingNames kNames{"Pictures/s", "'Quiet, s'"};
-
-sources::ReadOptions read_options(const gui::TableSettings& settings) {
+sources::ReadOptions read_options(const gui::TableSettings& settings,
+                                  const sources::SettingNames& names) {
   sources::ReadOptions options;
-  options.recording.names = kNames;
+  options.recording.names = names;
   if (settings.fps > 0) options.recording.fps = settings.fps;
   if (settings.rate > 0) options.rate = settings.rate;
   if (settings.gain_percent > 0) {
@@ -56,13 +54,14 @@ Result<std::vector<playback::Keyframe>> read_stream(const std::filesystem::path&
 }
 
 Result<OpenedStream> open_stream(const std::filesystem::path& file,
-                                 const gui::TableSettings& settings) {
-  auto content = sources::read_source(file, read_options(settings));
+                                 const gui::TableSettings& settings,
+                                 const sources::SettingNames& names) {
+  auto content = sources::read_source(file, read_options(settings, names));
   if (!content) return content.error();
   OpenedStream opened{keyframes_of(content->stream), {}, {}};
   if (content->found) {
     opened.found = sentence(*content->found);
-    opened.warnings = sources::warnings(*content->found, kNames);
+    opened.warnings = sources::warnings(*content->found, names);
   }
   return opened;
 }

@@ -7,6 +7,7 @@
 #include "client/gui/model/gui_model.h"
 #include "client/playback/keyframe_source.h"
 #include "common/result.h"
+#include "common/sources/recording.h"
 
 namespace aucast::app {
 
@@ -21,10 +22,16 @@ struct OpenedStream {
   std::vector<std::string> warnings;  ///< what the reader finds odd in the file, a sentence each
 };
 
+/// What messages call the settings of a table: as the file dialog does (file.fps and file.quiet in
+/// the table of texts), or as options on the command line.
+inline constexpr sources::SettingNames kDialogNames{"Pictures/s", "'Quiet, s'"};
+inline constexpr sources::SettingNames kOptionNames{"--table-fps", "--table-quiet"};
+
 /// Reads a stream file or the table of a recogniser, which are told apart by their content.
-/// `settings`: for tables. Unreadable; BadData with a line for each error; Usage if a table needs a
-/// setting.
+/// `settings`: for tables, called by `names`. Unreadable; BadData with a line for each error; Usage
+/// if a table needs a setting.
 [[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
-                                               const gui::TableSettings& settings);
+                                               const gui::TableSettings& settings,
+                                               const sources::SettingNames& names);
 
 }  // namespace aucast::app

@@ -15,9 +15,10 @@ Result<ExportedStream> read_exported(const PlayerOptions& options) {
   ExportedStream stream;
   const std::filesystem::path file = options.exported.stream();
   if (file.empty()) return stream;
-  auto opened = open_stream(file, {});
+  auto opened = open_stream(file, options.table, kOptionNames);
   if (!opened) return opened.error();
   if (!opened->found.empty()) spdlog::info("{}", opened->found);
+  for (const std::string& warning : opened->warnings) spdlog::warn("{}", warning);
   if (auto fits = check_length(opened->keyframes, options, file.string()); !fits) {
     return fits.error();
   }

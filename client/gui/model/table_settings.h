@@ -8,13 +8,17 @@
 
 namespace aucast::gui {
 
+inline constexpr int kTableFpsMax = 1000;
+inline constexpr int kTableGainPercentMax = 1000;
+inline constexpr int kTableQuietMax = 60;
+
 /// How the table of a recogniser is to be read.
 struct TableSettings {
-  int fps = 0;           ///< pictures a second, 1-1000; 0: as the table's own times say
+  int fps = 0;           ///< pictures a second, up to kTableFpsMax; 0: as the table's own times say
   int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
-  int gain_percent = 0;  ///< gain for all AUs, up to 1000; 0: none
-  int quiet_s = 0;  ///< for how many seconds the face is at rest at first; that face is subtracted;
-                    ///< 0: it is not
+  int gain_percent = 0;  ///< gain for all AUs, up to kTableGainPercentMax; 0: none
+  int quiet_s = 0;       ///< for how many seconds, up to kTableQuietMax, the face is at rest at
+                         ///< first; that face is subtracted; 0: it is not
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 

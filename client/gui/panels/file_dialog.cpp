@@ -161,13 +161,14 @@ void table_settings(const Look& look, const TablesView& tables, const std::strin
         id, value, {.near = step, .far = 10 * step, .most = most, .zero = zero, .first = first});
     tip(help);
   };
-  number(tr("file.fps"), "##fps", settings.fps, 1000, 1, tr("file.fps_zero"), tr("file.fps_tip"));
+  number(tr("file.fps"), "##fps", settings.fps, kTableFpsMax, 1, tr("file.fps_zero"),
+         tr("file.fps_tip"));
   number(tr("file.rate"), "##rate", settings.rate, 100, 1, tr("file.rate_zero"),
          tr("file.rate_tip"));
   // As it is is 100 %: the gain is stepped from there.
-  number(tr("file.gain"), "##gain", settings.gain_percent, 1000, 10, tr("file.gain_zero"),
-         tr("file.gain_tip"), 100);
-  number(tr("file.quiet"), "##quiet", settings.quiet_s, 60, 1, tr("file.quiet_zero"),
+  number(tr("file.gain"), "##gain", settings.gain_percent, kTableGainPercentMax, 10,
+         tr("file.gain_zero"), tr("file.gain_tip"), 100);
+  number(tr("file.quiet"), "##quiet", settings.quiet_s, kTableQuietMax, 1, tr("file.quiet_zero"),
          tr("file.quiet_tip"));
   if (wide_button(tr("file.tables_anew"), 0, 1, now != TableSettings{})) {
     settings = {};

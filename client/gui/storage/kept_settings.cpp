@@ -76,10 +76,10 @@ void read_table(Fields fields, std::vector<KnownTable>& tables) {
   KnownTable known;
   fields.take("file", known.file);
   TableSettings& table = known.settings;
-  fields.take("fps", table.fps, 0, 1000);
+  fields.take("fps", table.fps, 0, kTableFpsMax);
   fields.take("rate", table.rate, 0, 100);
-  fields.take("gain_percent", table.gain_percent, 0, 1000);
-  fields.take("quiet_s", table.quiet_s, 0, 60);
+  fields.take("gain_percent", table.gain_percent, 0, kTableGainPercentMax);
+  fields.take("quiet_s", table.quiet_s, 0, kTableQuietMax);
   fields.finish();
   if (tables.size() < kKnownTablesMax) tables.push_back(std::move(known));
 }

@@ -287,6 +287,18 @@ TEST(PlayerOptions, WithTheMirrorTokenAndCertificateAreForItsGuests) {
   EXPECT_FALSE(shown.tls);
 }
 
+TEST(PlayerOptions, SayHowATableIsReadWherePlayAndExportReadOne) {
+  const gui::TableSettings wanted{.fps = 30, .gain_percent = 150, .quiet_s = 2};
+  const Arguments settings{"--table-fps", "30", "--table-gain", "150", "--table-quiet", "2"};
+  for (const Arguments& command : {Arguments{"play", "t.csv"}, {"export", "t.csv", "t.glb"}}) {
+    Arguments all = command;
+    all.insert(all.end(), settings.begin(), settings.end());
+    EXPECT_EQ(accepted(all).table, wanted);
+  }
+  EXPECT_NE(refused({"play", "t.csv", "--table-fps", "0"}).find("--table-fps"), std::string::npos);
+  EXPECT_NE(refused({"h", "--table-fps", "30"}).find("--table-fps"), std::string::npos);
+}
+
 TEST(PlayerOptions, RefuseWithOneLine) {
   EXPECT_NE(refused({"h", "--sped", "1"}).find("did you mean --speed?"), std::string::npos);
   EXPECT_NE(refused({"h", "--speed", "0"}).find("--speed"), std::string::npos);

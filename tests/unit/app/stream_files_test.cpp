@@ -21,10 +21,10 @@ TEST(StreamFiles, AKeyframeHasItsTimeOrNone) {
 TEST(StreamFiles, ATableIsReadAsItIsSet) {
   const test::TempFolder folder;
   const auto file = folder.write("talk.csv", sources::tables::kFacsvatar);
-  const auto plain = open_stream(file, {});
+  const auto plain = open_stream(file, {}, kDialogNames);
   ASSERT_TRUE(plain) << plain.error().message;
   EXPECT_NE(plain->found.find("2 rows"), std::string::npos) << plain->found;
-  const auto half = open_stream(file, {.gain_percent = 50});
+  const auto half = open_stream(file, {.gain_percent = 50}, kDialogNames);
   ASSERT_TRUE(half) << half.error().message;
   EXPECT_NEAR(half->keyframes.front().aus.left[1], plain->keyframes.front().aus.left[1] / 2, 0.01);
 }
@@ -35,22 +35,25 @@ TEST(StreamFiles, WhatIsOddInATableIsSaidByTheNamesOfTheDialog) {
   for (int i = 0; i < 10; ++i) {
     hasty += std::to_string(i + 1) + ", 0, 0.00" + std::to_string(i) + ", 0.98, 1, 5.0, 1\n";
   }
-  const auto opened = open_stream(folder.write("hasty.csv", hasty), {.quiet_s = 1});
+  const auto opened = open_stream(folder.write("hasty.csv", hasty), {.quiet_s = 1}, kDialogNames);
   ASSERT_TRUE(opened) << opened.error().message;
   ASSERT_EQ(opened->warnings.size(), 2U);
   EXPECT_EQ(opened->warnings[0], "1000 rows a second are no camera's: Pictures/s says how many");
   EXPECT_TRUE(opened->warnings[1].starts_with("AU12 100 %: ")) << opened->warnings[1];
   EXPECT_NE(opened->warnings[1].find("'Quiet, s'"), std::string::npos) << opened->warnings[1];
-  const auto timeless = open_stream(folder.write("timeless.csv", sources::tables::kPyFeat1), {});
-  EXPECT_TRUE(timeless.error().message.ends_with("such as Pictures/s 30"))
-      << timeless.error().message;
+  const auto file = folder.write("timeless.csv", sources::tables::kPyFeat1);
+  const Error timeless = open_stream(file, {}, kDialogNames).error();
+  EXPECT_TRUE(timeless.message.ends_with("such as Pictures/s 30")) << timeless.message;
+  const Error typed = open_stream(file, {}, kOptionNames).error();
+  EXPECT_TRUE(typed.message.ends_with("such as --table-fps 30")) << typed.message;
 }
 
 TEST(StreamFiles, WhatCannotBeReadSaysWhere) {
   const test::TempFolder folder;
   EXPECT_EQ(read_stream(folder.path() / "none.txt").error().kind, ErrorKind::Unreadable);
   const auto bad = folder.write("bad.txt", "Beg_Stream\nx\nEnd_Stream\n");
-  for (const Error& error : {read_stream(bad).error(), open_stream(bad, {}).error()}) {
+  for (const Error& error :
+       {read_stream(bad).error(), open_stream(bad, {}, kDialogNames).error()}) {
     EXPECT_EQ(error.kind, ErrorKind::BadData);
     EXPECT_NE(error.message.find("bad.txt:2"), std::string::npos) << error.message;
   }

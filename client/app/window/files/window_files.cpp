@@ -165,7 +165,7 @@ Result<void> WindowFiles::play(const fs::path& file, Instant now) {
   if (!files_.view().open) tables_.asked.reset();
   const std::string name = whole_path(file).string();
   const gui::KnownTable table{name, gui::settings_for(tables_, name)};
-  auto opened = open_stream(file, table.settings);
+  auto opened = open_stream(file, table.settings, kDialogNames);
   if (!opened) return opened.error();
   users_.notices.clear();
   if (!opened->found.empty()) {
