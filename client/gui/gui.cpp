@@ -53,7 +53,9 @@ void state_line(const Look& look, const GuiModel& model) {
   ImGui::TextUnformatted(playing.state.c_str());
   ImGui::PopFont();
   // On the same line, so that nothing below moves while a face is edited.
-  const std::string beside = model.editor.active     ? tr("panel.your_expression")
+  const bool edits_au = model.editor.active && model.editor.au >= 0;
+  const std::string beside = edits_au                ? tr("panel.your_au", model.editor.au)
+                             : model.editor.active   ? tr("panel.your_expression")
                              : model.composer.active ? tr("panel.your_keyframe")
                                                      : playing.keyframe;
   if (!beside.empty()) {

@@ -229,9 +229,9 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       },
       [&](const gui::SoundCommand& one) { playback_.sound().apply(one, now); },
       [&](const gui::EditorCommand& one) {
-        if (shown_ != Shown::Editor && gui::command_if<gui::SetChannel>(one)) {
-          editor_.begin_with_shown();
-        }
+        const bool of_sliders =
+            gui::command_if<gui::SetChannel>(one) || gui::command_if<gui::SaveAu>(one);
+        if (shown_ != Shown::Editor && of_sliders) editor_.begin_with_shown();
         if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
         if (gui::command_if<gui::SaveAu>(one) && !editor_.save_failed()) {
           show_saved_face(now);

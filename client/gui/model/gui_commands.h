@@ -49,8 +49,10 @@ struct SetLinked {
 struct LoadAu {
   int number = 0;
 };
-/// Saves the face that is shown as this AU. `name`: for an AU that FACS does not name; empty: its
-/// name stays.
+/// Shows on the face what is being edited.
+struct ShowEdited {};
+/// Saves what the editor's sliders show as this AU. `name`: for an AU that FACS does not name;
+/// empty: its name stays.
 struct SaveAu {
   int number = 0;
   std::string name{};
@@ -142,7 +144,7 @@ using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>
 /// About the face of the expression panel.
 using EditorCommand =
     std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
-                 SaveAu, NameAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
+                 ShowEdited, SaveAu, NameAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
 
 /// About the file dialog, and what is opened.
 using FileCommand =

@@ -118,7 +118,8 @@ struct ChannelGroup {
 
 struct EditorView {
   bool active = false;  ///< the face shows what is edited
-  std::vector<ChannelGroup> groups;
+  bool aside = false;   ///< something is being edited, but the face shows something else
+  std::vector<ChannelGroup> groups;  ///< what is edited; if nothing is, the face that is shown
   bool linked = true;
   int au = -1;  ///< the AU being edited; -1: none
   bool unsaved = false;

@@ -230,10 +230,27 @@ bool in_use(const ChannelGroup& group) {
   });
 }
 
+/// Says that the face shows something else than the sliders, and ends that. The button is at the
+/// end of a line that is always there, so that nothing moves.
+void show_edited(const GuiModel& model, GuiCommands& commands) {
+  if (!model.editor.aside) return;
+  // Who comes back to it sees what is edited, unless something moves meanwhile.
+  const bool moves =
+      model.playing.activity == Activity::Playing || model.playing.activity == Activity::Connecting;
+  if (ImGui::IsWindowAppearing() && !moves) commands.push_back(ShowEdited{});
+  const std::string text = with_id(tr("button.show"), "edited");
+  const float width =
+      ImGui::CalcTextSize(tr("button.show")).x + 2 * ImGui::GetStyle().FramePadding.x;
+  if (has_room_beside(width)) ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  if (ImGui::Button(text.c_str())) commands.push_back(ShowEdited{});
+  tip(tr("editor.show_tip"));
+}
+
 void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands) {
   heading(look, tr("editor.muscles"), tr("tip.muscles"));
   bool linked = model.editor.linked;
   if (ImGui::Checkbox(tr("panel.linked"), &linked)) commands.push_back(SetLinked{linked});
+  show_edited(model, commands);
   // What another AU drives is opened, so that it is there to be changed.
   const bool another = std::exchange(form.opened_for, model.editor.au) != model.editor.au;
   for (const ChannelGroup& group : model.editor.groups) {

@@ -51,6 +51,7 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
      "Choose an AU, or begin with the face as it is: move the muscles below, then save it under a "
      "number."},
     {"editor.muscles", "Muscles"},
+    {"editor.show_tip", "the face shows something else: show what these sliders say, and pause"},
     {"expression.none_found", "none has these words"},
     {"expression.more", "more"},
     {"expression.search_hint", "search: a word, AUs, an author"},

@@ -31,6 +31,7 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"tab.view", "View"},
     {"tab.camera", "Camera"},
     {"panel.your_expression", "shown: your expression"},
+    {"panel.your_au", "shown: your AU{number}"},
     {"panel.your_keyframe", "shown: your keyframe"},
     {"panel.keys_tip", "the keys"},
     {"panel.right_side", "right, the subject's"},

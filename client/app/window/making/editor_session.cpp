@@ -53,7 +53,7 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
 }
 
 void EditorSession::begin_with_shown() {
-  if (editor_.unsaved() || editor_.activations() == shown_) return;
+  if (edits() || editor_.activations() == shown_) return;
   transition_.reset();
   show_none_of_them();
   editor_.take(shown_, false);
@@ -87,6 +87,7 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
         return false;
       },
       [&](const gui::LoadAu& one) { return edit([&] { editor_.load(one.number); }); },
+      [](const gui::ShowEdited&) { return true; },
       [&](const gui::SaveAu& one) {
         save_au(one, now);
         return false;
@@ -294,8 +295,9 @@ std::string EditorSession::made_of() const {
 gui::EditorView EditorSession::view(bool active) const {
   gui::EditorView view;
   view.active = active;
-  // What a muscle would be moved from.
-  const bool begun = active || editor_.unsaved();
+  view.aside = !active && edits();
+  // What a muscle would be moved from, and what would be saved.
+  const bool begun = active || edits();
   view.groups = gui::channel_groups(mapping_.face, begun ? editor_.activations() : shown_);
   view.linked = editor_.linked();
   view.au = editor_.au().value_or(-1);

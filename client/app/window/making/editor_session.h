@@ -27,8 +27,8 @@ class EditorSession {
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
-  /// Takes the face that is shown (another session's) as a free expression. If there are unsaved
-  /// changes, goes on with those instead.
+  /// Takes the face that is shown (another session's) as a free expression. If something is being
+  /// edited, goes on with that instead.
   void begin_with_shown();
   /// Returns true if the editor's face is to be shown.
   bool apply(const gui::EditorCommand& command, Instant now);
@@ -66,6 +66,9 @@ class EditorSession {
   [[nodiscard]] std::string made_of() const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || names_.unsaved(); }
+  /// Whether an AU or an unsaved expression is being edited. It then stays what is edited while
+  /// another face is shown.
+  [[nodiscard]] bool edits() const { return editor_.au() || editor_.unsaved(); }
   /// Whether the last attempt to save an AU failed.
   [[nodiscard]] bool save_failed() const { return save_failed_; }
   /// The folder of the face into which AUs were saved; empty: none were.

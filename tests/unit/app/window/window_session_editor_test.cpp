@@ -207,6 +207,68 @@ TEST_F(EditedSessionTest, AnEditedAuIsSavedInTheUsersFolderAndPlayed) {
   SetUpTestSuite();  // the face of the assets is the copy now
 }
 
+/// What the sliders say of a channel.
+float slider_of(const gui::EditorView& editor, int channel) {
+  for (const gui::ChannelGroup& group : editor.groups) {
+    for (const gui::ChannelRow& row : group.rows) {
+      if (row.left == channel) return row.left_value;
+      if (row.right == channel) return row.right_value;
+    }
+  }
+  return -1;
+}
+
+TEST_F(EditedSessionTest, AnAuStaysWhatIsEditedWhileAStreamPlays) {
+  open({frame({{26, Side::Both, 100}})});
+  ask(gui::LoadAu{4});
+  const float brow = slider_of(model().editor, channel("left_corrugator"));
+  ASSERT_GT(brow, 0);
+  EXPECT_FALSE(model().editor.aside);
+  ask(gui::Resume{});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(100));
+  ASSERT_GT(shown("jaw"), 0) << "the face is the stream's";
+  EXPECT_TRUE(model().editor.aside);
+  EXPECT_EQ(model().editor.au, 4);
+  EXPECT_EQ(slider_of(model().editor, channel("left_corrugator")), brow);
+  EXPECT_EQ(slider_of(model().editor, channel("jaw")), 0) << "the stream's face is not saved";
+  ask(gui::SetChannel{channel("left_corrugator"), brow / 2, false});
+  EXPECT_EQ(model().editor.au, 4) << "it is still the one that is chosen";
+  EXPECT_FLOAT_EQ(shown("left_corrugator"), brow / 2);
+  EXPECT_EQ(shown("jaw"), 0);
+  EXPECT_FALSE(model().editor.aside);
+}
+
+TEST_F(EditedSessionTest, WhatIsEditedIsShownAgainWhenAsked) {
+  open({frame({{26, Side::Both, 100}})});
+  ask(gui::LoadAu{4});
+  ask(gui::Resume{});
+  EXPECT_FALSE(model().editor.active);
+  ask(gui::ShowEdited{});
+  EXPECT_TRUE(model().editor.active);
+  EXPECT_EQ(model().editor.au, 4);
+  EXPECT_EQ(model().playing.activity, Activity::Paused);
+}
+
+TEST_F(EditedSessionTest, TheFaceThatTheSlidersShowIsTheOneThatIsSaved) {
+  const test::TempFolder home;
+  ASSERT_EQ(::setenv("XDG_DATA_HOME", home.path().c_str(), 1), 0);
+  open({frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  go_on(Milliseconds(100));
+  const float jaw = shown("jaw");
+  ASSERT_GT(jaw, 0);
+  ASSERT_EQ(slider_of(model().editor, channel("jaw")), jaw) << "no AU is chosen";
+  ask(gui::SaveAu{90, "open"});
+  const std::filesystem::path copy = home.path() / "aucast" / "faces" / "default";
+  const auto face = face::load_face(copy, assets_->data_folder);
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_NEAR(face->recordings.at(90).activation[*face->channel_index("jaw")], jaw, 0.01);
+  ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
+  session_.reset();
+  SetUpTestSuite();  // the face of the assets is the copy now
+}
+
 TEST_F(EditedSessionTest, ASavingThatFailsIsSaidAndLosesNothing) {
   const test::TempFolder home;
   const auto file = home.write("not a folder", "");

@@ -439,6 +439,20 @@ TEST_F(Panels, TheGripOfASliderIsNeverOnItsNumber) {
   }
 }
 
+TEST_F(Panels, WhoComesBackToTheEditorSeesWhatIsEdited) {
+  model_.editor.au = 12;
+  model_.editor.aside = true;
+  const GuiCommands during = click(590, 54);  // the tab
+  EXPECT_FALSE(first_of<ShowEdited>(during).has_value()) << "a stream plays";
+  EXPECT_TRUE(find_by_clicking<ShowEdited>(770, 400, 600).has_value()) << "but it is a click away";
+  static_cast<void>(click(450, 54));  // another tab
+  model_.playing.activity = Activity::Paused;
+  EXPECT_TRUE(first_of<ShowEdited>(click(590, 54)).has_value());
+  EXPECT_FALSE(first_of<ShowEdited>(frame()).has_value()) << "once";
+  model_.editor.aside = false;
+  EXPECT_FALSE(find_by_clicking<ShowEdited>(770, 400, 600).has_value()) << "the face shows it";
+}
+
 TEST_F(Panels, AStreamFileIsSoughtPlayedAndSteppedFromTheBar) {
   const view::Image without = picture();
   model_.local = three_keyframes();
