@@ -294,6 +294,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
     welcome(state_->look, model, free, commands);
   }
   captions(state_->look, model, free);
+  state_->notice.other_server |= std::exchange(state_->remote.renamed, false);
   notices(state_->look, model, free, state_->notice, commands);
   gallery_dialog(state_->look, model, free, state_->gallery, commands);
   file_dialog(state_->look, model, state_->file, commands);

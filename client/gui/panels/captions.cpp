@@ -42,6 +42,8 @@ void written(const Look& look, const char* id, const std::string& text, float x,
 void captions(const Look& look, const GuiModel& model, float width) {
   const SpokenView& spoken = model.spoken;
   if (!spoken.shown || model.editor.active || model.composer.active) return;
+  // Nothing is said any more.
+  if (model.playing.activity == Activity::Over) return;
   const float margin = kCaptionMargin * look.scale;
   const float room = std::max(width - 4 * margin, 120 * look.scale);
   if (!spoken.title.empty()) {

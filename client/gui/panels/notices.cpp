@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
@@ -43,8 +44,10 @@ Notice of_connection(const PlayingView& playing) {
   return {tr("notice.ended", playing.ended_by), false};
 }
 
-std::string again(int in_s) {
-  return in_s > 0 ? tr("notice.again", in_s) : std::string(tr("notice.again_now"));
+/// Names the server: the field of the address may name another one by now.
+std::string again(const RemoteSettings& tried, int in_s) {
+  const std::string server = server_text(tried);
+  return in_s > 0 ? tr("notice.again", server, in_s) : tr("notice.again_now", server);
 }
 
 }  // namespace
@@ -59,10 +62,14 @@ void notices(const Look& look, const GuiModel& model, float width, NoticeForm& f
   // What counts down stays the same notice.
   Notice now = of_connection(model.playing);
   if (now.text != form.closed) form.closed.clear();
+  // What is said of a server that was given up is over when another one is named.
+  const bool renamed = std::exchange(form.other_server, false);
+  if (renamed && model.playing.activity == Activity::Over) form.closed = now.text;
   form.shown.clear();
   if (now.text.empty() || !form.closed.empty()) return;
   form.shown = now.text;
-  if (model.playing.tries_again) now.text += "\n" + again(model.playing.again_s);
+  if (model.playing.tries_again)
+    now.text += "\n" + again(model.remote_settings, model.playing.again_s);
   if (sentence(look, "trouble", now, width, bottom)) form.closed = form.shown;
 }
 

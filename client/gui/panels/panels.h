@@ -45,6 +45,7 @@ struct RemoteForm {
   std::optional<std::string> wrong;  ///< what is wrong with the text of the address; nullopt:
                                      ///< nothing
   bool filled = false;               ///< the form has been filled from the model
+  bool renamed = false;              ///< the address has been changed in this frame
   RecordForm record;
   bool large_chart = false;
   bool to_aus = false;  ///< scroll to the table of AUs
@@ -122,8 +123,9 @@ void captions(const Look& look, const GuiModel& model, float width);
 
 /// The notice about the connection.
 struct NoticeForm {
-  std::string shown;   ///< empty: none
-  std::string closed;  ///< the one that the user has closed
+  std::string shown;          ///< empty: none
+  std::string closed;         ///< the one that the user has closed
+  bool other_server = false;  ///< the address has been changed since the last frame
 };
 
 /// Shows over the face what is wrong with the connection and, for a while, what was just done.

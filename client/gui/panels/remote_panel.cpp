@@ -53,7 +53,10 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
   const bool entered = ImGui::InputTextWithHint(
       "##address", tr("play.address_hint"), form.address.data(), form.address.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (before != form.address.data()) form.wrong = take_address(form.address.data(), form.settings);
+  if (before != form.address.data()) {
+    form.wrong = take_address(form.address.data(), form.settings);
+    form.renamed = true;
+  }
   ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(model.recent.empty());
   if (ImGui::BeginCombo("##recent", "", ImGuiComboFlags_NoPreview)) {
@@ -61,6 +64,7 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
       RemoteSettings chosen = form.settings;
       if (list_item(recent, false) && !take_address(recent, chosen)) {
         fill_form(chosen, form);
+        form.renamed = true;
       }
     }
     ImGui::EndCombo();
