@@ -162,8 +162,11 @@ void StreamFileParser::read_outside(std::string_view content, std::size_t shift)
 
 void StreamFileParser::finish() {
   if (part_ == Part::After) return;
+  const bool empty = line_number_ == 0;
   line_number_ = std::max<std::size_t>(line_number_, 1);
-  if (part_ == Part::Inside) {
+  if (empty) {
+    refuse(0, "the file is empty");
+  } else if (part_ == Part::Inside) {
     refuse(0,
            "the file ends without End_Stream; write it on a line of its own after the last packet");
   } else if (!outside_said_) {

@@ -98,6 +98,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"bad.disk_full", "No space left on device"},
     {"bad.read_only", "Read-only file system"},
     {"bad.no_stream", "there is no stream: Beg_Stream, packets and End_Stream are missing"},
+    {"bad.empty", "the file is empty"},
     {"bad.no_text",
      "this is not text: found the byte '{byte}'; a stream file is ASCII or UTF-8 text"},
     {"bad.no_face", "no face is seen in any row"},

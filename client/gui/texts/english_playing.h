@@ -48,6 +48,9 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"camera.not_installed",
      "au-transmitter, which opens the camera, is not installed: it belongs beside face-player or "
      "in a folder of PATH"},
+    {"camera.no_film", "{file}: there is no such film."},
+    {"camera.is_folder", "{file} is a folder: name a camera, or a film in it."},
+    {"camera.is_picture", "{file} is a picture: name a camera or a film."},
     {"camera.no_more", "No more pictures came: was the camera pulled out?"},
     {"camera.film_over", "The film is over. Start plays it again."},
     {"camera.has_ended", "au-transmitter has ended"},

@@ -202,7 +202,7 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"said.sound_plays", "{file} is heard with {stream}"},
     {"said.sound_alone",
      "{file} is a sound: open the stream or table that it belongs to first, then the sound"},
-    {"said.no_device", "there is no sound device"},
+    {"said.not_heard", "{file} cannot be heard: there is no sound device"},
     {"said.bad_data", "This file is not as it must be:"},
     {"said.unreadable", "This file cannot be read:"},
     {"said.live_recorded", "--live changes nothing: this stream is recorded, not live"},

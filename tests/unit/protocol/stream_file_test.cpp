@@ -54,7 +54,7 @@ TEST(StreamFile, NamesEachErrorWithItsPlace) {
   const std::string missing =
       "the file ends without End_Stream; write it on a line of its own after the last packet";
   const std::pair<std::string, std::string> rows[] = {
-      {"", "f:1:1: there is no stream: Beg_Stream, packets and End_Stream are missing"},
+      {"", "f:1:1: the file is empty"},
       {"# only\n", "f:1:1: there is no stream: Beg_Stream, packets and End_Stream are missing"},
       {"1,6\nEnd_Stream\n",
        "f:1:1: expected Beg_Stream on a line of its own before the first packet, found '1,6'"},

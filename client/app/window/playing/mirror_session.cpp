@@ -1,6 +1,11 @@
 #include "client/app/window/playing/mirror_session.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -8,7 +13,9 @@
 #include "client/gui/texts/texts.h"
 #include "client/mirror/host_addresses.h"
 #include "client/mirror/mirror.h"
+#include "common/film_name.h"
 #include "common/overloaded.h"
+#include "common/text.h"
 
 namespace aucast::app {
 
@@ -33,6 +40,25 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
       return gui::tr("camera.silent");
   }
   return {};
+}
+
+/// What is wrong with a file that is named in place of a camera: au-transmitter would take it for a
+/// camera that is not there. Empty: nothing.
+std::string problem_of(const std::string& source) {
+  constexpr std::string_view kCamera = "camera:";
+  const std::string name = source.starts_with(kCamera) ? source.substr(kCamera.size()) : source;
+  const std::filesystem::path file = name;
+  const bool is_path = name.find('/') != std::string::npos || is_film(file);
+  if (!is_path || name.starts_with("/dev/")) return {};
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::exists(status)) return gui::tr("camera.no_film", name);
+  if (std::filesystem::is_directory(status)) return gui::tr("camera.is_folder", name);
+  constexpr std::array<std::string_view, 7> kPictures{".jpg", ".jpeg", ".png", ".gif",
+                                                      ".bmp", ".tif",  ".webp"};
+  const std::string ending = lowered(file.extension().string());
+  const bool picture = std::find(kPictures.begin(), kPictures.end(), ending) != kPictures.end();
+  return picture ? gui::tr("camera.is_picture", name) : std::string();
 }
 
 }  // namespace
@@ -63,6 +89,8 @@ void MirrorSession::start(const std::string& source) {
   options_.source = source;
   view_ = view_of_options();
   played_ = ending_ = false;
+  view_.trouble = problem_of(source);
+  if (!view_.trouble.empty()) return;
   auto started = start_(options_);
   if (!started) {
     const bool missing = started.error().kind == ErrorKind::Unreadable;

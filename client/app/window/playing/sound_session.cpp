@@ -52,7 +52,9 @@ void SoundSession::play_sound_file(Instant now) {
 
 Result<void> SoundSession::play_file(const std::filesystem::path& sound, const std::string& stream,
                                      Instant now) {
-  if (!has_device_) return Error{ErrorKind::Failed, gui::tr("said.no_device")};
+  if (!has_device_) {
+    return Error{ErrorKind::Failed, gui::tr("said.not_heard", sound.filename().string())};
+  }
   auto track = open_sound_file(sound);
   if (!track) return track.error();
   player_.sound().open(player_.playback(), track->get());

@@ -173,7 +173,7 @@ TEST_F(StreamSessionTest, ASoundIsHeardWithWhatPlays) {
   EXPECT_EQ(model().notice.text, gui::tr("said.sound_alone", "voice.wav"));
   open();
   ask(gui::OpenStream{sound.string()});
-  EXPECT_EQ(model().notice.text, gui::tr("said.no_device"));
+  EXPECT_EQ(model().notice.text, gui::tr("said.not_heard", "voice.wav"));
   sound::test::Crank crank;
   session_->set_sound(std::make_unique<sound::test::CrankedOut>(crank), clock_.now());
   ask(gui::OpenStream{sound.string()});

@@ -51,6 +51,7 @@ const std::vector<std::string> kSaid = {
     "/tmp/a.png: cannot be written: No space left on device",
     "/tmp: Is a directory",
     "/tmp/a.txt:1:1: there is no stream: Beg_Stream, packets and End_Stream are missing",
+    "/tmp/a.csv:1:1: the file is empty",
     "/tmp/a.png:1:1: this is not text: found the byte '\\x89'; a stream file is ASCII or UTF-8 "
     "text",
     "/tmp/a.csv:1:1: the recording has no rows",

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "client/gui/texts/texts.h"
+#include "tests/support/temp_folder.h"
 
 namespace aucast::app {
 namespace {
@@ -52,6 +53,8 @@ class MirrorSessionTest : public testing::Test {
     script_.state.ended = {kind};
   }
 
+  test::TempFolder folder_;
+  const std::string film_ = folder_.write("talk.mp4", "").string();
   CameraScript script_;
   std::vector<std::string> opened_;
   std::optional<Error> refused_;
@@ -78,6 +81,29 @@ TEST_F(MirrorSessionTest, ASecondStartOpensNoSecondCamera) {
   EXPECT_EQ(opened_, std::vector<std::string>{"camera"});
 }
 
+TEST_F(MirrorSessionTest, AFileThatIsNoFilmIsNotTakenForACamera) {
+  const test::TempFolder folder;
+  const std::string picture = folder.write("me.JPG", "").string();
+  const std::string film = folder.write("me.mp4", "").string();
+  const auto said = [this](const std::string& source) {
+    session_.apply(gui::StartMirror{source});
+    return session_.view().trouble;
+  };
+  EXPECT_EQ(said("camera:" + picture), gui::tr("camera.is_picture", picture));
+  const std::string place = folder.path().string();
+  EXPECT_EQ(said(place), gui::tr("camera.is_folder", place));
+  EXPECT_EQ(said("camera:" + place + "/no.mp4"), gui::tr("camera.no_film", place + "/no.mp4"));
+  EXPECT_EQ(said("no.mp4"), gui::tr("camera.no_film", "no.mp4"));
+  EXPECT_TRUE(opened_.empty());
+  EXPECT_EQ(said("camera:" + film), "");
+  EXPECT_EQ(opened_, std::vector<std::string>{"camera:" + film});
+}
+
+TEST_F(MirrorSessionTest, ACameraOfDevIsLeftToItsReader) {
+  session_.apply(gui::StartMirror{"camera:/dev/no_such_camera"});
+  EXPECT_EQ(opened_, std::vector<std::string>{"camera:/dev/no_such_camera"});
+}
+
 TEST_F(MirrorSessionTest, OrdersAreHandedOnAndCarriedOutWhenTheCameraSaysSo) {
   session_.apply(gui::StartMirror{"camera"});
   see();
@@ -98,8 +124,8 @@ TEST_F(MirrorSessionTest, OrdersAreHandedOnAndCarriedOutWhenTheCameraSaysSo) {
 TEST_F(MirrorSessionTest, WithTheCameraOffGoingLiveOpensWhatItNames) {
   session_.apply(gui::GoLive{"0.0.0.0", 4650});
   EXPECT_TRUE(opened_.empty()) << "it names nothing";
-  session_.apply(gui::GoLive{"0.0.0.0", 4650, "talk.mp4"});
-  EXPECT_EQ(opened_, std::vector<std::string>{"talk.mp4"});
+  session_.apply(gui::GoLive{"0.0.0.0", 4650, film_});
+  EXPECT_EQ(opened_, std::vector<std::string>{film_});
   EXPECT_EQ(script_.orders.size(), 1U);
 }
 
@@ -128,7 +154,7 @@ TEST_F(MirrorSessionTest, ACameraThatGivesNoMoreIsAFailure) {
 }
 
 TEST_F(MirrorSessionTest, AFilmThatGivesNoMoreIsOver) {
-  session_.apply(gui::StartMirror{"camera:talk.mp4"});
+  session_.apply(gui::StartMirror{"camera:" + film_});
   see();
   lose(Trouble::Kind::NoPictures);
   static_cast<void>(session_.advance());
