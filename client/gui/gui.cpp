@@ -76,7 +76,18 @@ void recording_mark(const Look& look, const std::string& file, GuiCommands& comm
   tip(tr("play.recording_tip", file));
 }
 
-void leave_question(const Look& look, GuiCommands& commands) {
+/// What would be lost.
+std::string unsaved_in_words(const GuiModel& model) {
+  std::string text;
+  if (model.editor.unsaved) {
+    text = model.editor.au >= 0 ? tr("leave.au", model.editor.au)
+                                : std::string(tr("leave.expression"));
+  }
+  if (model.composer.unsaved) text += (text.empty() ? "" : "\n") + std::string(tr("leave.stream"));
+  return text;
+}
+
+void leave_question(const Look& look, const GuiModel& model, GuiCommands& commands) {
   const std::string whole_title = with_id(tr("leave.title"), "leave");
   const char* const title = whole_title.c_str();
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
@@ -84,8 +95,17 @@ void leave_question(const Look& look, GuiCommands& commands) {
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   const FloatingStyle floating(look);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextUnformatted(tr("leave.why"));
+  const std::string why = unsaved_in_words(model);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float room = size.x - 4 * style.WindowPadding.x;
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() +
+                         std::min(room, ImGui::CalcTextSize(why.c_str()).x + 1));
+  ImGui::TextUnformatted(why.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::Spacing();
+  const float buttons = ImGui::CalcTextSize(tr("leave.stay")).x +
+                        ImGui::CalcTextSize(tr("leave.leave")).x + 4 * style.FramePadding.x +
+                        style.ItemSpacing.x;
   // The key that asked is not an answer.
   const bool escaped = !ImGui::IsWindowAppearing() &&
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
@@ -93,7 +113,7 @@ void leave_question(const Look& look, GuiCommands& commands) {
     commands.push_back(Leave{false});
     ImGui::CloseCurrentPopup();
   }
-  ImGui::SameLine();
+  if (buttons <= room) ImGui::SameLine();
   if (ImGui::Button(tr("leave.leave"))) {
     commands.push_back(Leave{true});
     ImGui::CloseCurrentPopup();
@@ -299,7 +319,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   gallery_dialog(state_->look, model, free, state_->gallery, commands);
   file_dialog(state_->look, model, state_->file, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);
-  if (model.asks_to_leave) leave_question(state_->look, commands);
+  if (model.asks_to_leave) leave_question(state_->look, model, commands);
   state_->focus.end();
   ImGui::Render();
 }

@@ -143,15 +143,18 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float word = ImGui::CalcTextSize(tr("button.save")).x + ImGui::GetStyle().FramePadding.x;
+  const float word =
+      ImGui::CalcTextSize(tr("button.save")).x + 2 * ImGui::GetStyle().FramePadding.x;
   const float button = std::max((width - gap) / 2, word);
-  ImGui::SetNextItemWidth(width - gap - button);
+  // With large letters the button stands below, or the number had no room for its own.
+  const bool beside = width - gap - button >= number_field_width();
+  ImGui::SetNextItemWidth(beside ? width - gap - button : width);
   if (number_field("##as", target, {.least = 1, .most = kAuNumberMax})) form.save_as = target;
   target = form.save_as >= 0 ? form.save_as : editor.au;
   const bool unnamed = target > 0 && !facs_name(target);
-  ImGui::SameLine();
+  if (beside) ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
-  const bool pressed = ImGui::Button(tr("button.save"), ImVec2(button, 0));
+  const bool pressed = ImGui::Button(tr("button.save"), ImVec2(beside ? button : -1, 0));
   ImGui::EndDisabled();
   const bool entered = name_field(look, model, target, unnamed, form, commands);
   if (pressed || entered) {

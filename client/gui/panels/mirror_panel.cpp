@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,17 +73,28 @@ void draw_landmarks(const Look& look, const preview::Seen& seen, ImVec2 at, ImVe
 }
 
 void say_in_the_middle(const char* text, ImVec2 at, ImVec2 size) {
-  const ImVec2 room = ImGui::CalcTextSize(text);
+  const ImVec2 room = ImGui::CalcTextSize(text, nullptr, false, size.x);
   ImGui::GetWindowDrawList()->AddText(
+      ImGui::GetFont(), ImGui::GetFontSize(),
       ImVec2(at.x + (size.x - room.x) / 2, at.y + (size.y - room.y) / 2), colour_of(Tone::Quiet),
-      text);
+      text, nullptr, size.x);
+}
+
+/// The field shows the beginning of a path, and seldom the name of the film at its end.
+std::string waiting_text(const MirrorView& mirror, const MirrorForm& form) {
+  if (mirror.phase == Phase::Starting) return tr("camera.opening");
+  const std::string_view source = form.source.data();
+  if (mirror.phase != Phase::Off || !is_film_source(std::string(source))) {
+    return tr("camera.no_picture");
+  }
+  return std::string(source.substr(source.find_last_of("/:") + 1));
 }
 
 /// Says in place of a picture why there is none. Nothing below moves if the text is longer.
-void no_picture(const Look& look, const MirrorView& mirror, ImVec2 at, ImVec2 size) {
+void no_picture(const Look& look, const MirrorView& mirror, const MirrorForm& form, ImVec2 at,
+                ImVec2 size) {
   if (mirror.trouble.empty()) {
-    say_in_the_middle(
-        mirror.phase == Phase::Starting ? tr("camera.opening") : tr("camera.no_picture"), at, size);
+    say_in_the_middle(waiting_text(mirror, form).c_str(), at, size);
     return;
   }
   const float margin = 12 * look.scale;
@@ -103,7 +115,7 @@ void picture(const Look& look, const MirrorView& mirror, MirrorForm& form) {
                      ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
   ImGui::Dummy(frame);
   if (seen == nullptr || form.texture == 0) {
-    no_picture(look, mirror, at, frame);
+    no_picture(look, mirror, form, at, frame);
   } else {
     const float fit = std::min(frame.x / static_cast<float>(seen->width),
                                frame.y / static_cast<float>(seen->height));

@@ -208,8 +208,11 @@ void server_heading(const Look& look, RemoteForm& form) {
   const ImVec2 below = ImGui::GetCursorPos();
   const char* const text = tr("play.aus");
   const float width = ImGui::CalcTextSize(text).x + ImGui::GetStyle().FramePadding.x * 2;
-  ImGui::SetCursorPos(ImVec2(ImGui::GetContentRegionMax().x - width, top));
-  form.to_aus |= ImGui::SmallButton(with_id(text, "jump").c_str());
+  const float inset = 2 * look.scale;
+  ImGui::SetCursorPos(ImVec2(ImGui::GetContentRegionMax().x - width, top - inset));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, inset));
+  form.to_aus |= ImGui::Button(with_id(text, "jump").c_str());
+  ImGui::PopStyleVar();
   tip(tr("play.to_aus_tip"));
   ImGui::SetCursorPos(below);
 }

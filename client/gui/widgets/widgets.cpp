@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -317,11 +318,16 @@ bool step_button(const char* text, const ImVec2& size, ImGuiID owner) {
   return pressed;
 }
 
+float number_field_width() {
+  const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+  return std::ceil(2 * button + 2.5F * ImGui::GetFontSize());  // ImGui's widths are whole
+}
+
 bool number_field(const char* id, int& value, const Steps& steps, bool when_entered) {
   const float button = ImGui::GetFrameHeight();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = ImGui::CalcItemWidth();
-  const bool buttons = steps.buttons && width > 2 * (button + gap) + 2.5F * ImGui::GetFontSize();
+  const bool buttons = steps.buttons && width >= number_field_width();
   std::array<char, 16> text{};
   const bool in_words = steps.zero != nullptr && value == 0;
   if (!in_words) std::snprintf(text.data(), text.size(), "%d", value);

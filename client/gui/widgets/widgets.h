@@ -92,6 +92,8 @@ struct Steps {
   int first = 0;               ///< the first step up from such a 0; 0: the usual step
   bool buttons = true;         ///< - and + beside the number, if there is room
 };
+/// The least width of a number_field() that has its buttons.
+[[nodiscard]] float number_field_width();
 /// A whole number that is typed or stepped, by its buttons or by Up and Down. Returns whether it
 /// changed `value`. A number beyond the limits is clamped, and while it is typed this is said.
 /// `when_entered`: typing takes effect only with Enter.

@@ -46,5 +46,36 @@ TEST_F(OverFace, WhatIsSaidOfAServerThatWasGivenUpGoesWhenAnotherOneIsNamed) {
   EXPECT_FALSE(gui_->close_notice());
 }
 
+TEST_F(OverFace, ANoticeIsWholeInItsFirstPicture) {
+  model_.notice.text = "saved";
+  frames(3);
+  model_.notice.text = "AU90 saved in /home/somebody/.local/share/aucast/faces/default/aus.toml";
+  frames(1);
+  const ImRect first = rect_of("notice");
+  frames(3);
+  EXPECT_EQ(first.GetWidth(), rect_of("notice").GetWidth());
+  EXPECT_EQ(first.GetHeight(), rect_of("notice").GetHeight());
+  const ImGuiWindow* const notice = ImGui::FindWindowByName("notice");
+  EXPECT_LE(notice->ContentSize.x, notice->InnerRect.GetWidth());
+}
+
+TEST_F(OverFace, TheQuestionOnLeavingFitsWithLargeLetters) {
+  ImGui::GetIO().DisplaySize = ImVec2(700, 500);
+  model_.display.settings.text_percent = 200;
+  ASSERT_TRUE(gui_->prepare(model_.display));
+  model_.editor.unsaved = true;
+  model_.editor.au = 12;
+  model_.asks_to_leave = true;
+  frames(4);
+  const auto question = [] { return ImGui::FindWindowByID(ImHashStr("###leave")); };
+  ASSERT_NE(question(), nullptr);
+  EXPECT_TRUE(ImRect(0, 0, 700, 500).Contains(question()->Rect()));
+  EXPECT_LE(question()->ContentSize.x, question()->InnerRect.GetWidth()) << "no text is cut";
+  const float before = question()->Size.y;
+  model_.composer.unsaved = true;
+  frames(4);
+  EXPECT_GT(question()->Size.y, before) << "the stream is named too";
+}
+
 }  // namespace
 }  // namespace aucast::gui

@@ -173,6 +173,20 @@ TEST_F(NumberField, HasNoButtonsWhereTheNumberHasNoRoomBesideThem) {
   EXPECT_EQ(value_, 50);
 }
 
+TEST_F(Widgets, ANumberFieldOfItsLeastWidthHasItsButtons) {
+  int value = 5;
+  for (const float less : {0.0F, 2.0F}) {
+    value = 5;
+    draw([&] {
+      ImGui::SetNextItemWidth(number_field_width() - less);
+      static_cast<void>(number_field("##number", value, {}));
+      note();
+    });
+    click(item_.Max.x - 4, item_.GetCenter().y);
+    EXPECT_EQ(value, less > 0 ? 5 : 6);
+  }
+}
+
 TEST_F(Widgets, ASliderAndItsNumberAreAsWideAsAsked) {
   int value = 50;
   draw([&] {
