@@ -153,6 +153,7 @@ struct ExpressionButton {
   std::string aus;  ///< as in a packet; "0" for muscles alone
   ExpressionKind kind = ExpressionKind::Main;
   std::string source{};  ///< who describes it in this way, in words
+  std::string name{};    ///< by which the command line knows it; unlike the label, its own
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
 };
 

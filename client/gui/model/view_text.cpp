@@ -19,6 +19,14 @@ bool awaits_connection(PlaybackState state, const playback::SourceStatus& status
          status.end == EndReason::NotEnded;
 }
 
+/// With the point of the language in use, in a text in which nothing else is a point.
+std::string in_its_writing(std::string text) {
+  if (const std::size_t point = text.find('.'); point != std::string::npos) {
+    text.replace(point, 1, tr("unit.point"));
+  }
+  return text;
+}
+
 /// For 1234 and "B": "1.2 kB".
 std::string scaled(double value, const char* unit) {
   constexpr std::array kFactors = {"", "k", "M", "G"};
@@ -30,12 +38,7 @@ std::string scaled(double value, const char* unit) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), factor == 0 ? "%.0f %s%s" : "%.1f %s%s", value,
                 kFactors[factor], unit);
-  std::string whole = text.data();
-  // Nothing else in it is a point.
-  if (const std::size_t point = whole.find('.'); point != std::string::npos) {
-    whole.replace(point, 1, tr("unit.point"));
-  }
-  return whole;
+  return in_its_writing(text.data());
 }
 
 bool names(const std::vector<int>& numbers, int number) {
@@ -186,6 +189,12 @@ std::string bytes_text(double bytes) {
 
 std::string bit_rate_text(double bytes_a_second) {
   return scaled(8 * bytes_a_second, tr("unit.bit_rate"));
+}
+
+std::string seconds_text(double seconds) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", seconds);
+  return in_its_writing(text.data());
 }
 
 std::string traffic_text(std::uint64_t bytes, double rate, double mean) {

@@ -50,6 +50,9 @@ namespace aucast::gui {
 /// "320 bit/s", "1.2 kbit/s".
 [[nodiscard]] std::string bit_rate_text(double bytes_a_second);
 
+/// In hundredths, with the point of the language in use: "1.25".
+[[nodiscard]] std::string seconds_text(double seconds);
+
 /// "893 B, 1.2 kbit/s"; if `rate` is 0, with the mean since the beginning: "893 B, mean 310 bit/s".
 /// `rate` and `mean` are in bytes a second.
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);

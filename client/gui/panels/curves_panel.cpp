@@ -1,10 +1,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "client/gui/model/view_text.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/widgets/keyboard_focus.h"
@@ -98,9 +97,9 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   };
   line_at(local.position, colour_of(Tone::Waiting));
   const auto tell = [&](int number, Duration at, float x, float top) {
-    std::array<char, 32> time{};
-    std::snprintf(time.data(), time.size(), "%.2f s", seconds(at));
-    tip_at(x, top, (number < 0 ? std::string() : au_name(number)) + "\n" + time.data());
+    tip_at(
+        x, top,
+        (number < 0 ? std::string() : au_name(number)) + "\n" + seconds_text(seconds(at)) + " s");
   };
   if (arrows.held) {
     if (arrows.up != 0) ImGui::SetScrollFromPosY(row_top - ImGui::GetWindowPos().y, 0.5F);

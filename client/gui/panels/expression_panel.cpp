@@ -56,23 +56,39 @@ int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
 
 /// Whether the label, an AU's packet or the source have the words; case does not matter.
 bool is_meant(const ExpressionButton& button, const std::string& words) {
-  return lowered(button.label + "\n" + data_word(button.label) + "\n" + in_words(button))
+  return lowered(button.label + "\n" + data_word(button.label) + "\n" + button.name + "\n" +
+                 in_words(button))
              .find(words) != std::string::npos;
 }
 
+/// Tells an expression from others of its label.
+std::string whole_label(const ExpressionButton& button) {
+  return data_word(button.label) + "  " + button.aus;
+}
+
+/// Each a line: label, AUs, source.
 void found_expressions(const ExpressionsView& expressions, const std::string& words,
                        GuiCommands& commands) {
   bool any = false;
+  float source_at = 0;
+  for (const ExpressionButton& button : expressions.buttons) {
+    if (button.kind != ExpressionKind::Other) continue;
+    source_at = std::max(source_at, ImGui::CalcTextSize(whole_label(button).c_str()).x);
+  }
+  source_at += ImGui::GetCursorPosX() + 2 * ImGui::GetStyle().ItemSpacing.x;
   for (std::size_t i = 0; i < expressions.buttons.size(); ++i) {
     const ExpressionButton& button = expressions.buttons[i];
     if (button.kind != ExpressionKind::Other || !is_meant(button, words)) continue;
     any = true;
     const bool chosen = static_cast<int>(i) == expressions.chosen;
-    if (list_item(data_word(button.label), chosen)) {
+    ImGui::PushID(static_cast<int>(i));
+    if (list_item(whole_label(button), chosen)) {
       commands.push_back(ShowExpression{i});
       ImGui::CloseCurrentPopup();
     }
-    tip(in_words(button));
+    ImGui::SameLine(source_at);
+    ImGui::TextDisabled("%s", button.source.c_str());
+    ImGui::PopID();
   }
   if (!any) quiet_text(tr("expression.none_found"));
 }
@@ -86,7 +102,7 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
   if (buttons % columns_of(expressions) != 0 && has_room_beside(70 * look.scale)) ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   const std::string shown =
-      is_other ? data_word(expressions.buttons[chosen].label) : tr("expression.more");
+      is_other ? whole_label(expressions.buttons[chosen]) : tr("expression.more");
   if (!ImGui::BeginCombo("##more", shown.c_str(), ImGuiComboFlags_HeightLarge)) return;
   if (ImGui::IsWindowAppearing()) {
     form.search[0] = 0;

@@ -1,10 +1,10 @@
 #include "client/app/window/making/composer_session.h"
 
-#include <cstdio>
 #include <variant>
 
 #include "client/app/stream_files.h"
 #include "client/app/window/making/composition_file.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/texts/texts.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
@@ -22,9 +22,8 @@ std::string total_of(const gui::Composer::Keyframes& keyframes) {
   const auto untimed = static_cast<std::uint32_t>(protocol::kDefaultKeyframeTime.count());
   std::uint64_t ms = 0;
   for (const auto& keyframe : keyframes) ms += keyframe->ms.value_or(untimed);
-  std::array<char, 32> time{};
-  std::snprintf(time.data(), time.size(), "%.2f", static_cast<double>(ms) / 1000);
-  return gui::tr("said.total", gui::keyframes_text(keyframes.size()), time.data());
+  return gui::tr("said.total", gui::keyframes_text(keyframes.size()),
+                 gui::seconds_text(static_cast<double>(ms) / 1000));
 }
 
 std::vector<gui::PadPoint> pad_of(const std::vector<Expression>& expressions) {

@@ -26,12 +26,11 @@ std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& exp
       return one.kind == ExpressionKind::Main && one.label == expression.label;
     };
     gui::ExpressionButton button{expression.label, protocol::format_au_set(expression.aus),
-                                 ExpressionKind::Main, expression.source};
+                                 ExpressionKind::Main, expression.source, expression.name};
     if (!expression.muscles.empty()) {
       button.kind = ExpressionKind::Macro;
     } else if (std::any_of(buttons.begin(), buttons.end(), same)) {
       button.kind = ExpressionKind::Other;
-      button.label = expression.name;
     }
     buttons.push_back(std::move(button));
   }

@@ -89,12 +89,14 @@ TEST(ViewText, BytesGetTheUnitThatFits) {
   EXPECT_EQ(traffic_text(0, 0, 0), "0 B");
 }
 
-TEST(ViewText, BytesAreWrittenAsInTheLanguage) {
+TEST(ViewText, BytesAndSecondsAreWrittenAsInTheLanguage) {
+  EXPECT_EQ(seconds_text(1), "1.00");
   auto french = load_language(std::string(AUCAST_TEST_DATA) + "/languages/fr.toml");
   ASSERT_TRUE(french) << french.error().message;
   use_language(*std::move(french));
   EXPECT_EQ(bytes_text(2100), "2,1 ko");
   EXPECT_EQ(bit_rate_text(150), "1,2 kbit/s");
+  EXPECT_EQ(seconds_text(1.254), "1,25");
   use_english();
 }
 

@@ -109,7 +109,8 @@ TEST_F(EditorSessionTest, OneButtonOfEachNameIsAmongTheMainOnes) {
   EXPECT_EQ(buttons[0].kind, gui::ExpressionKind::Main);
   EXPECT_EQ(buttons[1].kind, gui::ExpressionKind::Macro);
   EXPECT_EQ(buttons[2].kind, gui::ExpressionKind::Other);
-  EXPECT_EQ(buttons[2].label, "smile_2") << "its label is taken";
+  EXPECT_EQ(buttons[2].label, "Smile") << "in words, as translations have it";
+  EXPECT_EQ(buttons[2].name, "smile_2");
 }
 
 TEST_F(EditorSessionTest, TheStrengthIsThatOfTheChosenExpression) {
