@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "client/gui/model/view_text.h"
 #include "client/gui/panels/panels.h"
@@ -15,6 +17,9 @@ namespace {
 constexpr float kRow = 24;
 constexpr float kNumberWidth = 28;
 constexpr float kValueWidth = 34;
+/// More of them begin folded: the table of AUs is below them.
+constexpr std::size_t kCurvesOpen = 8;
+constexpr float kNameSize = 0.85F;
 
 /// What is drawn of the curves stays the same until another stream is opened.
 void make_outlines(const LocalView& local, std::size_t columns, CurvesForm& form) {
@@ -42,12 +47,35 @@ void line_of(const Look& look, const std::vector<float>& outline, ImVec2 from, I
                                           1.5F * look.scale);
 }
 
+/// The name of an AU, drawn before its line, or it would hide that.
+void name_behind(const Look& look, int number, ImVec2 at) {
+  ImGui::GetWindowDrawList()->AddText(
+      ImGui::GetFont(), kNameSize * ImGui::GetFontSize(), ImVec2(at.x + 4 * look.scale, at.y),
+      ImGui::GetColorU32(ImGuiCol_TextDisabled), au_name(number).c_str());
+}
+
+/// The heading, a part to fold; returns whether it is open.
+bool curves_heading(const Look& look, const AuCurves& curves, bool another) {
+  ImGui::Dummy(ImVec2(0, 5 * look.scale));
+  if (another) ImGui::SetNextItemOpen(curves.size() <= kCurvesOpen);
+  ImGui::PushFont(look.bold);
+  const std::string title = tr("curves.title", curves.size());
+  const bool open =
+      ImGui::TreeNodeEx(with_id(title.c_str(), "fold").c_str(),
+                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  ImGui::PopFont();
+  return open;
+}
+
 }  // namespace
 
 void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands) {
   const LocalView& local = model.local;
   if (!local.open || local.curves == nullptr || local.curves->empty()) return;
-  heading(look, tr("curves.title"));
+  if (!curves_heading(look, *local.curves,
+                      std::exchange(form.shown, local.curves) != local.curves)) {
+    return;
+  }
   quiet_text(tr("curves.help"));
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -82,6 +110,7 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
       below = curve.number;
     }
     list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    name_behind(look, curve.number, ImVec2(left, y + text));
     line_of(look, form.outlines[i], from, to);
     list.AddText(ImVec2(corner.x, y + text), ImGui::GetColorU32(ImGuiCol_Text),
                  std::to_string(curve.number).c_str());
@@ -91,8 +120,8 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
                  ImGui::GetColorU32(ImGuiCol_Text), value.c_str());
   }
   const auto line_at = [&](Duration at, unsigned colour) {
-    const float x = left + (right - left) * static_cast<float>(
-                                                seconds(at) / std::max(1e-9, seconds(local.total)));
+    const double part = seconds(at) / std::max(1e-9, seconds(local.total));
+    const float x = left + (right - left) * static_cast<float>(part);
     list.AddLine(ImVec2(x, corner.y), ImVec2(x, y), colour, look.scale);
   };
   line_at(local.position, colour_of(Tone::Waiting));

@@ -21,6 +21,8 @@ namespace aucast::gui {
 
 /// The curves as they are drawn.
 struct CurvesForm {
+  std::shared_ptr<const AuCurves>
+      shown;  ///< of the model; others are folded or not by their number
   std::shared_ptr<const AuCurves> of;
   std::size_t columns = 0;
   std::vector<std::vector<float>> outlines;  ///< one per curve
@@ -47,8 +49,9 @@ struct RemoteForm {
   bool filled = false;               ///< the form has been filled from the model
   bool renamed = false;              ///< the address has been changed in this frame
   RecordForm record;
-  bool large_chart = false;
-  bool to_aus = false;  ///< scroll to the table of AUs
+  bool large_chart = false;   ///< of the strongest AUs
+  bool large_buffer = false;  ///< the chart of the receiver's fill
+  bool to_aus = false;        ///< scroll to the table of AUs
   CurvesForm curves;
 };
 

@@ -235,7 +235,15 @@ void said(const Look& look, const char* name, const std::string& value, const ch
   quiet_text(value.empty() ? "-" : value);
 }
 
-void buffers(const Look& look, const GuiModel& model) {
+/// A chart that a click makes larger or smaller again.
+void chart(const Look& look, std::span<const PlotLine> lines, float small, float large_height,
+           float mark, bool& large) {
+  if (plot(look, lines, (large ? large_height : small) * look.scale, mark)) large = !large;
+  if (pointed_at()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  tip(large ? tr("play.smaller") : tr("play.larger"));
+}
+
+void buffers(const Look& look, const GuiModel& model, bool& large) {
   heading(look, tr("play.buffers"));
   const PlayingView& playing = model.playing;
   buffer_bar(look, tr("play.receiver"), playing.receiver, tr("tip.receiver"));
@@ -243,8 +251,8 @@ void buffers(const Look& look, const GuiModel& model) {
   // Always as many rows: no control moves when a connection comes or goes.
   label(look, tr("play.last_30"), tr("tip.last_30"));
   const PlotLine line{&playing.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
-  static_cast<void>(plot(look, {&line, 1}, 34 * look.scale,
-                         static_cast<float>(playing.receiver.threshold_percent) / 100));
+  chart(look, {&line, 1}, 34, 160, static_cast<float>(playing.receiver.threshold_percent) / 100,
+        large);
   said(look, tr("play.received"), playing.in);
   said(look, tr("play.sent"), playing.out);
   said(look, tr("play.protocol"), playing.protocol, tr("tip.protocol"));
@@ -264,8 +272,7 @@ void intensities(const Look& look, const PlayingView& playing, bool& large) {
         {&trace.values, colour_of_line(i), std::to_string(trace.number), static_cast<int>(i)});
   }
   quiet_text(tr("play.strongest"));
-  if (plot(look, lines, (large ? kLarge : kSmall) * look.scale, 0)) large = !large;
-  tip(large ? tr("play.smaller") : tr("play.larger"));
+  chart(look, lines, kSmall, kLarge, 0, large);
   if (!large) return;
   for (std::size_t i = 0; i < playing.au_history.size(); ++i) {
     const int number = playing.au_history[i].number;
@@ -338,7 +345,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   file_part(model, commands);
   record_part(look, model, form.record, commands);
   sound_part(look, model, commands);
-  if (!model.playing.local) buffers(look, model);
+  if (!model.playing.local) buffers(look, model, form.large_buffer);
   animation(look, model, commands);
   curves_part(look, model, form.curves, commands);
   // Last: it grows and shrinks while it plays.

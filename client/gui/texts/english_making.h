@@ -26,7 +26,7 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"compose.add", "Add it"},
     {"compose.take", "Take"},
     {"compose.take_tip", "the AUs that the face shows now, playing or as an expression"},
-    {"curves.title", "Curves"},
+    {"curves.title", "Curves of {count} AUs"},
     {"curves.help", "Percent at the playing position, or at the pointer; a click seeks."},
     {"editor.yours", "{au}  (yours)"},
     {"editor.name", "Name"},

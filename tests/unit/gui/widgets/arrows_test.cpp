@@ -68,6 +68,18 @@ TEST_F(Arrows, SeekOnTheBarOnceItIsTaken) {
   EXPECT_FALSE(asked<SeekBy>()) << "it was let go";
 }
 
+TEST_F(Arrows, ManyCurvesAreFoldedUntilTheyAreWanted) {
+  AuCurves many;
+  for (int number = 1; number < 10; ++number) many.push_back({number, {0.5F}});
+  model_.local.curves = std::make_shared<const AuCurves>(many);
+  play_something();
+  ASSERT_TRUE(go_to("Curves of 9 AUs###fold"));
+  const float folded = contents()->ContentSize.y;
+  press(ImGuiKey_Enter);
+  EXPECT_GT(contents()->ContentSize.y, folded + 100);
+  EXPECT_TRUE(go_to("##curves"));
+}
+
 TEST_F(Arrows, ReadCurvesFrameByFrameAndAuByAu) {
   model_.local.curves =
       std::make_shared<const AuCurves>(AuCurves{{6, {0.5F}}, {12, {1.0F}}, {26, {0.2F}}});

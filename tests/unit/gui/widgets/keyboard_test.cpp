@@ -213,6 +213,30 @@ TEST_F(Keyboard, AClosedNoticeStaysClosedWhileTheTimeGoesOn) {
   EXPECT_FALSE(gui_->close_notice());
 }
 
+TEST_F(Keyboard, TheChartOfTheBufferIsLargerOnAClick) {
+  const auto grows = [this](float y) {
+    const float before = contents()->ContentSize.y;
+    point_at(720, y);
+    ImGui::GetIO().MouseDown[0] = true;
+    frames(2);
+    ImGui::GetIO().MouseDown[0] = false;
+    frames(3);
+    return contents()->ContentSize.y - before;
+  };
+  ASSERT_TRUE(go_to_tab("Play"));
+  constexpr float kMore = 160 - 34;
+  float found = 0;
+  for (float y = 100; y < 790 && found == 0; y += 12) {
+    const float by = grows(y);
+    if (by == kMore) found = y;
+    if (by != 0 && by != kMore) {
+      EXPECT_EQ(grows(y), -by) << "a part that was unfolded";
+    }
+  }
+  ASSERT_GT(found, 0);
+  EXPECT_EQ(grows(found), -kMore) << "and smaller again";
+}
+
 TEST_F(Keyboard, TheListOfKeysFitsIntoASmallWindow) {
   ImGui::GetIO().DisplaySize = ImVec2(800, 600);
   gui_->toggle_keys();
