@@ -386,6 +386,7 @@ gui::GuiModel WindowSession::model() const {
   model.faces = faces_.view();
   model.gallery = gallery_.view();
   model.pictures = settings_.pictures();
+  model.picture_folder = whole_path(std::filesystem::path(".") / model.pictures.folder).string();
   model.display = settings_.display();
   model.browser = files_.browser();
   model.notice = notices_.view();

@@ -314,6 +314,7 @@ struct GuiModel {
   FacesView faces;
   GalleryView gallery;
   PictureSettings pictures;
+  std::string picture_folder;  ///< the whole path of that in `pictures`
   BrowserView browser;
   Notice notice;
   AnimationSettings animation;

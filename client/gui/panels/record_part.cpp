@@ -20,8 +20,9 @@ void put(const std::string& text, std::array<char, N>& field) {
 constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
 
 /// Where pictures and videos are saved. Initially folded.
-void where_they_go(const Look& look, const PictureSettings& now, RecordForm& form,
+void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
                    GuiCommands& commands) {
+  const PictureSettings& now = model.pictures;
   if (!ImGui::TreeNodeEx(tr("play.where"),
                          ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
     return;
@@ -45,6 +46,7 @@ void where_they_go(const Look& look, const PictureSettings& now, RecordForm& for
   if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
     commands.push_back(Browse{Purpose::PictureFolder});
   }
+  if (model.picture_folder != now.folder) quiet_text(model.picture_folder);
   label(look, tr("play.name"));
   if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
     wanted.pattern = form.name.data();
@@ -123,7 +125,7 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   const ExportView& exported = model.exported;
   if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
   if (!model.onsets.empty()) quiet_text(tr("play.times_go", model.onsets));
-  where_they_go(look, model.pictures, form, commands);
+  where_they_go(look, model, form, commands);
 }
 
 }  // namespace aucast::gui

@@ -69,6 +69,7 @@ void read_remote(Fields fields, KeptSettings& settings) {
 void read_files(Fields fields, KeptSettings& settings) {
   settings.recent_files = fields.texts("recent");
   if (settings.recent_files.size() > kRecentMax) settings.recent_files.resize(kRecentMax);
+  fields.take("own_folder", settings.own_folder);
   fields.finish();
 }
 
@@ -219,7 +220,8 @@ std::string format_settings(const KeptSettings& settings) {
           line("behind_ms", remote.behind_ms) + line("speed_ms", remote.speed_ms) +
           line("reconnect", remote.reconnect) + line("stream", remote.stream) +
           line("tls", remote.tls) + line("token_file", remote.token_file);
-  text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files));
+  text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files)) +
+          line("own_folder", settings.own_folder);
   for (const KnownTable& known : settings.tables) {
     const TableSettings& table = known.settings;
     text += "\n[[table]]\n" + line("file", known.file) + line("fps", table.fps) +

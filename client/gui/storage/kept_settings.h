@@ -16,7 +16,8 @@ struct KeptSettings {
   std::vector<std::string> recent;  ///< addresses, the newest first
   std::string face;                 ///< folder of the face to begin with; empty: the default face
   std::vector<std::string> recent_files;  ///< files that were played, the newest first
-  std::vector<KnownTable> tables;         ///< how tables are read, the newest first
+  std::string own_folder;          ///< in which a file was saved or exported last; empty: none was
+  std::vector<KnownTable> tables;  ///< how tables are read, the newest first
   AnimationSettings animation;
   TransitionSettings transition;
   RenderingSettings rendering;

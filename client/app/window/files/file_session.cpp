@@ -1,5 +1,6 @@
 #include "client/app/window/files/file_session.h"
 
+#include <system_error>
 #include <utility>
 
 #include "client/gui/storage/kept_settings.h"
@@ -15,6 +16,12 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 void FileSession::opened(const std::filesystem::path& file) {
   last_folder_ = folder_of(file);
   gui::remember_file(recent_, whole_path(file).string());
+}
+
+void FileSession::set_own_folder(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (folder.empty() || !std::filesystem::is_directory(folder, ignored)) return;
+  own_folder_ = saved_in_ = folder;
 }
 
 /// The folder in which a file of this purpose was last.
@@ -40,6 +47,7 @@ std::string FileSession::choose(const std::string& name, const Use& use) {
   browser_.close();
   if (purpose != gui::Purpose::LookForFaces) {
     folder_for(purpose) = gui::is_folder(purpose) ? file : folder_of(file);
+    if (gui::is_saving(purpose)) saved_in_ = whole_path(folder_of(file));
   }
   return *used;
 }

@@ -23,6 +23,11 @@ class FileSession {
   void set_recent(std::vector<std::string> files) { recent_ = std::move(files); }
   /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
+  /// Begins with the folder in which a file was saved before, if it is still there; empty: none
+  /// was.
+  void set_own_folder(const std::filesystem::path& folder);
+  /// The folder in which a file was saved or exported last; empty: none was.
+  [[nodiscard]] const std::filesystem::path& own_folder() const { return saved_in_; }
   /// Call it when this stream was opened.
   void opened(const std::filesystem::path& file);
 
@@ -45,8 +50,9 @@ class FileSession {
   [[nodiscard]] std::filesystem::path& folder_for(gui::Purpose purpose);
 
   gui::FileBrowser browser_;
-  std::filesystem::path own_folder_ = ".";  ///< where the user saved last
-  std::filesystem::path last_folder_;       ///< where a stream was opened last
+  std::filesystem::path own_folder_ = ".";  ///< where a dialog about the user's own files was last
+  std::filesystem::path saved_in_;
+  std::filesystem::path last_folder_;  ///< where a stream was opened last
   std::vector<std::string> recent_;
 };
 

@@ -34,12 +34,14 @@ WindowFiles::WindowFiles(const Assets& assets, const fs::path& played, const Use
 
 void WindowFiles::begin_with(const gui::KeptSettings& kept) {
   files_.set_recent(kept.recent_files);
+  files_.set_own_folder(kept.own_folder);
   if (!played_.empty()) files_.opened(played_);
   tables_.known = std::make_shared<const std::vector<gui::KnownTable>>(kept.tables);
 }
 
 void WindowFiles::keep(gui::KeptSettings& kept) const {
   kept.recent_files = files_.recent();
+  kept.own_folder = files_.own_folder().string();
   if (tables_.known != nullptr) kept.tables = *tables_.known;
 }
 

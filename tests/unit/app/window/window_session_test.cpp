@@ -31,6 +31,19 @@ TEST_F(WindowSessionTest, WithoutASourceTheFaceIsNeutral) {
   EXPECT_EQ(session_->activations(clock_.now()), std::vector<float>(assets_->face.channels.size()));
 }
 
+TEST_F(WindowSessionTest, TheFolderForPicturesHasAWholePath) {
+  open_nothing();
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(std::filesystem::path(model().picture_folder).parent_path(), here);
+  gui::PictureSettings pictures = session_->pictures();
+  pictures.folder = "out";
+  ask(gui::ChangePictures{pictures});
+  EXPECT_EQ(model().picture_folder, here / "out");
+  pictures.folder = "/tmp";
+  ask(gui::ChangePictures{pictures});
+  EXPECT_EQ(model().picture_folder, "/tmp");
+}
+
 TEST_F(WindowSessionTest, PlaysAndShowsWhatCameAndWhatTheRulesMadeOfIt) {
   open({frame({{51, Side::Both, 100}, {52, Side::Both, 40}})});
   go_on(Milliseconds(0));

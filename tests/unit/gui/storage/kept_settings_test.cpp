@@ -140,6 +140,7 @@ TEST(KeptSettings, WhatCannotBeReadStaysWhereItIs) {
 TEST(KeptSettings, FilesAndTheFaceAreRememberedToo) {
   KeptSettings settings;
   settings.face = "/home/anna/faces/default";
+  settings.own_folder = "/home/anna/made";
   for (int i = 0; i < 20; ++i) {
     remember_file(settings.recent_files, "/streams/" + std::to_string(i % 10) + ".txt");
   }

@@ -44,6 +44,25 @@ TEST_F(FileSessionTest, ComesAgainInTheFolderThatWasLeft) {
   EXPECT_EQ(view().folder, in("lectures")) << "streams are looked for in one place";
 }
 
+TEST_F(FileSessionTest, TheFolderOfWhatWasSavedIsKeptForTheNextStart) {
+  session_.browse(Purpose::ExportTable, "two.csv");
+  session_.enter(in("lectures"));
+  session_.close();
+  EXPECT_EQ(session_.own_folder(), "") << "nothing was saved there";
+  session_.browse(Purpose::ExportTable, "two.csv");
+  EXPECT_EQ(choose(in("made") + "/two.csv"), "used");
+  EXPECT_EQ(session_.own_folder(), in("made"));
+  FileSession next{folder_.path() / "streams"};
+  next.set_own_folder(session_.own_folder());
+  next.browse(Purpose::ExportMesh, "two.obj");
+  EXPECT_EQ(next.view().folder, in("made"));
+  EXPECT_EQ(next.own_folder(), in("made"));
+  FileSession later{folder_.path() / "streams"};
+  later.set_own_folder(in("gone"));
+  later.browse(Purpose::ExportMesh, "two.obj");
+  EXPECT_NE(later.view().folder, in("gone"));
+}
+
 TEST_F(FileSessionTest, WhatTheUserMakesHasAFolderOfItsOwn) {
   session_.browse(Purpose::ExportTable, "two.csv");
   EXPECT_EQ(view().name, "two.csv");
