@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <string>
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
@@ -54,7 +55,9 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
     list.AddRect(at, to, ImGui::GetColorU32(frame), rounding, 0,
                  (shown ? 2.0F : 1.0F) * look.scale);
   }
-  name_below(look, face.name, ImVec2(at.x, to.y + 2 * look.scale), width);
+  // A copy has the name of the face that it was made of.
+  const std::string name = face.kind == FaceKind::Own ? tr("face.yours", face.name) : face.name;
+  name_below(look, name, ImVec2(at.x, to.y + 2 * look.scale), width);
   if (face.kind != FaceKind::Shipped) tip(face.folder);
   return chosen;
 }

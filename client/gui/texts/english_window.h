@@ -110,6 +110,7 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"leave.leave", "Leave without saving"},
     {"face.shipped", "Shipped"},
     {"face.own", "Your own copies"},
+    {"face.yours", "{face} (yours)"},
     {"face.folder", "From a folder"},
     {"face.title", "Face"},
     {"face.other", "Faces of another folder..."},
