@@ -18,6 +18,11 @@ bool is_turn(std::size_t channel) {
   return (number >= 51 && number <= 56) || (number >= 61 && number <= 64);
 }
 
+/// Whether a channel of the neutral face that was asked for is subtracted.
+bool is_taken_off(const ConditioningSettings& settings, std::size_t channel) {
+  return !settings.neutral_turns_only || is_turn(channel);
+}
+
 bool knows_distance(const Signals& neutral) {
   return is_signal(neutral[kDistanceChannels[0]]);
 }
@@ -69,19 +74,20 @@ Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings)
 
 MeasuredNeutral taken_off(const ConditioningSettings& settings, MeasuredNeutral measured) {
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
-    if (settings.neutral_turns_only && !is_turn(channel)) measured.signals[channel] = kNoSignal;
+    if (!is_taken_off(settings, channel)) measured.signals[channel] = kNoSignal;
   }
   return measured;
 }
 
-Signals neutral_with(const ConditioningSettings& settings, const MeasuredNeutral& all) {
-  const MeasuredNeutral measured = taken_off(settings, all);
+Signals neutral_with(const ConditioningSettings& settings, const MeasuredNeutral& measured) {
   Signals neutral = settings.profile.neutral;
   const auto take = [&](std::size_t channel) {
     if (is_signal(measured.signals[channel])) neutral[channel] = measured.signals[channel];
   };
   if (settings.neutral_seconds) {
-    for (std::size_t channel = 0; channel < kChannels; ++channel) take(channel);
+    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+      if (is_taken_off(settings, channel)) take(channel);
+    }
   } else {
     for (const std::size_t channel : kDistanceChannels) take(channel);
   }

@@ -77,7 +77,8 @@ class Conditioning {
 /// settings.distance.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
-/// Of a measured neutral face, what is subtracted: with neutral_turns_only turns of head and eyes.
+/// Of a neutral face that was asked for and measured, what is subtracted: with neutral_turns_only
+/// turns of head and eyes.
 [[nodiscard]] MeasuredNeutral taken_off(const ConditioningSettings& settings,
                                         MeasuredNeutral measured);
 

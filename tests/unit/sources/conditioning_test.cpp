@@ -101,6 +101,14 @@ TEST(Conditioning, TheDistanceIsThatFromTheFirstSeconds) {
   EXPECT_FALSE(conditioning.take_neutral()) << "no neutral face was asked for";
 }
 
+TEST(Conditioning, TheDistanceIsMeasuredWhereOnlyTurnsAreTakenOff) {
+  ConditioningSettings settings;
+  settings.distance = settings.neutral_turns_only = true;
+  Conditioning conditioning(settings);
+  EXPECT_EQ(conditioning.apply(0, face({{57, 0}, {58, 30}})).left[58], 0);
+  EXPECT_FLOAT_EQ(conditioning.apply(2, face({{57, 0}, {58, 30.25F}})).left[58], 0.25F);
+}
+
 TEST(Conditioning, TheDistanceOfAProfileIsNotMeasured) {
   ConditioningSettings settings;
   settings.distance = true;
