@@ -161,12 +161,11 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   }
   std::string text;
   if (content->found) said += sources::found_sentence(*content->found) + "; ";
-  said += counted(content->stream.keyframes.size(), "keyframe") + ", " +
-          std::to_string(protocol::media_ms(content->stream, options.keyframe_ms)) + " ms\n";
+  const std::uint64_t ms = protocol::media_ms(content->stream, options.keyframe_ms);
+  said +=
+      counted(content->stream.keyframes.size(), "keyframe") + ", " + std::to_string(ms) + " ms\n";
   if (options.out.extension() == ".csv") {
-    const std::uint64_t rows =
-        protocol::media_ms(content->stream, options.keyframe_ms) / sources::kRowMsMax;
-    auto can = check_memory(options.out, rows * kWholeKeyframeBytes);
+    auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes);
     if (!can) return can.error();
     auto table = sources::write_openface_table(content->stream, options.keyframe_ms);
     text = std::move(table.text);

@@ -123,20 +123,19 @@ Result<std::vector<Source>> address_source(const std::filesystem::path& path, Li
   return std::vector<Source>{{.path = path, .name = address->stream, .live = true}};
 }
 
-/// The protocol has no place beyond that.
-Result<void> check_length(const Source& source) {
-  if (source.stream->duration_ms.value_or(0) <= protocol::kPlaceMsMax) return {};
-  return Error{ErrorKind::BadData,
-               at_place(source.path.string(), "the stream lasts longer than the " +
-                                                  std::to_string(protocol::kPlaceMsMax) +
-                                                  " ms that the protocol can tell; divide it")};
-}
-
-void add_voiced(const EncodingOptions& options, Source& source) {
-  if (!source.voice) return;
+/// Completes a source whose stream is encoded. Fails if that is longer than the protocol can tell.
+Result<void> complete(const EncodingOptions& options, Source& source) {
+  if (source.stream->duration_ms.value_or(0) > protocol::kPlaceMsMax) {
+    return Error{ErrorKind::BadData,
+                 at_place(source.path.string(), "the stream lasts longer than the " +
+                                                    std::to_string(protocol::kPlaceMsMax) +
+                                                    " ms that the protocol can tell; divide it")};
+  }
+  if (!source.voice) return {};
   source.voiced =
       protocol::voiced_stream(*source.stream, source.voice->begin + source.voice->duration,
                               options.keyframe_ms, options.classic_min);
+  return {};
 }
 
 /// The streams of one file: one, or one for each face.
@@ -172,8 +171,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back(source_named(stem));
     auto read = encode_file(*text, reading, streams.front());
     if (!read) return read.error();
-    if (auto can = check_length(streams.front()); !can) return can.error();
-    add_voiced(reading.encoding, streams.front());
+    if (auto done = complete(reading.encoding, streams.front()); !done) return done.error();
     return streams;
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
@@ -189,8 +187,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     streams.push_back(source_named(name));
     auto encoded = encode_whole(std::move(content), reading, streams.back());
     if (!encoded) return encoded.error();
-    if (auto can = check_length(streams.back()); !can) return can.error();
-    add_voiced(reading.encoding, streams.back());
+    if (auto done = complete(reading.encoding, streams.back()); !done) return done.error();
   }
   return streams;
 }
