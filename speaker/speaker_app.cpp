@@ -182,12 +182,6 @@ Result<Expressions> expressions_of(const Options& options) {
   return sets_of(*read);
 }
 
-std::string stream_text(const Script& script, const protocol::StreamFile& stream) {
-  std::string text = protocol::format_stream_file(stream);
-  if (!script.title.empty()) text = "# title: " + script.title + "\n" + text;
-  return text;
-}
-
 /// Refuses to overwrite a file that is also read.
 Result<void> check_output(const fs::path& output, const Options& options) {
   std::error_code none;
@@ -232,10 +226,10 @@ Result<void> run(const Options& options) {
       return written;
     }
   }
-  const auto stream = perform(*speech, *script, *expressions, options.gestures);
-  if (auto written = write_file_atomically(stream_file, stream_text(*script, stream)); !written) {
-    return written;
-  }
+  auto stream = perform(*speech, *script, *expressions, options.gestures);
+  stream.title = script->title;
+  const std::string text = protocol::format_stream_file(stream);
+  if (auto written = write_file_atomically(stream_file, text); !written) return written;
   const auto captions = captions_of(*speech, *script);
   if (auto written = write_file_atomically(caption_file, format_webvtt(captions)); !written) {
     return written;
