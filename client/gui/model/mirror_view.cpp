@@ -37,9 +37,13 @@ std::string label_of(int number, const Pair* pair) {
 
 }  // namespace
 
-bool is_film_source(const std::string& source) {
+std::string device_of(const std::string& source) {
   constexpr std::string_view kCamera = "camera:";
-  return is_film(source.starts_with(kCamera) ? source.substr(kCamera.size()) : source);
+  return source.starts_with(kCamera) ? source.substr(kCamera.size()) : source;
+}
+
+bool is_film_source(const std::string& source) {
+  return is_film(device_of(source));
 }
 
 std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus) {

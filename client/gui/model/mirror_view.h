@@ -50,6 +50,8 @@ struct GoLive {
 struct GoPrivate {};
 using MirrorCommand = std::variant<StartMirror, StopMirror, GoLive, GoPrivate>;
 
+/// The camera, or the film in place of one, that a source names: "talk.mp4" for "camera:talk.mp4".
+[[nodiscard]] std::string device_of(const std::string& source);
 /// Whether the source is a film in place of a camera: "talk.mp4", "camera:talk.mp4". It can go live
 /// without being seen in private first.
 [[nodiscard]] bool is_film_source(const std::string& source);

@@ -45,8 +45,7 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
 /// What is wrong with a file that is named in place of a camera: au-transmitter would take it for a
 /// camera that is not there. Empty: nothing.
 std::string problem_of(const std::string& source) {
-  constexpr std::string_view kCamera = "camera:";
-  const std::string name = source.starts_with(kCamera) ? source.substr(kCamera.size()) : source;
+  const std::string name = gui::device_of(source);
   const std::filesystem::path file = name;
   const bool is_path = name.find('/') != std::string::npos || is_film(file);
   if (!is_path || name.starts_with("/dev/")) return {};
