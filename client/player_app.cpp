@@ -61,17 +61,14 @@ void set_up_signals() {
 /// server.
 Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& options,
                                                       const SourcePlayback::Options& how) {
-  auto opened = open_stream(options.playback.file, options.table, kOptionNames);
-  if (!opened) return opened.error();
-  std::vector<playback::Keyframe>& keyframes = opened->keyframes;
-  if (!opened->found.empty()) spdlog::info("{}", opened->found);
-  for (const std::string& warning : opened->warnings) spdlog::warn("{}", warning);
+  auto keyframes = open_typed_stream(options.playback.file, options.table);
+  if (!keyframes) return keyframes.error();
   if (!options.headless) {
     return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(
-        std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
+        *std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
   }
-  playback::set_places(keyframes, options.playback.speed.value_or(protocol::kDefaultKeyframeTime));
-  auto source = std::make_unique<playback::FileSource>(std::move(keyframes));
+  playback::set_places(*keyframes, options.playback.speed.value_or(protocol::kDefaultKeyframeTime));
+  auto source = std::make_unique<playback::FileSource>(*std::move(keyframes));
   return std::unique_ptr<playback::Playback>(
       std::make_unique<SourcePlayback>(std::move(source), how));
 }

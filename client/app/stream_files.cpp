@@ -1,6 +1,7 @@
 #include "client/app/stream_files.h"
 
 #include "common/files.h"
+#include "common/log.h"
 #include "common/sources/found_report.h"
 #include "common/sources/source_reader.h"
 #include "common/text.h"
@@ -64,6 +65,15 @@ Result<OpenedStream> open_stream(const std::filesystem::path& file,
     opened.warnings = sources::warnings(*content->found, names);
   }
   return opened;
+}
+
+Result<std::vector<playback::Keyframe>> open_typed_stream(const std::filesystem::path& file,
+                                                          const gui::TableSettings& settings) {
+  auto opened = open_stream(file, settings, kOptionNames);
+  if (!opened) return opened.error();
+  if (!opened->found.empty()) spdlog::info("{}", opened->found);
+  for (const std::string& warning : opened->warnings) spdlog::warn("{}", warning);
+  return std::move(opened->keyframes);
 }
 
 }  // namespace aucast::app

@@ -33,5 +33,9 @@ inline constexpr sources::SettingNames kOptionNames{"--table-fps", "--table-quie
 [[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
                                                const gui::TableSettings& settings,
                                                const sources::SettingNames& names);
+/// The same for a file and settings that were typed, with what was found in the log. Returns the
+/// keyframes.
+[[nodiscard]] Result<std::vector<playback::Keyframe>> open_typed_stream(
+    const std::filesystem::path& file, const gui::TableSettings& settings);
 
 }  // namespace aucast::app

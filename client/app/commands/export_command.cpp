@@ -6,7 +6,6 @@
 #include "client/app/film/glb_export.h"
 #include "client/app/stream_files.h"
 #include "client/sound/file_track.h"
-#include "common/log.h"
 
 namespace aucast::app {
 namespace {
@@ -15,14 +14,10 @@ Result<ExportedStream> read_exported(const PlayerOptions& options) {
   ExportedStream stream;
   const std::filesystem::path file = options.exported.stream();
   if (file.empty()) return stream;
-  auto opened = open_stream(file, options.table, kOptionNames);
-  if (!opened) return opened.error();
-  if (!opened->found.empty()) spdlog::info("{}", opened->found);
-  for (const std::string& warning : opened->warnings) spdlog::warn("{}", warning);
-  if (auto fits = check_length(opened->keyframes, options, file.string()); !fits) {
-    return fits.error();
-  }
-  stream.keyframes = std::move(opened->keyframes);
+  auto keyframes = open_typed_stream(file, options.table);
+  if (!keyframes) return keyframes.error();
+  if (auto fits = check_length(*keyframes, options, file.string()); !fits) return fits.error();
+  stream.keyframes = *std::move(keyframes);
   stream.name = file.stem().string();
   if (const auto sound = sound::sound_beside(file)) stream.sound = sound->filename().string();
   return stream;
