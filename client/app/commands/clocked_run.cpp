@@ -67,11 +67,13 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     sound.advanced();
     sound.face_shown();
     if (sound.take_loss()) spdlog::warn("the sound device plays no more; going on without it");
-    const playback::SourceStatus status = playback.status();
-    if (status.end == playback::EndReason::NotEnded && !status.reason.empty() &&
-        !status.connected && status.detail != said) {
-      said = status.detail;
-      spdlog::warn("{}", said);
+    if (!playback.next_position_at()) {  // nothing plays
+      const playback::SourceStatus status = playback.status();
+      if (status.end == playback::EndReason::NotEnded && !status.reason.empty() &&
+          !status.connected && status.detail != said) {
+        said = status.detail;
+        spdlog::warn("{}", said);
+      }
     }
     if (playback.state() != state) {
       state = playback.state();
