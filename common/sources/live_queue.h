@@ -9,8 +9,8 @@
 namespace aucast::sources {
 
 /// Keyframes of a live source on their way out. They go out at once, even after the source has
-/// hung, unless the source's clock gets more than kLead ahead of ours. Then somebody is
-/// feeding in a recording, which is played at its own speed.
+/// hung, unless the source's clock gets more than kLead ahead of ours. Then somebody is feeding in
+/// a recording, which is played at its own speed.
 class LiveQueue {
  public:
   static constexpr Seconds kLead{1};

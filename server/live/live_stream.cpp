@@ -1,7 +1,6 @@
 #include "server/live/live_stream.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/earlier.h"

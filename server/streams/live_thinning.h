@@ -59,7 +59,7 @@ class LiveThinning {
   double voice_;             ///< bits a second that are reserved for the voice
   Seconds stretch_;          ///< in which bits are counted
   double most_;              ///< bits in a stretch, without the headers of batches
-  std::deque<Spent> spent_;  ///< in the last stretch_ seconds
+  std::deque<Spent> spent_;  ///< in the last stretch_
   double bits_ = 0;          ///< size of the keyframe that waits
   SteadyTime last_;          ///< when something was last sent
   protocol::KeyframeEncoder encoder_;
