@@ -4,7 +4,7 @@
     scripts/camera_delay.py [--bin FOLDER] [--fps N] [--seconds S] [--voice] [--before COMMAND] [--check]
 
 Writes pictures of 640x480 (y4m) into a FIFO that au-transmitter reads as a camera, N (25) a second for
-S (20) seconds. They show a face at rest and one that smiles, in turn for 12 pictures each; the delay is
+S (20) seconds. They show a neutral face and one that smiles, in turn for 12 pictures each; the delay is
 that from the moment at which the first picture of a turn was due to the packet that tells the change,
 as a client of this machine gets it. With --voice the client hears a voice too, which comes from a pipe
 in real time, in packets of 20 ms. --before: what stands before au-transmitter on the command line, say

@@ -49,7 +49,7 @@ def rows(table):
 
 
 # What the window calls settings, and counted(); both are put together when something is said.
-PUT_TOGETHER = re.compile(r"\{\w+\}|Pictures/s|'Quiet, s'|\b1 row\b")
+PUT_TOGETHER = re.compile(r"\{\w+\}|Pictures/s|'Neutral, s'|\b1 row\b")
 # What joins parts: "; " before a remedy, ": " behind a place.
 JOINTS = " ;:()\n"
 # Of a sentence that the code puts together itself, each piece has so many letters at least.

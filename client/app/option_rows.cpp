@@ -371,10 +371,10 @@ std::vector<OptionRow> table_rows(gui::TableSettings& table) {
       {"table-gain", "PERCENT", "", "gain for all AUs of a table",
        "Multiplies the intensities of all AUs of a table, 1 to 1000 percent.",
        whole(table.gain_percent, 1, gui::kTableGainPercentMax)},
-      {"table-quiet", "S", "", "the face is at rest for S seconds at first",
-       "For how many seconds at first the face of a table is at rest, 1 to 60; the face that it "
+      {"table-neutral", "S", "", "the face is neutral for S seconds at first",
+       "For how many seconds at first the face of a table is neutral, 1 to 60; the face that it "
        "shows there is subtracted.",
-       whole(table.quiet_s, 1, gui::kTableQuietMax)},
+       whole(table.neutral_s, 1, gui::kTableNeutralMax)},
   };
 }
 

@@ -30,7 +30,7 @@ sources::ReadOptions read_options(const gui::TableSettings& settings,
   if (settings.gain_percent > 0) {
     options.conditioning.profile.gain.set_all(settings.gain_percent / 100.0);
   }
-  if (settings.quiet_s > 0) options.conditioning.neutral_seconds = settings.quiet_s;
+  if (settings.neutral_s > 0) options.conditioning.neutral_seconds = settings.neutral_s;
   return options;
 }
 

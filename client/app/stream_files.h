@@ -22,10 +22,10 @@ struct OpenedStream {
   std::vector<std::string> warnings;  ///< what the reader finds odd in the file, a sentence each
 };
 
-/// What messages call the settings of a table: as the file dialog does (file.fps and file.quiet in
-/// the table of texts), or as options on the command line.
-inline constexpr sources::SettingNames kDialogNames{"Pictures/s", "'Quiet, s'"};
-inline constexpr sources::SettingNames kOptionNames{"--table-fps", "--table-quiet"};
+/// What messages call the settings of a table: as the file dialog does (file.fps and file.neutral
+/// in the table of texts), or as options on the command line.
+inline constexpr sources::SettingNames kDialogNames{"Pictures/s", "'Neutral, s'"};
+inline constexpr sources::SettingNames kOptionNames{"--table-fps", "--table-neutral"};
 
 /// Reads a stream file or the table of a recogniser, which are told apart by their content.
 /// `settings`: for tables, called by `names`. Unreadable; BadData with a line for each error; Usage

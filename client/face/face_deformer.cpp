@@ -72,7 +72,7 @@ WeightedBlocks gather(std::size_t vertex_count, Weight weight) {
 }
 
 /// Weighted by the triangles' areas; of creases +z.
-std::vector<glm::vec3> rest_normals(const FaceMesh& mesh) {
+std::vector<glm::vec3> neutral_normals(const FaceMesh& mesh) {
   std::vector<glm::vec3> normals(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     const glm::vec3 area =
@@ -89,15 +89,15 @@ std::vector<glm::vec3> rest_normals(const FaceMesh& mesh) {
 
 }  // namespace
 
-DeformedFace face_at_rest(const Face& face) {
-  DeformedFace rest;
-  rest.positions = face.mesh.positions;
-  rest.normals = rest_normals(face.mesh);
-  for (const Eye& eye : face.eyes) rest.eye_centres.push_back(eye.centre);
-  rest.eye_forward.assign(face.eyes.size(), {0, 0, 1});
-  rest.eye_open.assign(face.eyes.size(), 1);
-  rest.creases = DrawnBlocks(face).depths();
-  return rest;
+DeformedFace neutral_face(const Face& face) {
+  DeformedFace neutral;
+  neutral.positions = face.mesh.positions;
+  neutral.normals = neutral_normals(face.mesh);
+  for (const Eye& eye : face.eyes) neutral.eye_centres.push_back(eye.centre);
+  neutral.eye_forward.assign(face.eyes.size(), {0, 0, 1});
+  neutral.eye_open.assign(face.eyes.size(), 1);
+  neutral.creases = DrawnBlocks(face).depths();
+  return neutral;
 }
 
 struct FaceDeformer::State {

@@ -24,11 +24,11 @@ struct DeformedFace {
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
-/// The face at rest, without the cost of making a deformer: what deform() gives for activations of
+/// The neutral face, without the cost of making a deformer: what deform() gives for activations of
 /// 0, except that normals may differ in their last digits.
-[[nodiscard]] DeformedFace face_at_rest(const Face& face);
+[[nodiscard]] DeformedFace neutral_face(const Face& face);
 
-/// Turns activations into positions. Muscles displace vertices from the rest face, and their
+/// Turns activations into positions. Muscles displace vertices from the neutral face, and their
 /// displacements are summed, so that their order does not matter; then lids, jaw, eyes and head
 /// turn, in that order. Displacements per unit of activation are computed once, when the deformer
 /// is made; deform() computes only the vertices that a changed activation reaches. A crease of

@@ -14,7 +14,7 @@ namespace aucast::face {
 inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
-// displacement(m, P, a) is the shift P' - P of point P of the rest face at activation a (0..2;
+// displacement(m, P, a) is the shift P' - P of point P of the neutral face at activation a (0..2;
 // classic folders 0..4): zero outside the zone of influence, linear in a (of a LinearMuscle up to
 // its cap).
 

@@ -11,7 +11,7 @@
 
 namespace aucast::face {
 
-/// The rest face plus the displacements of all muscles. Displacements per unit of activation are
+/// The neutral face plus the displacements of all muscles. Displacements per unit of activation are
 /// computed once and stored by block, so that a block is summed in one pass. Most muscles pull all
 /// their vertices in one direction (their "way") and differ only in how far: those store one number
 /// per vertex instead of three.

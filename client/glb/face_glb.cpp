@@ -90,7 +90,7 @@ class FaceFile {
   const MorphTargets& targets_;
   const FaceRig& rig_;
   GlbFile file_;
-  std::vector<glm::vec3> normals_;  ///< of the face at rest
+  std::vector<glm::vec3> normals_;  ///< of the neutral face
   Json nodes_ = Json::array();
   Json scene_nodes_ = Json::array();
   Json meshes_ = Json::array();

@@ -21,7 +21,7 @@ namespace aucast::glb {
 struct Joint {
   std::string name;
   std::size_t parent = 0;  ///< index into joints(); the first joint is its own parent
-  glm::vec3 place{0};      ///< in the face at rest, mesh units
+  glm::vec3 place{0};      ///< in the neutral face, mesh units
 };
 
 /// A joint's turn and shift relative to its parent, counted from rest.
@@ -59,7 +59,7 @@ class FaceRig {
 
   /// The pose of each joint. `activations`: one per channel.
   [[nodiscard]] std::vector<JointPose> pose(std::span<const float> activations) const;
-  /// For each joint, the matrix that takes a point of the face at rest to where the joint carries
+  /// For each joint, the matrix that takes a point of the neutral face to where the joint carries
   /// it.
   [[nodiscard]] std::vector<glm::mat4> carriers(std::span<const JointPose> poses) const;
 

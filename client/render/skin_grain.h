@@ -13,12 +13,12 @@ namespace aucast::render {
 
 /// Details of skin that are finer than its vertices: blotches of colour, and pores that tilt the
 /// surface and break up its highlights. Cloth uses them too. It is a small texture, wrapped round
-/// the head at rest. Needs a current context as long as it lives.
+/// the neutral head. Needs a current context as long as it lives.
 class SkinGrain {
  public:
   SkinGrain();
 
-  /// The texture coordinates of the vertices of a head at rest.
+  /// The texture coordinates of the vertices of a neutral head.
   [[nodiscard]] static std::vector<glm::vec2> places(std::span<const glm::vec3> rest);
   void bind(GLenum unit) const;
 

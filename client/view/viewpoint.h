@@ -27,7 +27,7 @@ enum class ViewpointPreset : std::uint8_t { Front, ThreeQuarter, Profile };
 /// Reads "front", "three-quarter" or "profile"; nullopt for another word.
 [[nodiscard]] std::optional<ViewpointPreset> viewpoint_preset(std::string_view name);
 
-/// The viewpoint for a portrait of the whole head at rest. The side views show the subject's right,
+/// The viewpoint for a portrait of the whole neutral head. The side views show the subject's right,
 /// where the key light comes from.
 [[nodiscard]] Viewpoint portrait_viewpoint(ViewpointPreset preset);
 

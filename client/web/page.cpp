@@ -49,7 +49,7 @@ Page::Page(face::Face face, face::RuleSet rules)
 Page::~Page() = default;
 
 Result<void> Page::make_view() {
-  auto view = app::FaceView::create_at_rest(face_);
+  auto view = app::FaceView::create_neutral(face_);
   if (!view) return view.error();
   view_ = std::move(*view);
   view_->pose(posed_);

@@ -28,7 +28,7 @@ namespace aucast::web {
 class Page {
  public:
   /// Reads data/faces/`face_name` and data/rules/facs.toml from the page's file system. The face is
-  /// drawn at rest until make_more() has returned true.
+  /// drawn neutral until make_more() has returned true.
   [[nodiscard]] static Result<std::unique_ptr<Page>> create(const std::string& face_name);
   /// Prepares what the face needs to move, a few milliseconds' worth per call so that the page
   /// never blocks. Returns true when everything is ready.

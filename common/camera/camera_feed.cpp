@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "common/camera/face_table.h"
-#include "common/mesh/quiet_face.h"
+#include "common/mesh/neutral_face.h"
 #include "common/mesh/read_aus.h"
 #include "common/mesh/steady_gaze.h"
 #include "common/text.h"
@@ -121,9 +121,9 @@ std::vector<mesh::SeenFace> CameraFeed::look_at(const mesh::Picture& picture) {
 void CameraFeed::read_faces() {
   block_pipe_signal();
   const FaceTable table(models_.weights, faces_.several);
-  const bool typical = faces_.quiet_seconds && *faces_.quiet_seconds == 0;
+  const bool typical = faces_.neutral_seconds && *faces_.neutral_seconds == 0;
   // Of each face, by its number.
-  std::vector<mesh::RunningQuietFace> running;
+  std::vector<mesh::RunningNeutralFace> running;
   std::vector<mesh::RunningSteadyGaze> gazes;
   bool going = write(table.header());
   const std::size_t width = pictures_.format().width();

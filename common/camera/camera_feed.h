@@ -36,7 +36,7 @@ class CameraFeed {
  public:
   /// Waits for the first picture until one comes, CameraOptions::patience ends or `given_up`
   /// returns true. Errors are those of PictureSource and load_face_models(). With
-  /// `faces.quiet_seconds` 0 the face at rest is the typical one, otherwise it is found from what
+  /// `faces.neutral_seconds` 0 the neutral face is the typical one, otherwise it is found from what
   /// was seen so far. `on_sight` is called until the feed is destroyed.
   [[nodiscard]] static Result<std::unique_ptr<CameraFeed>> start(const CameraOptions& options,
                                                                  const FaceOptions& faces,

@@ -9,7 +9,7 @@
 
 #include "common/camera/face_table.h"
 #include "common/camera/picture_source.h"
-#include "common/mesh/quiet_face.h"
+#include "common/mesh/neutral_face.h"
 #include "common/mesh/read_aus.h"
 #include "common/mesh/steady_gaze.h"
 #include "common/stopped.h"
@@ -83,10 +83,10 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
   return film;
 }
 
-mesh::Measures quiet_of(std::span<const mesh::Measures> face, double fps,
-                        const mesh::AuWeights& weights, const FaceOptions& options) {
-  if (!options.quiet_seconds) return mesh::find_quiet_face(face, weights);
-  const auto count = static_cast<std::size_t>(*options.quiet_seconds * fps);
+mesh::Measures neutral_of(std::span<const mesh::Measures> face, double fps,
+                          const mesh::AuWeights& weights, const FaceOptions& options) {
+  if (!options.neutral_seconds) return mesh::find_neutral_face(face, weights);
+  const auto count = static_cast<std::size_t>(*options.neutral_seconds * fps);
   return mesh::median_face(face.first(std::min(count, face.size())), weights);
 }
 
@@ -113,10 +113,10 @@ Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& model
                  at_place(path.string(),
                           "no face is seen in its " + counted(film->pictures.size(), "picture"))};
   }
-  std::vector<mesh::Measures> rest;
+  std::vector<mesh::Measures> neutral;
   for (auto& face : film->faces) {
     mesh::steady_gaze(face);
-    rest.push_back(quiet_of(face, film->fps, models.weights, options));
+    neutral.push_back(neutral_of(face, film->fps, models.weights, options));
   }
   const FaceTable table(models.weights, options.several);
   FilmTable result{table.header(), film->pictures.size(), 0, film->note};
@@ -125,7 +125,8 @@ Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& model
     const std::vector<Seen>& seen = film->pictures[picture];
     if (seen.empty()) result.text += table.row(seconds, 0, std::nullopt);
     for (const auto& [number, presence, measures] : seen) {
-      const auto face = mesh::read_aus(models.weights, film->faces[number][measures], rest[number]);
+      const auto face =
+          mesh::read_aus(models.weights, film->faces[number][measures], neutral[number]);
       result.text += table.row(seconds, presence, face, number);
     }
     if (!seen.empty()) ++result.faces;

@@ -14,9 +14,9 @@ namespace aucast::camera {
 
 /// How faces are read.
 struct FaceOptions {
-  /// The face at rest, which is subtracted. Above 0: the median of this many first seconds; 0: the
-  /// typical face; nullopt: it is found from the whole film (mesh::find_quiet_face).
-  std::optional<double> quiet_seconds{};
+  /// The neutral face, which is subtracted. Above 0: the median of this many first seconds; 0: the
+  /// typical face; nullopt: it is found from the whole film (mesh::find_neutral_face).
+  std::optional<double> neutral_seconds{};
   bool several = false;  ///< all faces are read and numbered, at most mesh::FaceRoll::kFacesMax
 };
 

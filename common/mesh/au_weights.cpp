@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kFeaturesMax = 1000;
 constexpr int kUnitMax = 99;
-/// The smallest aperture of an eye at rest, as in scripts/train_camera/fit.py; an eye that was
-/// always shut gives no measure.
+/// The smallest aperture of a neutral face's eye, as in scripts/train_camera/fit.py; an eye that
+/// was always shut gives no measure.
 constexpr double kLeastAperture = 0.15;
 constexpr const char* kSideNumbers = "18 numbers are expected";
 constexpr const char* kMiddleNumbers = "29 numbers are expected";
@@ -124,34 +124,34 @@ class WeightsReader {
 
 }  // namespace
 
-Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left) {
+Inputs inputs_of(const Measures& seen, const Measures& neutral, bool left) {
   Inputs inputs{};
   std::size_t at = 0;
   const double own = left ? 1 : -1;
-  const auto add_side = [&](const auto& side, const auto& at_rest) {
+  const auto add_side = [&](const auto& side, const auto& neutral_side) {
     for (std::size_t index = 0; index < kSideMeasures; ++index) {
       const auto what = static_cast<SideMeasure>(index);
-      const double change = side[index] - at_rest[index];
+      const double change = side[index] - neutral_side[index];
       inputs[at++] = what == SideMeasure::Aperture
-                         ? change / std::max(at_rest[index], kLeastAperture)
+                         ? change / std::max(neutral_side[index], kLeastAperture)
                      : what == SideMeasure::GazeLeft ? own * change
                                                      : change;
     }
   };
-  add_side(left ? seen.left : seen.right, left ? quiet.left : quiet.right);
-  add_side(left ? seen.right : seen.left, left ? quiet.right : quiet.left);
+  add_side(left ? seen.left : seen.right, left ? neutral.left : neutral.right);
+  add_side(left ? seen.right : seen.left, left ? neutral.right : neutral.left);
   for (std::size_t index = 0; index < kMiddleMeasures; ++index) {
     const bool sideways = index == static_cast<std::size_t>(MiddleMeasure::MouthLeft);
-    inputs[at++] = (sideways ? own : 1) * (seen.middle[index] - quiet.middle[index]);
+    inputs[at++] = (sideways ? own : 1) * (seen.middle[index] - neutral.middle[index]);
   }
-  inputs[at++] = own * (seen.turn.left_rad - quiet.turn.left_rad);
-  inputs[at++] = seen.turn.up_rad - quiet.turn.up_rad;
-  inputs[at++] = own * (seen.turn.tilt_left_rad - quiet.turn.tilt_left_rad);
+  inputs[at++] = own * (seen.turn.left_rad - neutral.turn.left_rad);
+  inputs[at++] = seen.turn.up_rad - neutral.turn.up_rad;
+  inputs[at++] = own * (seen.turn.tilt_left_rad - neutral.turn.tilt_left_rad);
   return inputs;
 }
 
-Measures levelled(const AuWeights& weights, const Measures& seen, const Measures& quiet) {
-  const double raised = seen.turn.up_rad - quiet.turn.up_rad;
+Measures levelled(const AuWeights& weights, const Measures& seen, const Measures& neutral) {
+  const double raised = seen.turn.up_rad - neutral.turn.up_rad;
   Measures level = seen;
   for (std::size_t index = 0; index < kSideMeasures; ++index) {
     level.left[index] -= weights.raised_side[index] * raised;

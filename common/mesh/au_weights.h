@@ -13,12 +13,12 @@
 namespace aucast::mesh {
 
 /// The inputs of the regressions for one side of a face: by how much its own measures, the other
-/// side's, those of the middle, and the head's turn differ from the quiet face. For the right side,
-/// directions are mirrored, so that both sides have the same weights. The aperture of the lids is
-/// relative to that at rest: -1 is shut, even for narrow eyes.
+/// side's, those of the middle, and the head's turn differ from the neutral face. For the right
+/// side, directions are mirrored, so that both sides have the same weights. The aperture of the
+/// lids is relative to the neutral one: -1 is shut, even for narrow eyes.
 inline constexpr std::size_t kInputs = 2 * kSideMeasures + kMiddleMeasures + 3;
 using Inputs = std::array<double, kInputs>;
-[[nodiscard]] Inputs inputs_of(const Measures& seen, const Measures& quiet, bool left);
+[[nodiscard]] Inputs inputs_of(const Measures& seen, const Measures& neutral, bool left);
 
 /// How Action Units are computed from measures: the weights of linear regressions, from a file of
 /// ours (data/camera/action_units.txt, which scripts/train_camera writes).
@@ -43,7 +43,7 @@ struct AuWeights {
     std::vector<double> weights;  ///< one for each feature
   };
 
-  Measures typical;  ///< the quiet face of an average person
+  Measures typical;  ///< the neutral face of an average person
   /// By how much each measure seems to change per radian by which the head is raised. The landmarks
   /// are flatter than a real face, so undoing the turn leaves an error in front of and behind the
   /// eyes.
@@ -55,7 +55,7 @@ struct AuWeights {
 
 /// The measures without the error that comes from raising or lowering the head (raised_side).
 [[nodiscard]] Measures levelled(const AuWeights& weights, const Measures& seen,
-                                const Measures& quiet);
+                                const Measures& neutral);
 
 /// BadData with file:line when the text is no file of weights.
 [[nodiscard]] Result<AuWeights> parse_au_weights(std::string_view text, std::string_view file);

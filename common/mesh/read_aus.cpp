@@ -33,11 +33,11 @@ float above_noise(double value, double threshold) {
 
 }  // namespace
 
-AuFrame read_aus(const AuWeights& weights, const Measures& seen, const Measures& quiet) {
+AuFrame read_aus(const AuWeights& weights, const Measures& seen, const Measures& neutral) {
   using Kind = AuWeights::Kind;
-  const Measures level = levelled(weights, seen, quiet);
-  const auto left_features = features_of(weights, inputs_of(level, quiet, true));
-  const auto right_features = features_of(weights, inputs_of(level, quiet, false));
+  const Measures level = levelled(weights, seen, neutral);
+  const auto left_features = features_of(weights, inputs_of(level, neutral, true));
+  const auto right_features = features_of(weights, inputs_of(level, neutral, false));
   AuFrame frame;
   for (const AuWeights::Unit& unit : weights.units) {
     const double left = weighed(unit, left_features);

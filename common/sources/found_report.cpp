@@ -68,14 +68,14 @@ std::string hasty_clock(const Found& found, const SettingNames& names) {
          " rows a second are no camera's: " + std::string(names.fps) + " says how many";
 }
 
-/// Empty for a face at rest.
-std::string unquiet_face(const Found& found, const SettingNames& names) {
-  if (found.unquiet.empty()) return {};
+/// Empty for a neutral face.
+std::string not_neutral_face(const Found& found, const SettingNames& names) {
+  if (found.not_neutral.empty()) return {};
   const std::string neutral(names.neutral);
-  return unquiet_text(found.unquiet) +
-         (found.quiet_seconds
-              ? "; " + neutral + " " + fixed(*found.quiet_seconds, 0) + " takes off one"
-              : "; leave out " + neutral + ", or cut what is before the face is quiet");
+  return not_neutral_text(found.not_neutral) +
+         (found.neutral_seconds
+              ? "; " + neutral + " " + fixed(*found.neutral_seconds, 0) + " takes off one"
+              : "; leave out " + neutral + ", or cut what is before the face is neutral");
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ std::vector<std::string> warnings(const Found& found, const SettingNames& names)
   if (const std::string remedy = still_clock(found, names); !remedy.empty()) {
     add(counted(found.left_out, "row") + " without a later time: " + remedy);
   }
-  add(unquiet_face(found, names));
+  add(not_neutral_face(found, names));
   return all;
 }
 
@@ -106,8 +106,8 @@ std::string found_lines(const Found& found) {
     text += line("clock", clock);
   }
   if (found.neutral) text += line("neutral", measured_text(*found.neutral));
-  if (const std::string loud = unquiet_face(found, {}); !loud.empty()) {
-    text += line("not quiet", loud);
+  if (const std::string loud = not_neutral_face(found, {}); !loud.empty()) {
+    text += line("not neutral", loud);
   }
   if (found.headers > 0) {
     text += line("appended", counted(found.headers, "header line") + " in the middle");
@@ -129,7 +129,7 @@ std::string found_sentence(const Found& found) {
   if (found.truncated) text += ", the truncated last line left out";
   if (const std::string clock = hasty_clock(found, {}); !clock.empty()) text += ", " + clock;
   if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);
-  if (const std::string loud = unquiet_face(found, {}); !loud.empty()) text += ", " + loud;
+  if (const std::string loud = not_neutral_face(found, {}); !loud.empty()) text += ", " + loud;
   return text;
 }
 

@@ -8,7 +8,7 @@
 namespace aucast::sources {
 
 /// Reasons to doubt the keyframes, one sentence each: a clock faster than any camera's, a clock
-/// that does not advance, a neutral face that was not at rest.
+/// that does not advance, the subtraction of a face that is not neutral.
 [[nodiscard]] std::vector<std::string> warnings(const Found& found, const SettingNames& names = {});
 
 /// What was found, one line each: "  format      OpenFace 2".

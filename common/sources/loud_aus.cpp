@@ -14,7 +14,7 @@ std::vector<LoudAu> loud_aus(const Signals& neutral) {
       const float signal = neutral[channel_of(number, right)];
       if (!is_signal(signal) || opposite_of(number) != 0) continue;
       const double percent = std::round(signal * 100);
-      if (percent <= kRestPercentMax) continue;
+      if (percent <= kNeutralPercentMax) continue;
       percents.set({static_cast<std::uint8_t>(number), right ? Side::Right : Side::Left}, percent);
     }
   }
@@ -27,8 +27,8 @@ std::vector<LoudAu> loud_aus(const Signals& neutral) {
   return loud;
 }
 
-std::string unquiet_text(const std::vector<LoudAu>& loud) {
-  return loud_text(loud) + ": no face at rest was taken off";
+std::string not_neutral_text(const std::vector<LoudAu>& loud) {
+  return loud_text(loud) + ": no neutral face was taken off";
 }
 
 std::string loud_text(const std::vector<LoudAu>& loud) {

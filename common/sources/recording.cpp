@@ -75,7 +75,7 @@ class RecordingReader {
   void prepare(std::int64_t face);
   [[nodiscard]] NeutralMeter measured_in(std::int64_t face, double seconds);
   void measure(std::int64_t face, Track& track);
-  void judge_quiet(std::int64_t face, Found& found);
+  void judge_neutral(std::int64_t face, Found& found);
   void play();
   void take(const Observation& row, Track& track);
   [[nodiscard]] Result<std::vector<Recording>> finish();
@@ -217,7 +217,7 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
   const MeasuredNeutral measured = measured_in(face, *seconds).measured();
   if (conditioning_.neutral_seconds) {
     track.found.neutral = taken_off(conditioning_, measured);
-    judge_quiet(face, track.found);
+    judge_neutral(face, track.found);
   }
   ConditioningSettings settled = conditioning_;
   settled.profile.neutral = neutral_with(conditioning_, measured);
@@ -225,17 +225,17 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
   track.timeline = Timeline(settled);
 }
 
-/// Checks that what is subtracted is a face at rest; if not, looks for a number of first seconds in
+/// Checks that what is subtracted is a neutral face; if not, looks for a number of first seconds in
 /// which it is one.
-void RecordingReader::judge_quiet(std::int64_t face, Found& found) {
+void RecordingReader::judge_neutral(std::int64_t face, Found& found) {
   if (conditioning_.neutral_turns_only) return;
-  found.unquiet = loud_aus(found.neutral->signals);
-  if (found.unquiet.empty()) return;
+  found.not_neutral = loud_aus(found.neutral->signals);
+  if (found.not_neutral.empty()) return;
   for (const double seconds : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0}) {
     const NeutralMeter meter = measured_in(face, seconds);
     if (!meter.done()) return;  // there are no more
     if (!loud_aus(meter.measured().signals).empty()) continue;
-    found.quiet_seconds = seconds;
+    found.neutral_seconds = seconds;
     return;
   }
 }

@@ -61,9 +61,9 @@ struct Found {
   double steps_a_second = 0;               ///< 1 / usual time between rows; 0 if there is one row
   double rows_a_second = 0;                ///< mean over the recording; 0 if there is one row
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
-  std::vector<LoudAu> unquiet;             ///< AUs that were subtracted as `neutral`, but are too
-                                           ///< strong for a face at rest
-  std::optional<double> quiet_seconds;     ///< if there are any: a value of --neutral without them
+  std::vector<LoudAu> not_neutral;         ///< AUs that were subtracted as `neutral`, but are too
+                                           ///< strong for a neutral face
+  std::optional<double> neutral_seconds;   ///< if there are any: a value of --neutral without them
 };
 
 /// A recording as keyframes.

@@ -107,8 +107,8 @@ def limits(programs, film, played):
     pictures.measure_film(programs, programs / "data" / "models", film, (SIZE, SIZE), "null", table)
     with open(table, encoding="utf-8") as file:
         rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-    quiet = fit.quiet_of(rows)
-    left, right = (fit.features_of(numpy.array([fit.inputs_of(row, quiet, side) for row in rows]))
+    neutral = fit.neutral_of(rows)
+    left, right = (fit.features_of(numpy.array([fit.inputs_of(row, neutral, side) for row in rows]))
                    for side in (True, False))
     features = numpy.concatenate([left + right, left - right], axis=1)
     features = (features - features.mean(axis=0)) / (features.std(axis=0) + 1e-9)

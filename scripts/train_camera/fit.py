@@ -42,7 +42,7 @@ upper-lip-up lower-lip-up chin-up chin-boss-up nose-tip-up""".split()
 DOUBT = {"aperture": 0.08, "gaze-left": 0.06, "gaze-up": 0.06, "turn-left": 0.05, "turn-up": 0.08,
          "tilt-left": 0.05, "corner-front": 0.06, "cheek-front": 0.06, "lips-front": 0.06}
 DOUBT_OTHERWISE = 0.008
-# An eye is shut when nothing is left of what it is open at rest, be that much or little.
+# An eye is shut when nothing is left of what it is open in the neutral face, be that much or little.
 LEAST_APERTURE = 0.15
 ACTIVE_COUNTS = 3.0
 TURNED = (51, 53, 55)  # and the opposite
@@ -59,7 +59,7 @@ TURNING = {51: 52, 55: 56, 61: 62}  # left, and the other way
 SIGNED = {53: 54, 63: 64}           # up, and the other way
 
 # Which measures tell an AU, beside the turn of the head. What only happens to go along with it on
-# drawn heads is not among them: people who smile have brows at rest and chins that stay up.
+# drawn heads is not among them: people who smile have brows that do not move and chins that stay up.
 BROWS = "brow-inner-up brow-middle-up brow-outer-up brow-inner-out brow-gap".split()
 LIDS = "aperture upper-lid-up lower-lid-up gaze-up".split()
 EYES = LIDS + ["gaze-left"]
@@ -96,7 +96,7 @@ TOLD_BY = {
 }
 
 
-def quiet_of(rows):
+def neutral_of(rows):
     """The median face of the given rows; `rows`: measures by name."""
     return {name: float(numpy.median([row[name] for row in rows])) for name in rows[0]}
 
@@ -107,25 +107,25 @@ def seeming_of(people):
                       for au in face if int(au.strip("LR")) < 51})
     causes, heights = [], {name: [] for name in HEIGHTS}
     for examples in people:
-        for row, face, quiet in examples:
+        for row, face, neutral in examples:
             for left in (True, False):
                 side, sign = ("left-", 1) if left else ("right-", -1)
-                turned = sign * (row["turn-left"] - quiet["turn-left"])
-                causes.append([row["turn-up"] - quiet["turn-up"], turned, turned ** 2, 1,
+                turned = sign * (row["turn-left"] - neutral["turn-left"])
+                causes.append([row["turn-up"] - neutral["turn-up"], turned, turned ** 2, 1,
                                shown(face, 63, left) - shown(face, 64, left)]
                               + [shown(face, number, left) for number in numbers])
                 for name in HEIGHTS:
                     measure = side + name if name in SIDE else name
-                    heights[name].append(row[measure] - quiet[measure])
+                    heights[name].append(row[measure] - neutral[measure])
     causes = numpy.array(causes)
     squares = causes.T @ causes + 1e-3 * numpy.eye(causes.shape[1])
     return {name: float(numpy.linalg.solve(squares, causes.T @ numpy.array(values))[0])
             for name, values in heights.items()}
 
 
-def levelled(row, quiet, seeming):
+def levelled(row, neutral, seeming):
     """The measures without what only seems to move."""
-    raised = row["turn-up"] - quiet["turn-up"]
+    raised = row["turn-up"] - neutral["turn-up"]
     level = dict(row)
     for name, slope in seeming.items():
         for measure in ("left-" + name, "right-" + name) if name in SIDE else (name,):
@@ -134,23 +134,23 @@ def levelled(row, quiet, seeming):
 
 
 def levelled_people(people, seeming):
-    return [[(levelled(row, quiet, seeming), face, quiet) for row, face, quiet in examples]
+    return [[(levelled(row, neutral, seeming), face, neutral) for row, face, neutral in examples]
             for examples in people]
 
 
-def inputs_of(row, quiet, left):
-    """What one side sees of a face, against the quiet face."""
+def inputs_of(row, neutral, left):
+    """What one side sees of a face, against the neutral face."""
     own, other = ("left-", "right-") if left else ("right-", "left-")
     sign = 1 if left else -1
     values = []
     for side in (own, other):
         for name in SIDE:
-            value = row[side + name] - quiet[side + name]
+            value = row[side + name] - neutral[side + name]
             if name == "aperture":
-                value /= max(quiet[side + name], LEAST_APERTURE)
+                value /= max(neutral[side + name], LEAST_APERTURE)
             values.append(sign * value if name in TOWARDS_LEFT else value)
     for name in MIDDLE + TURN:
-        value = row[name] - quiet[name]
+        value = row[name] - neutral[name]
         values.append(sign * value if name in TOWARDS_LEFT else value)
     return values
 
@@ -209,12 +209,12 @@ OUTPUTS = SIDED + WHOLE + list(TURNING) + list(SIGNED)
 
 
 def table_of(people):
-    """Features and targets of every picture from both sides; `people`: lists of (row, face, quiet)."""
+    """Features and targets of every picture from both sides; `people`: lists of (row, face, neutral)."""
     inputs, targets = [], []
     for examples in people:
-        for row, face, quiet in examples:
+        for row, face, neutral in examples:
             for left in (True, False):
-                inputs.append(inputs_of(row, quiet, left))
+                inputs.append(inputs_of(row, neutral, left))
                 targets.append(targets_of(face, left))
     return features_of(numpy.array(inputs)), numpy.array(targets)
 
@@ -257,17 +257,17 @@ def rise(raw, threshold):
     return numpy.clip((raw - threshold) / (1 - threshold), 0, 1)
 
 
-def write(path, weights, thresholds, seeming, quiet):
+def write(path, weights, thresholds, seeming, neutral):
     kinds = {**{n: "sided" for n in SIDED}, **{n: "whole" for n in WHOLE},
              **{n: "turning" for n in TURNING}, **{n: "signed" for n in SIGNED}}
     with open(path, "w", encoding="utf-8") as out:
-        out.write("# What Action Units are told by, from the measures of a face against the quiet\n"
+        out.write("# What Action Units are told by, from the measures of a face against the neutral\n"
                   "# face. Written by scripts/train_camera/train.py; README.md there describes it.\n")
         out.write("quiet-side " + " ".join(
-            f"{(quiet['left-' + n] + quiet['right-' + n]) / 2 * (n not in TOWARDS_LEFT):.4f}"
+            f"{(neutral['left-' + n] + neutral['right-' + n]) / 2 * (n not in TOWARDS_LEFT):.4f}"
             for n in SIDE) + "\n")
         out.write("quiet-middle " + " ".join(
-            f"{quiet[n] * (n not in TOWARDS_LEFT):.4f}" for n in MIDDLE) + "\n")
+            f"{neutral[n] * (n not in TOWARDS_LEFT):.4f}" for n in MIDDLE) + "\n")
         for line, names in (("raised-side", SIDE), ("raised-middle", MIDDLE)):
             out.write(" ".join([line, *(f"{seeming.get(name, 0):.4f}" for name in names)]) + "\n")
         for feature in FEATURES:

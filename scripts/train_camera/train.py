@@ -27,13 +27,13 @@ def people_of(options, head):
     for number in range(options.people):
         rows = pictures.examples_of(options.programs, data, options.models, options.work, head,
                                     number, options.pictures)
-        quiet = fit.quiet_of([row for row, face in rows if not face])
-        people.append([(row, face, quiet) for row, face in rows])
+        neutral = fit.neutral_of([row for row, face in rows if not face])
+        people.append([(row, face, neutral) for row, face in rows])
     return people
 
 
 def typical(people):
-    return fit.quiet_of([examples[0][2] for examples in people])
+    return fit.neutral_of([examples[0][2] for examples in people])
 
 
 def agreement(weights, thresholds, seeming, people):

@@ -128,13 +128,13 @@ void LiveStreams::condition(const sources::ConditioningSettings& settings) {
 }
 
 /// As of a recording, whose other first seconds can be looked at, too.
-void LiveStreams::warn_if_unquiet(const std::string& name,
-                                  const sources::MeasuredNeutral& neutral) const {
+void LiveStreams::warn_unless_neutral(const std::string& name,
+                                      const sources::MeasuredNeutral& neutral) const {
   if (options_.each.reader.conditioning.neutral_turns_only) return;
   const auto loud = sources::loud_aus(neutral.signals);
   if (loud.empty()) return;
-  spdlog::warn("{}: {}; start again with the face at rest, or leave out --neutral", name,
-               sources::unquiet_text(loud));
+  spdlog::warn("{}: {}; start again with a neutral face, or leave out --neutral", name,
+               sources::not_neutral_text(loud));
 }
 
 /// Each face has a neutral one of its own; the first stream's is what a profile is made of.
@@ -145,7 +145,7 @@ void LiveStreams::say_neutral() {
     const bool is_first = stream == streams_.front();
     const std::string name = is_first ? sources::name_of(options_.each.path) : stream->name();
     spdlog::info("{}: neutral face {}", name, sources::measured_text(*neutral));
-    warn_if_unquiet(name, *neutral);
+    warn_unless_neutral(name, *neutral);
     if (is_first) events_.on_neutral(*neutral);
   }
 }

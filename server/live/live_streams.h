@@ -91,7 +91,7 @@ class LiveStreams {
   void go_on(SteadyTime now);
   void say();
   void say_neutral();
-  void warn_if_unquiet(const std::string& name, const sources::MeasuredNeutral& neutral) const;
+  void warn_unless_neutral(const std::string& name, const sources::MeasuredNeutral& neutral) const;
 
   LiveStreamsOptions options_;
   Events events_;

@@ -101,8 +101,8 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "rotations of head and eyes is the neutral face, which is subtracted from every row. While "
        "it measures, a live source subtracts the median so far. 0: no neutral face, whatever the "
        "profile has. auto, the default for films and cameras: head and eyes count as straight "
-       "where they mostly are, and the neutral face is that of the quietest moments; in a table "
-       "only head and eyes are straightened, and the AUs stay as they are.",
+       "where they mostly are, and the neutral face is that of the moments with the weakest AUs; "
+       "in a table only head and eyes are straightened, and the AUs stay as they are.",
        parsed(OptionValue::Kind::Number, read_neutral, options)},
       {"gain", "LIST", "", "factors: 1.2 for all AUs, 45=1.6 for AU 45 (1)",
        "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "

@@ -11,7 +11,7 @@
 
 namespace aucast::test {
 
-/// A place of the face by the loops of the skin, or by a part and a place of the rest face.
+/// A place of the face by the loops of the skin, or by a part and a place of the neutral face.
 struct Landmark {
   std::string name;
   std::string patch;  ///< "eye" or "mouth"; empty: by part and near

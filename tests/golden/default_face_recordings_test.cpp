@@ -263,7 +263,7 @@ TEST_F(DefaultFaceRecordings, LeavesShirtAndSkullAlone) {
 
 // The lines that FACS coders look for.
 
-TEST_F(DefaultFaceRecordings, DrawsNoLineOnTheFaceAtRest) {
+TEST_F(DefaultFaceRecordings, DrawsNoLineOnTheNeutralFace) {
   for (const float depth : lines({})) EXPECT_EQ(depth, 0);
   for (const float depth : lines({{25}, {26}, {43}, {51}, {61}})) EXPECT_EQ(depth, 0);
 }

@@ -121,8 +121,8 @@ TEST(ServerSignal, ALiveFaceThatIsNotAtRestWhileItIsMeasuredIsWarnedOf) {
   }
   EXPECT_TRUE(
       logs(server,
-           "webcam.csv: AU12 50 %: no face at rest was taken off; start again with the face "
-           "at rest, or leave out --neutral"))
+           "webcam.csv: AU12 50 %: no neutral face was taken off; start again with a neutral "
+           "face, or leave out --neutral"))
       << server.log();
   EXPECT_EQ(server.terminate(), 0);
 }
@@ -148,7 +148,7 @@ TEST(ServerSignal, ALiveFaceIsMeasuredAndItsProfileChangesOnSighup) {
   ASSERT_TRUE(logs(server, "the profile was written to")) << server.log();
   EXPECT_TRUE(has(server.log(), "webcam.csv: neutral face measured in 5 rows of 0.2 s: 4 10 %"))
       << server.log();
-  EXPECT_FALSE(has(server.log(), "no face at rest")) << server.log();
+  EXPECT_FALSE(has(server.log(), "no neutral face")) << server.log();
   EXPECT_TRUE(has(folder.read("saved.toml"), "\n4 = 10\n12 = 5\n52 = 16.37\n"));
   std::ofstream(profile) << "[gain]\n12 = 2\n" << std::flush;
   server.process().signal(SIGHUP);

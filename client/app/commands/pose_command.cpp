@@ -46,7 +46,7 @@ void print_activations(const Assets& assets, std::span<const float> activations)
     std::printf("%-36s %g\n", assets.face.channels[i].name.c_str(),
                 static_cast<double>(activations[i]));
   }
-  if (!any) std::printf("nothing is activated: the face at rest\n");
+  if (!any) std::printf("nothing is activated: the neutral face\n");
 }
 
 /// Checks --muscle NAME=VALUE: the name must be known and the value in the channel's range.

@@ -18,7 +18,7 @@ constexpr int kArcSteps = 16;
 constexpr int kEllipseSteps = 40;
 constexpr float kTag_px = 3;
 
-/// A stroke of a muscle's drawing between two points of the rest face.
+/// A stroke of a muscle's drawing between two points of the neutral face.
 struct Stroke {
   enum class Kind : std::uint8_t {
     Body,        ///< from attachment to insertion
@@ -151,7 +151,7 @@ Sketch sketch_of(const face::Face& face) {
   return sketch;
 }
 
-/// Vertex of the rest face that is nearest to `point`.
+/// Vertex of the neutral face that is nearest to `point`.
 std::size_t nearest_vertex(const face::FaceMesh& mesh, const glm::vec3& point) {
   std::size_t nearest = 0;
   float least = std::numeric_limits<float>::max();

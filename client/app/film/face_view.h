@@ -22,9 +22,9 @@ enum class Sharpness : std::uint8_t { Film, Still };
 class FaceView {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face);
-  /// The same, made in portions: it draws the face at rest, whatever its pose, until make_more()
+  /// The same, made in portions: it draws the neutral face, whatever its pose, until make_more()
   /// has returned true.
-  [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_at_rest(const face::Face& face);
+  [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_neutral(const face::Face& face);
   /// Makes the next portion, which takes a few milliseconds. Returns true when nothing is left to
   /// do.
   bool make_more();
@@ -32,7 +32,7 @@ class FaceView {
   FaceView(const FaceView&) = delete;
   FaceView& operator=(const FaceView&) = delete;
 
-  /// Sets the pose that is drawn; initially it is the face at rest. `activations`: one per channel.
+  /// Sets the pose that is drawn; initially it is the neutral face. `activations`: one per channel.
   void pose(std::span<const float> activations);
 
   /// Clears and draws into the bound framebuffer. The diagram and tags of `style` are replaced by

@@ -17,7 +17,7 @@ namespace aucast::app {
 struct FaceView::State {
   State(const face::Face& face, std::unique_ptr<render::FaceRenderer> made)
       : making(face),
-        rest(face::face_at_rest(face)),
+        neutral(face::neutral_face(face)),
         diagram(face),
         renderer(std::move(made)),
         activations(face.channels.size()) {
@@ -26,7 +26,7 @@ struct FaceView::State {
 
   std::optional<face::FaceDeformer::Making> making;
   std::optional<face::FaceDeformer> deformer;  ///< nullopt while it is being made
-  face::DeformedFace rest;
+  face::DeformedFace neutral;
   FaceDiagram diagram;
   std::unique_ptr<render::FaceRenderer> renderer;
   std::vector<float> activations;
@@ -44,13 +44,13 @@ FaceView::FaceView(std::unique_ptr<State> state) : state_(std::move(state)) {
 FaceView::~FaceView() = default;
 
 Result<std::unique_ptr<FaceView>> FaceView::create(const face::Face& face) {
-  auto view = create_at_rest(face);
+  auto view = create_neutral(face);
   while (view && !(*view)->make_more()) {
   }
   return view;
 }
 
-Result<std::unique_ptr<FaceView>> FaceView::create_at_rest(const face::Face& face) {
+Result<std::unique_ptr<FaceView>> FaceView::create_neutral(const face::Face& face) {
   auto renderer = render::FaceRenderer::create();
   if (!renderer) return renderer.error();
   return std::unique_ptr<FaceView>(
@@ -74,7 +74,7 @@ void FaceView::pose(std::span<const float> activations) {
 
 void FaceView::show_pose() {
   State& s = *state_;
-  s.deformed = s.deformer ? &s.deformer->deform(s.activations) : &s.rest;
+  s.deformed = s.deformer ? &s.deformer->deform(s.activations) : &s.neutral;
   s.renderer->pose(FaceScene::moving(*s.deformed));
 }
 

@@ -10,14 +10,14 @@ namespace aucast::gui {
 
 inline constexpr int kTableFpsMax = 1000;
 inline constexpr int kTableGainPercentMax = 1000;
-inline constexpr int kTableQuietMax = 60;
+inline constexpr int kTableNeutralMax = 60;
 
 /// How the table of a recogniser is to be read.
 struct TableSettings {
   int fps = 0;           ///< pictures a second, up to kTableFpsMax; 0: as the table's own times say
   int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
   int gain_percent = 0;  ///< gain for all AUs, up to kTableGainPercentMax; 0: none
-  int quiet_s = 0;       ///< for how many seconds, up to kTableQuietMax, the face is at rest at
+  int neutral_s = 0;     ///< for how many seconds, up to kTableNeutralMax, the face is neutral at
                          ///< first; that face is subtracted; 0: it is not
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };

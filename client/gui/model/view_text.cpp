@@ -179,7 +179,7 @@ std::string table_in_words(const TableSettings& settings) {
   add(settings.fps, tr("file.fps_is", settings.fps));
   add(settings.rate, tr("file.rate_is", settings.rate));
   add(settings.gain_percent, tr("file.gain_is", settings.gain_percent));
-  add(settings.quiet_s, tr("file.quiet_is", settings.quiet_s));
+  add(settings.neutral_s, tr("file.neutral_is", settings.neutral_s));
   return text;
 }
 

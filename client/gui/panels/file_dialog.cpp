@@ -168,8 +168,8 @@ void table_settings(const Look& look, const TablesView& tables, const std::strin
   // As it is is 100 %: the gain is stepped from there.
   number(tr("file.gain"), "##gain", settings.gain_percent, kTableGainPercentMax, 10,
          tr("file.gain_zero"), tr("file.gain_tip"), 100);
-  number(tr("file.quiet"), "##quiet", settings.quiet_s, kTableQuietMax, 1, tr("file.quiet_zero"),
-         tr("file.quiet_tip"));
+  number(tr("file.neutral"), "##neutral", settings.neutral_s, kTableNeutralMax, 1,
+         tr("file.neutral_zero"), tr("file.neutral_tip"));
   if (wide_button(tr("file.tables_anew"), 0, 1, now != TableSettings{})) {
     settings = {};
     changed = true;

@@ -80,7 +80,8 @@ void read_table(Fields fields, std::vector<KnownTable>& tables) {
   fields.take("fps", table.fps, 0, kTableFpsMax);
   fields.take("rate", table.rate, 0, 100);
   fields.take("gain_percent", table.gain_percent, 0, kTableGainPercentMax);
-  fields.take("quiet_s", table.quiet_s, 0, kTableQuietMax);
+  fields.take("quiet_s", table.neutral_s, 0, kTableNeutralMax);  // its name in older files
+  fields.take("neutral_s", table.neutral_s, 0, kTableNeutralMax);
   fields.finish();
   if (tables.size() < kKnownTablesMax) tables.push_back(std::move(known));
 }
@@ -226,7 +227,7 @@ std::string format_settings(const KeptSettings& settings) {
     const TableSettings& table = known.settings;
     text += "\n[[table]]\n" + line("file", known.file) + line("fps", table.fps) +
             line("rate", table.rate) + line("gain_percent", table.gain_percent) +
-            line("quiet_s", table.quiet_s);
+            line("neutral_s", table.neutral_s);
   }
   text += "\n[face]\n" + line("folder", settings.face);
   text += "\n[animation]\n";

@@ -83,11 +83,11 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"made.still_clock", "{rows} without a later time: Pictures/s {rate} reads them all"},
     {"made.count_row", "1 row"},
     {"made.count_rows", "{count} rows"},
-    {"made.unquiet",
-     "{aus}: no face at rest was taken off; leave out 'Quiet, s', or cut what is before the face "
-     "is quiet"},
-    {"made.unquiet_span",
-     "{aus}: no face at rest was taken off; 'Quiet, s' {seconds} takes off one"},
+    {"made.not_neutral",
+     "{aus}: no neutral face was taken off; leave out 'Neutral, s', or cut what is before the face "
+     "is neutral"},
+    {"made.not_neutral_span",
+     "{aus}: no neutral face was taken off; 'Neutral, s' {seconds} takes off one"},
     {"made.and_more", "{aus} and {count} more"},
     {"bad.read", "cannot be read: {why}"},
     {"bad.written", "cannot be written: {why}"},

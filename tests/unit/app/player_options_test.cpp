@@ -288,8 +288,8 @@ TEST(PlayerOptions, WithTheMirrorTokenAndCertificateAreForItsGuests) {
 }
 
 TEST(PlayerOptions, SayHowATableIsReadWherePlayAndExportReadOne) {
-  const gui::TableSettings wanted{.fps = 30, .gain_percent = 150, .quiet_s = 2};
-  const Arguments settings{"--table-fps", "30", "--table-gain", "150", "--table-quiet", "2"};
+  const gui::TableSettings wanted{.fps = 30, .gain_percent = 150, .neutral_s = 2};
+  const Arguments settings{"--table-fps", "30", "--table-gain", "150", "--table-neutral", "2"};
   for (const Arguments& command : {Arguments{"play", "t.csv"}, {"export", "t.csv", "t.glb"}}) {
     Arguments all = command;
     all.insert(all.end(), settings.begin(), settings.end());

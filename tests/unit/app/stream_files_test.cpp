@@ -35,12 +35,12 @@ TEST(StreamFiles, WhatIsOddInATableIsSaidByTheNamesOfTheDialog) {
   for (int i = 0; i < 10; ++i) {
     hasty += std::to_string(i + 1) + ", 0, 0.00" + std::to_string(i) + ", 0.98, 1, 5.0, 1\n";
   }
-  const auto opened = open_stream(folder.write("hasty.csv", hasty), {.quiet_s = 1}, kDialogNames);
+  const auto opened = open_stream(folder.write("hasty.csv", hasty), {.neutral_s = 1}, kDialogNames);
   ASSERT_TRUE(opened) << opened.error().message;
   ASSERT_EQ(opened->warnings.size(), 2U);
   EXPECT_EQ(opened->warnings[0], "1000 rows a second are no camera's: Pictures/s says how many");
   EXPECT_TRUE(opened->warnings[1].starts_with("AU12 100 %: ")) << opened->warnings[1];
-  EXPECT_NE(opened->warnings[1].find("'Quiet, s'"), std::string::npos) << opened->warnings[1];
+  EXPECT_NE(opened->warnings[1].find("'Neutral, s'"), std::string::npos) << opened->warnings[1];
   const auto file = folder.write("timeless.csv", sources::tables::kPyFeat1);
   const Error timeless = open_stream(file, {}, kDialogNames).error();
   EXPECT_TRUE(timeless.message.ends_with("such as Pictures/s 30")) << timeless.message;

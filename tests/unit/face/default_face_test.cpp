@@ -71,7 +71,7 @@ TEST_F(DefaultFace, EveryChannelMovesTheFaceAndKeepsItFinite) {
   }
 }
 
-TEST_F(DefaultFace, ZeroIsTheRestFaceBitForBit) {
+TEST_F(DefaultFace, ZeroIsTheNeutralFaceBitForBit) {
   FaceDeformer deformer(face_);
   const DeformedFace& out = deformer.deform(std::vector<float>(face_.channels.size(), 0.0F));
   EXPECT_EQ(out.positions, face_.mesh.positions);

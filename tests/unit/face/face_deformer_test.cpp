@@ -33,7 +33,7 @@ class Deformer : public ::testing::Test {
   std::vector<glm::vec3> positions(std::string_view channel, float value) {
     return positions(only(face_, channel, value));
   }
-  /// The vertex of the rest face nearest to a point.
+  /// The vertex of the neutral face nearest to a point.
   [[nodiscard]] std::size_t vertex_near(const glm::vec3& point) const {
     const auto& rest = face_.mesh.positions;
     const auto nearer = [&](const glm::vec3& a, const glm::vec3& b) {
@@ -54,14 +54,14 @@ class Deformer : public ::testing::Test {
   FaceDeformer deformer_{face_};
 };
 
-TEST_F(Deformer, ZeroIsTheRestFaceBitForBit) {
+TEST_F(Deformer, ZeroIsTheNeutralFaceBitForBit) {
   deformer_.deform(std::vector<float>(face_.channels.size(), 1.0F));
   const DeformedFace& out = deformer_.deform(std::vector<float>(face_.channels.size(), 0.0F));
   EXPECT_EQ(out.positions, face_.mesh.positions);
 }
 
-TEST_F(Deformer, TheFaceAtRestIsThatOfNoActivation) {
-  const DeformedFace rest = face_at_rest(face_);
+TEST_F(Deformer, TheNeutralFaceIsThatOfNoActivation) {
+  const DeformedFace rest = neutral_face(face_);
   const DeformedFace& made = deformer_.deform(std::vector<float>(face_.channels.size()));
   EXPECT_EQ(rest.positions, made.positions);
   EXPECT_EQ(rest.eye_centres, made.eye_centres);

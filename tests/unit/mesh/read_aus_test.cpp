@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh/quiet_face.h"
+#include "common/mesh/neutral_face.h"
 
 namespace aucast::mesh {
 namespace {
@@ -62,37 +62,37 @@ TEST(AuReader, TellsSidesApartAndSharesTheMiddle) {
   EXPECT_NEAR(double{frame.right[26]}, 0.5, kTolerance);
 }
 
-TEST(AuReader, ComparesWithTheQuietFace) {
-  Measures quiet;
-  left_of(quiet, SideMeasure::CornerUp) = 0.04;
-  Measures seen = quiet;
-  EXPECT_EQ(read_aus(weights(), seen, quiet), AuFrame{});
+TEST(AuReader, ComparesWithTheNeutralFace) {
+  Measures neutral;
+  left_of(neutral, SideMeasure::CornerUp) = 0.04;
+  Measures seen = neutral;
+  EXPECT_EQ(read_aus(weights(), seen, neutral), AuFrame{});
   left_of(seen, SideMeasure::CornerUp) = 0.07;
-  EXPECT_NEAR(double{read_aus(weights(), seen, quiet).left[12]}, 0.3, kTolerance);
+  EXPECT_NEAR(double{read_aus(weights(), seen, neutral).left[12]}, 0.3, kTolerance);
 }
 
 TEST(AuReader, LeavesNoiseOutAndStaysWithinFullIntensity) {
-  Measures quiet;
-  left_of(quiet, SideMeasure::Aperture) = right_of(quiet, SideMeasure::Aperture) = 0.5;
-  Measures seen = quiet;
+  Measures neutral;
+  left_of(neutral, SideMeasure::Aperture) = right_of(neutral, SideMeasure::Aperture) = 0.5;
+  Measures seen = neutral;
   left_of(seen, SideMeasure::Aperture) = 0.45;  // a tenth shut, 0.2: the threshold
   right_of(seen, SideMeasure::Aperture) = 0.35;
-  AuFrame frame = read_aus(weights(), seen, quiet);
+  AuFrame frame = read_aus(weights(), seen, neutral);
   EXPECT_NEAR(double{frame.left[45]}, 0, kTolerance);
   EXPECT_NEAR(double{frame.right[45]}, 0.5, kTolerance);
   right_of(seen, SideMeasure::Aperture) = -3;
-  frame = read_aus(weights(), seen, quiet);
+  frame = read_aus(weights(), seen, neutral);
   EXPECT_EQ(frame.right[45], 1.0F);
 }
 
 TEST(AuReader, NarrowEyesAreShutAsWideOnesAre) {
-  Measures quiet;
-  left_of(quiet, SideMeasure::Aperture) = 0.4;
-  right_of(quiet, SideMeasure::Aperture) = 0.2;
+  Measures neutral;
+  left_of(neutral, SideMeasure::Aperture) = 0.4;
+  right_of(neutral, SideMeasure::Aperture) = 0.2;
   Measures seen;
   left_of(seen, SideMeasure::Aperture) = 0.28;
   right_of(seen, SideMeasure::Aperture) = 0.14;
-  const AuFrame frame = read_aus(weights(), seen, quiet);
+  const AuFrame frame = read_aus(weights(), seen, neutral);
   EXPECT_NEAR(double{frame.left[45]}, 0.5, kTolerance);
   EXPECT_NEAR(double{frame.right[45]}, 0.5, kTolerance);
 }
@@ -124,14 +124,14 @@ TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
           kWeights,
       "weights.txt");
   ASSERT_TRUE(read.has_value()) << read.error().message;
-  Measures quiet;
-  quiet.turn.up_rad = -0.1;
+  Measures neutral;
+  neutral.turn.up_rad = -0.1;
   Measures seen;
   seen.turn.up_rad = 0.1;
   left_of(seen, SideMeasure::CornerUp) = 0.02;
   right_of(seen, SideMeasure::CornerUp) = 0.05;
   middle_of(seen, MiddleMeasure::ChinUp) = -0.06;
-  const AuFrame frame = read_aus(*read, seen, quiet);
+  const AuFrame frame = read_aus(*read, seen, neutral);
   EXPECT_NEAR(double{frame.left[12]}, 0, kTolerance);
   EXPECT_NEAR(double{frame.right[12]}, 0.3, kTolerance);
   EXPECT_NEAR(double{frame.left[26]}, 0, kTolerance);
@@ -190,16 +190,16 @@ std::vector<Measures> a_smiling_film() {
   return film;
 }
 
-TEST(QuietFace, IsThatOfTheQuietestMomentsWithTheHeadWhereItMostlyIs) {
+TEST(NeutralFace, IsThatOfTheWeakestAusWithTheHeadWhereItMostlyIs) {
   const auto film = a_smiling_film();
-  const Measures quiet = find_quiet_face(film, weights());
-  EXPECT_NEAR(left_of(quiet, SideMeasure::CornerUp), -0.02, kTolerance);
-  EXPECT_NEAR(quiet.turn.left_rad, 0.25, 0.011);
+  const Measures neutral = find_neutral_face(film, weights());
+  EXPECT_NEAR(left_of(neutral, SideMeasure::CornerUp), -0.02, kTolerance);
+  EXPECT_NEAR(neutral.turn.left_rad, 0.25, 0.011);
   // The median of all is somebody who smiles.
   EXPECT_NEAR(left_of(median_face(film, weights()), SideMeasure::CornerUp), 0.04, kTolerance);
 }
 
-TEST(QuietFace, HasTheBrowsOfTheQuieterHalf) {
+TEST(NeutralFace, HasTheBrowsOfTheWeakerHalf) {
   std::vector<Measures> film(100);
   for (std::size_t picture = 0; picture < film.size(); ++picture) {
     // For a fifth of the time brows are raised and nothing else shows; then somebody smiles.
@@ -209,42 +209,42 @@ TEST(QuietFace, HasTheBrowsOfTheQuieterHalf) {
     middle_of(film[picture], MiddleMeasure::BrowGap) = raised ? 0.4 : 0.35;
     left_of(film[picture], SideMeasure::CornerUp) = raised ? 0.01 : 0.05;
   }
-  Measures quiet = find_quiet_face(film, weights());
-  EXPECT_NEAR(left_of(quiet, SideMeasure::CornerUp), 0.01, kTolerance);
-  EXPECT_NEAR(left_of(quiet, SideMeasure::BrowInnerUp), 0.2, kTolerance);
-  EXPECT_NEAR(right_of(quiet, SideMeasure::BrowInnerOut), 0.08, kTolerance);
-  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::BrowGap), 0.35, kTolerance);
+  Measures neutral = find_neutral_face(film, weights());
+  EXPECT_NEAR(left_of(neutral, SideMeasure::CornerUp), 0.01, kTolerance);
+  EXPECT_NEAR(left_of(neutral, SideMeasure::BrowInnerUp), 0.2, kTolerance);
+  EXPECT_NEAR(right_of(neutral, SideMeasure::BrowInnerOut), 0.08, kTolerance);
+  EXPECT_NEAR(middle_of(neutral, MiddleMeasure::BrowGap), 0.35, kTolerance);
 }
 
-TEST(QuietFace, HasTheNodOfAllPictures) {
+TEST(NeutralFace, HasTheNodOfAllPictures) {
   std::vector<Measures> film(100);
   for (std::size_t picture = 0; picture < film.size(); ++picture) {
     const bool at_rest = picture < film.size() / 4;
     middle_of(film[picture], MiddleMeasure::StillTipUp) = at_rest ? -0.3 : -0.2;
     middle_of(film[picture], MiddleMeasure::ChinUp) = at_rest ? 0 : -0.1;
   }
-  Measures quiet = find_quiet_face(film, weights());
-  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::StillTipUp), -0.2, kTolerance);
-  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::ChinUp), 0, kTolerance);
+  Measures neutral = find_neutral_face(film, weights());
+  EXPECT_NEAR(middle_of(neutral, MiddleMeasure::StillTipUp), -0.2, kTolerance);
+  EXPECT_NEAR(middle_of(neutral, MiddleMeasure::ChinUp), 0, kTolerance);
 }
 
-TEST(QuietFace, HasShutLipsAlsoOfSomebodyWhoKeepsThemParted) {
+TEST(NeutralFace, HasShutLipsAlsoOfSomebodyWhoKeepsThemParted) {
   std::vector<Measures> film(20);
   for (Measures& seen : film) {
     middle_of(seen, MiddleMeasure::LipGap) = 0.06;
     middle_of(seen, MiddleMeasure::LipsHeight) = 0.3;
     middle_of(seen, MiddleMeasure::LowerLipUp) = -0.9;
   }
-  Measures quiet = find_quiet_face(film, weights());
-  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::LipGap), 0, kTolerance);
-  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::LipsHeight), 0.24, kTolerance);
-  EXPECT_NEAR(middle_of(quiet, MiddleMeasure::LowerLipUp), -0.84, kTolerance);
+  Measures neutral = find_neutral_face(film, weights());
+  EXPECT_NEAR(middle_of(neutral, MiddleMeasure::LipGap), 0, kTolerance);
+  EXPECT_NEAR(middle_of(neutral, MiddleMeasure::LipsHeight), 0.24, kTolerance);
+  EXPECT_NEAR(middle_of(neutral, MiddleMeasure::LowerLipUp), -0.84, kTolerance);
 }
 
-TEST(QuietFace, OfNobodyIsTheTypicalOne) {
+TEST(NeutralFace, OfNobodyIsTheTypicalOne) {
   AuWeights typical = weights();
   typical.typical.left[0] = 0.3;
-  EXPECT_EQ(find_quiet_face({}, typical).left[0], 0.3);
+  EXPECT_EQ(find_neutral_face({}, typical).left[0], 0.3);
   EXPECT_EQ(median_face({}, typical).left[0], 0.3);
 }
 
@@ -259,20 +259,20 @@ AuWeights with_usual_eyes() {
   return usual;
 }
 
-TEST(QuietFace, RaisesLidsThatWereNeverSeenRaised) {
+TEST(NeutralFace, RaisesLidsThatWereNeverSeenRaised) {
   const AuWeights usual = with_usual_eyes();
   Measures seen = usual.typical;
   left_of(seen, SideMeasure::Aperture) = 0.05;
   left_of(seen, SideMeasure::UpperLidUp) = -0.005;
   right_of(seen, SideMeasure::Aperture) = 0.25;
-  Measures quiet = find_quiet_face(std::vector<Measures>(20, seen), usual);
-  EXPECT_NEAR(left_of(quiet, SideMeasure::Aperture), 0.24, kTolerance);
-  EXPECT_NEAR(left_of(quiet, SideMeasure::UpperLidUp), 0.052, kTolerance)
+  Measures neutral = find_neutral_face(std::vector<Measures>(20, seen), usual);
+  EXPECT_NEAR(left_of(neutral, SideMeasure::Aperture), 0.24, kTolerance);
+  EXPECT_NEAR(left_of(neutral, SideMeasure::UpperLidUp), 0.052, kTolerance)
       << "0.19 of 0.3 was missing";
-  EXPECT_NEAR(right_of(quiet, SideMeasure::Aperture), 0.25, kTolerance) << "narrow eyes stay so";
+  EXPECT_NEAR(right_of(neutral, SideMeasure::Aperture), 0.25, kTolerance) << "narrow eyes stay so";
 }
 
-TEST(QuietFace, IsRatherALaughThanLoweredLids) {
+TEST(NeutralFace, IsRatherALaughThanLoweredLids) {
   const AuWeights usual = with_usual_eyes();
   Measures shut = usual.typical;
   left_of(shut, SideMeasure::Aperture) = right_of(shut, SideMeasure::Aperture) = 0.22;
@@ -281,13 +281,13 @@ TEST(QuietFace, IsRatherALaughThanLoweredLids) {
   middle_of(laugh, MiddleMeasure::ChinUp) = -0.2;
   std::vector<Measures> film(70, shut);
   film.insert(film.end(), 30, laugh);
-  const Measures quiet = find_quiet_face(film, usual);
-  EXPECT_NEAR(left_of(quiet, SideMeasure::Aperture), 0.4, kTolerance);
+  const Measures neutral = find_neutral_face(film, usual);
+  EXPECT_NEAR(left_of(neutral, SideMeasure::Aperture), 0.4, kTolerance);
 }
 
-TEST(QuietFace, IsFoundWhileSomebodyIsWatched) {
+TEST(NeutralFace, IsFoundWhileSomebodyIsWatched) {
   const AuWeights known = weights();
-  RunningQuietFace running(known);
+  RunningNeutralFace running(known);
   const auto film = a_smiling_film();
   EXPECT_EQ(left_of(running.watch(0, film[0]), SideMeasure::CornerUp), -0.02);
   double last = 0;

@@ -53,7 +53,7 @@ TEST(OpenFace2, IntensitiesAreOfFiveAndPresenceCompletesThem) {
   EXPECT_EQ(packet(recording, 1), "{12,45;33}") << "AU12_c and AU45_c add nothing to _r";
 }
 
-TEST(OpenFace2, AQuietFaceKeepsTheScaleOfTheFormat) {
+TEST(OpenFace2, ANeutralFaceKeepsTheScaleOfTheFormat) {
   const auto recording = read(kOpenFace2Header + openface2_row(1, "0.000", "0.5,0,0,1,0,0,0") +
                               openface2_row(2, "0.033", "0.25,0,0,1,0,0,0"));
   EXPECT_EQ(recording.found.scale, 5);

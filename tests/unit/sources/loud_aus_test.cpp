@@ -13,7 +13,7 @@ namespace {
 using tables::kOpenFace2Header;
 using tables::openface2_row;
 
-/// Ten rows a second: AU 1 and AU 12 of 0-5 up to `until_s`, and then a face at rest.
+/// Ten rows a second: AU 1 and AU 12 of 0-5 up to `until_s`, and then a neutral face.
 std::string loud_at_first(double until_s, double all_s) {
   std::string text = kOpenFace2Header;
   for (int row = 0; row < static_cast<int>(all_s * 10); ++row) {
@@ -55,27 +55,27 @@ TEST(LoudAus, NamesTheStrongestAusThatNoFaceAtRestHas) {
   EXPECT_EQ(loud_text(loud_aus(neutral)), "AU7 100 %, AU20 90 %, AUL10 50 % and 1 more");
 }
 
-TEST(LoudAus, ASpanThatIsQuietIsRecommended) {
+TEST(LoudAus, ASpanThatIsNeutralIsRecommended) {
   const Found found = found_with(loud_at_first(2, 30), 2);
-  ASSERT_EQ(found.unquiet.size(), 2U);
-  EXPECT_EQ(found.unquiet[0].au.number, 12);
-  EXPECT_EQ(found.quiet_seconds, 5.0) << "of which most is quiet";
+  ASSERT_EQ(found.not_neutral.size(), 2U);
+  EXPECT_EQ(found.not_neutral[0].au.number, 12);
+  EXPECT_EQ(found.neutral_seconds, 5.0) << "of which most is neutral";
   const std::string said =
-      "AU12 100 %, AU1 40 %: no face at rest was taken off; --neutral 5 takes off one";
+      "AU12 100 %, AU1 40 %: no neutral face was taken off; --neutral 5 takes off one";
   EXPECT_EQ(warnings(found), std::vector<std::string>{said});
-  EXPECT_NE(found_lines(found).find("  not quiet   " + said + "\n"), std::string::npos);
+  EXPECT_NE(found_lines(found).find("  not neutral " + said + "\n"), std::string::npos);
   EXPECT_NE(found_sentence(found).find(said), std::string::npos);
 }
 
 TEST(LoudAus, WithoutSuchASpanItIsToBeLeftOut) {
   const Found found = found_with(loud_at_first(3, 4), 1);
-  EXPECT_FALSE(found.quiet_seconds);
-  EXPECT_EQ(warnings(found, {"Fps", "'Quiet'"}),
-            std::vector<std::string>{"AU12 100 %, AU1 40 %: no face at rest was taken off; leave "
-                                     "out 'Quiet', or cut what is before the face is quiet"});
+  EXPECT_FALSE(found.neutral_seconds);
+  EXPECT_EQ(warnings(found, {"Fps", "'Neutral'"}),
+            std::vector<std::string>{"AU12 100 %, AU1 40 %: no neutral face was taken off; leave "
+                                     "out 'Neutral', or cut what is before the face is neutral"});
 }
 
-TEST(LoudAus, AFaceAtRestAndTurnsAloneAreNoReasonToWarn) {
+TEST(LoudAus, ANeutralFaceAndTurnsAloneAreNoReasonToWarn) {
   EXPECT_TRUE(warnings(found_with(loud_at_first(0, 3), 2)).empty());
   EXPECT_TRUE(warnings(found_with(loud_at_first(3, 3), 2, true)).empty());
 }

@@ -376,7 +376,7 @@ TEST(Recording, AClockThatNoCameraHasIsSaid) {
   EXPECT_NE(found_lines(hasty.found).find("clock       " + said), std::string::npos);
   EXPECT_EQ(warnings(hasty.found), std::vector<std::string>{said});
   EXPECT_EQ(
-      warnings(hasty.found, {"Pictures/s", "Quiet"}),
+      warnings(hasty.found, {"Pictures/s", "Neutral"}),
       std::vector<std::string>{"1000 rows a second are no camera's: Pictures/s says how many"});
   RecordingOptions thirty;
   thirty.fps = 30;

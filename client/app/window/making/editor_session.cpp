@@ -226,7 +226,7 @@ void EditorSession::saved_in(const std::filesystem::path& file) {
 Result<std::string> EditorSession::import_aus(const std::filesystem::path& file) {
   auto recordings = face::load_aus(file, mapping_.face);
   if (!recordings) return recordings.error();
-  recordings->erase(0);  // the face at rest, which is no AU
+  recordings->erase(0);  // the neutral face, which is no AU
   if (recordings->empty()) {
     return Error{ErrorKind::BadData, file.string() + ": " + gui::tr("said.no_aus")};
   }

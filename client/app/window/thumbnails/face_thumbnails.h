@@ -13,7 +13,7 @@
 
 namespace aucast::app {
 
-/// Small pictures of faces at rest, each drawn once off screen and kept as a texture. The context
+/// Small pictures of neutral faces, each drawn once off screen and kept as a texture. The context
 /// must be current whenever this is used. Thread: the player's. Faces are read on another thread,
 /// so that the window goes on meanwhile; the destructor waits for it.
 class FaceThumbnails {

@@ -34,7 +34,7 @@ bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
 }
 
 std::unique_ptr<render::PictureTexture> FaceThumbnails::draw(const face::Face& face) const {
-  auto view = FaceView::create_at_rest(face);
+  auto view = FaceView::create_neutral(face);
   if (!view || !(*view)->prepare(width_, height_, Sharpness::Still)) return nullptr;
   view::Style style;
   style.scale = 0.5F;

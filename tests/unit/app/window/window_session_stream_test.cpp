@@ -263,7 +263,7 @@ TEST_F(StreamSessionTest, ATableOfARecogniserPlaysAsItIsSetToBeRead) {
   EXPECT_EQ(model().playing.aus[0].shown_percent, 50);
   ask(gui::Browse{gui::Purpose::PlayStream});
   ask(gui::EnterFolder{folder_.path().string()});
-  ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 150, .quiet_s = 0}});
+  ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 150, .neutral_s = 0}});
   ask(gui::ChooseFile{"talk.csv"});
   EXPECT_NE(model().notice.text.find("gain 150 %"), std::string::npos) << model().notice.text;
   ask(LocalCommand(gui::Seek{Duration::max()}));
@@ -290,11 +290,11 @@ TEST_F(StreamSessionTest, WhatIsOddInATableIsAWarning) {
   folder_.write("loud.csv", text);
   ask(gui::Browse{gui::Purpose::PlayStream});
   ask(gui::EnterFolder{folder_.path().string()});
-  ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 0, .quiet_s = 1}});
+  ask(gui::ChangeTable{{.fps = 0, .rate = 0, .gain_percent = 0, .neutral_s = 1}});
   ask(gui::ChooseFile{"loud.csv"});
   ASSERT_TRUE(model().local.open);
   EXPECT_TRUE(model().notice.bad);
-  EXPECT_NE(model().notice.text.find("AU12 100 %: no face at rest"), std::string::npos)
+  EXPECT_NE(model().notice.text.find("AU12 100 %: no neutral face"), std::string::npos)
       << model().notice.text;
 }
 

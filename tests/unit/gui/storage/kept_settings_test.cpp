@@ -47,6 +47,13 @@ TEST(KeptSettings, AFileOfBeforeTablesWereKeptByFileIsStillGood) {
   EXPECT_EQ(parse_settings("[tables]\nfps = 25\n", "s.toml").value(), KeptSettings{});
 }
 
+TEST(KeptSettings, TheSecondsOfANeutralFaceAreReadUnderTheirOlderName) {
+  const auto read = parse_settings("[[table]]\nfile = \"/a.csv\"\nquiet_s = 2\n", "s.toml");
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->tables.size(), 1U);
+  EXPECT_EQ(read->tables[0].settings.neutral_s, 2);
+}
+
 TEST(KeptSettings, NoLayerIsAChoiceToo) {
   KeptSettings settings;
   settings.rendering.layers.textured = false;

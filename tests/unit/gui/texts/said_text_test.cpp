@@ -42,10 +42,10 @@ const std::vector<std::string> kSaid = {
     "Pictures/s 30",
     "1000 rows a second are no camera's: Pictures/s says how many",
     "100 rows without a later time: Pictures/s 60 reads them all",
-    "AU7 100 %, AU20 100 %, AU10 77 % and 12 more: no face at rest was taken off; leave out "
-    "'Quiet, "
-    "s', or cut what is before the face is quiet",
-    "AU7 100 %: no face at rest was taken off; 'Quiet, s' 10 takes off one",
+    "AU7 100 %, AU20 100 %, AU10 77 % and 12 more: no neutral face was taken off; leave out "
+    "'Neutral, "
+    "s', or cut what is before the face is neutral",
+    "AU7 100 %: no neutral face was taken off; 'Neutral, s' 10 takes off one",
     "/tmp/a.txt: cannot be read: No such file or directory",
     "/tmp/a.txt: cannot be read: Permission denied",
     "/tmp/a.txt: cannot be read: No such file or directory; check the name",
@@ -85,7 +85,7 @@ TEST_F(SaidText, HasNoEnglishLeftInFrench) {
     const std::string french = in_used_language(text);
     EXPECT_NE(french, text);
     for (const char* english :
-         {" is ", "found", "address", "set of", "the ", "a second", " more", "Pictures", "Quiet",
+         {" is ", "found", "address", "set of", "the ", "a second", " more", "Pictures", "Neutral",
           "refused", "cannot", "within", "worst", "rows", "faces", "targets", "answer"}) {
       EXPECT_EQ(french.find(english), std::string::npos) << french;
     }

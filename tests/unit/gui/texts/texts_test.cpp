@@ -72,9 +72,9 @@ TEST_F(Texts, WarningsAboutATableNameTheFieldsThatTheDialogHas) {
     EXPECT_NE(tr("made.needs_fps", "x", "30").find(fps), std::string::npos);
     EXPECT_NE(tr("made.hasty_clock", "1000").find(fps), std::string::npos);
     EXPECT_NE(tr("made.still_clock", "2 rows", "30").find(fps), std::string::npos);
-    const std::string quiet = tr("file.quiet");
-    EXPECT_NE(tr("made.unquiet", "AU7 100 %").find(quiet), std::string::npos);
-    EXPECT_NE(tr("made.unquiet_span", "AU7 100 %", "2").find(quiet), std::string::npos);
+    const std::string neutral = tr("file.neutral");
+    EXPECT_NE(tr("made.not_neutral", "AU7 100 %").find(neutral), std::string::npos);
+    EXPECT_NE(tr("made.not_neutral_span", "AU7 100 %", "2").find(neutral), std::string::npos);
   }
 }
 
