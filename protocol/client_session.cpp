@@ -85,7 +85,7 @@ void ClientSession::State::handle(const Keyframe& keyframe) {
   if (stopped) return;
   if (level == Level::Classic || window > 0) ++unanswered;
   events.emplace_back(
-      DeliverKeyframe{running, keyframe.duration_ms, keyframe.place_ms, keyframe.changes_only});
+      DeliverKeyframe{running, keyframe.time_ms, keyframe.place_ms, keyframe.changes_only});
 }
 
 void ClientSession::State::handle(const End&) {

@@ -28,7 +28,7 @@ struct ClientSessionOptions {
 /// it and then calls answer_received() or pause().
 struct DeliverKeyframe {
   AuFrame aus;
-  std::optional<std::uint32_t> duration_ms;  ///< the packet's own
+  std::optional<std::uint32_t> time_ms;  ///< the packet's own
   std::optional<std::uint64_t> place_ms;
   bool changes_only = false;  ///< the packet was
 };

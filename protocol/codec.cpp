@@ -49,8 +49,8 @@ std::string opened(const AuPercents& named, std::string_view brace) {
 }
 
 std::string closed(std::string text, const Keyframe& timing) {
-  if (timing.duration_ms) {
-    text += ';' + std::to_string(*timing.duration_ms);
+  if (timing.time_ms) {
+    text += ';' + std::to_string(*timing.time_ms);
     if (timing.place_ms) text += '@' + std::to_string(*timing.place_ms);
   }
   return text + '}';
@@ -102,7 +102,7 @@ std::string encode(const Keyframe& keyframe) {
 EncodedKeyframe KeyframeEncoder::next(const Keyframe& keyframe) {
   AUCAST_CHECK(!keyframe.changes_only);
   const AuPercents percents = percents_of(keyframe, 0);
-  const std::uint64_t time_ms = keyframe.duration_ms.value_or(keyframe_ms_);
+  const std::uint64_t time_ms = keyframe.time_ms.value_or(keyframe_ms_);
   EncodedKeyframe encoded;
   encoded.classic = classic_of(percents, classic_min_);
   encoded.full = closed(opened_full(percents), keyframe);

@@ -49,7 +49,7 @@ void StreamEncoder::add(const Keyframe& keyframe) {
   stream_.classic.push_back(encoded.classic);
   stream_.negotiated.push_back(encoded.full);
   stream_.changes.push_back(encoded.changes);
-  stream_.times.emplace_back(keyframe.duration_ms.value_or(keyframe_ms_));
+  stream_.times.emplace_back(keyframe.time_ms.value_or(keyframe_ms_));
   duration_ms_ += stream_.times.back().count();
   plain_ = plain_ && encoded.plain;
 }

@@ -16,7 +16,7 @@
 
 namespace aucast::protocol {
 
-/// The time of one keyframe. Four bytes are enough for kDurationMsMax.
+/// The time of one keyframe. Four bytes are enough for kKeyframeTimeMsMax.
 using KeyframeTime = std::chrono::duration<std::uint32_t, std::milli>;
 
 /// How much of a recorded stream we have.

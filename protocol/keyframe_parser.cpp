@@ -14,8 +14,8 @@ struct NumberBounds {
 
 constexpr NumberBounds kAuBounds{kAuNumberMax, 2, "an AU number is 0-99, of one or two digits"};
 constexpr NumberBounds kPercentBounds{100, 3, "an intensity is 0-100 percent"};
-constexpr NumberBounds kDurationBounds{kDurationMsMax, 7,
-                                       "the time of a keyframe is 0-3600000 ms (an hour)"};
+constexpr NumberBounds kTimeBounds{kKeyframeTimeMsMax, 7,
+                                   "the time of a keyframe is 0-3600000 ms (an hour)"};
 constexpr NumberBounds kPlaceBounds{kPlaceMsMax, 13, "a place in the stream is 0-1000000000000 ms"};
 
 }  // namespace
@@ -33,7 +33,7 @@ std::optional<ByteFault> KeyframeParser::finish(char end) {
     case State::TermOrTiming:
     case State::AfterAu:
     case State::AfterIntensity:
-    case State::AfterDuration:
+    case State::AfterTime:
     case State::AfterPlace:
       return std::nullopt;
     default:
@@ -59,7 +59,7 @@ std::optional<ByteFault> KeyframeParser::add_digit(char byte) {
       bounds = &kPercentBounds;
       break;
     case State::Duration:
-      bounds = &kDurationBounds;
+      bounds = &kTimeBounds;
       break;
     case State::Place:
       bounds = &kPlaceBounds;
@@ -89,8 +89,8 @@ void KeyframeParser::end_number() {
       state_ = State::AfterIntensity;
       return;
     case State::Duration:
-      keyframe_.duration_ms = static_cast<std::uint32_t>(number_);
-      state_ = State::AfterDuration;
+      keyframe_.time_ms = static_cast<std::uint32_t>(number_);
+      state_ = State::AfterTime;
       return;
     case State::Place:
       keyframe_.place_ms = number_;
@@ -127,7 +127,7 @@ bool KeyframeParser::take_mark(char byte) {
       return join_term(byte);
     case State::AfterIntensity:
       return join_term(byte);
-    case State::AfterDuration:
+    case State::AfterTime:
       if (byte != '@') return false;
       state_ = State::Place;
       return true;
@@ -176,7 +176,7 @@ std::string KeyframeParser::expected(char byte) const {
       return separator + " or the end";
     case State::Duration:
       return "a time in milliseconds";
-    case State::AfterDuration:
+    case State::AfterTime:
       return "'@' or the end";
     case State::Place:
       return "a place in milliseconds";

@@ -46,7 +46,7 @@ class KeyframeParser {
     Percent,
     AfterIntensity,
     Duration,
-    AfterDuration,
+    AfterTime,
     Place,
     AfterPlace,
   };

@@ -122,7 +122,7 @@ Result<AuFrame> parse_au_set(std::string_view typed) {
     return wrong(shift + inside->find('~'),
                  "changes only ('~') have a meaning in a stream; name the whole set");
   }
-  if (keyframe.duration_ms) {
+  if (keyframe.time_ms) {
     return wrong(shift + inside->find(';'),
                  "a time (';') has a meaning in a stream; name the AUs alone");
   }

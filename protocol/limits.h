@@ -34,7 +34,7 @@ inline constexpr std::size_t kTokenBytesMax = 256;
 inline constexpr std::size_t kServerIdBytesMax = 16;  ///< an ID in `relay=` and `origin=`
 inline constexpr std::size_t kRelayHopsMax = 8;  ///< relays between the first server and a client
 inline constexpr int kWindowMax = 256;           ///< the largest window that is granted
-inline constexpr std::int64_t kDurationMsMax = 3'600'000;       ///< of one keyframe: an hour
+inline constexpr std::int64_t kKeyframeTimeMsMax = 3'600'000;   ///< of one keyframe: an hour
 inline constexpr std::int64_t kPlaceMsMax = 1'000'000'000'000;  ///< about 31 years
 
 inline constexpr std::chrono::milliseconds kDefaultKeyframeTime{250};

@@ -13,7 +13,7 @@ LiveFeed::LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice, bool 
 }
 
 void LiveFeed::add(const Keyframe& keyframe) {
-  add(encoder_.next(keyframe), Milliseconds(keyframe.duration_ms.value_or(keyframe_ms_)));
+  add(encoder_.next(keyframe), Milliseconds(keyframe.time_ms.value_or(keyframe_ms_)));
 }
 
 void LiveFeed::add(EncodedKeyframe encoded, Milliseconds time) {

@@ -18,8 +18,8 @@ enum class Level : std::uint8_t { Classic = 1, Negotiated = 2 };
 struct Keyframe {
   std::vector<AuTerm> terms;  ///< in the order written; empty only in the changes-only form
   bool changes_only = false;  ///< {~...}: AUs that are not named stay as they were
-  std::optional<std::uint32_t> duration_ms;  ///< how long the face takes to reach it
-  std::optional<std::uint64_t> place_ms;     ///< when it is reached; only with duration_ms
+  std::optional<std::uint32_t> time_ms;   ///< how long the face takes to reach it
+  std::optional<std::uint64_t> place_ms;  ///< when it is reached; only with time_ms
   friend bool operator==(const Keyframe&, const Keyframe&) = default;
 };
 

@@ -291,7 +291,7 @@ std::string format_stream_file(const StreamFile& stream) {
 std::uint64_t media_ms(const StreamFile& stream, std::uint32_t keyframe_ms) {
   return std::accumulate(stream.keyframes.begin(), stream.keyframes.end(), std::uint64_t{0},
                          [keyframe_ms](std::uint64_t sum, const Keyframe& keyframe) {
-                           return sum + keyframe.duration_ms.value_or(keyframe_ms);
+                           return sum + keyframe.time_ms.value_or(keyframe_ms);
                          });
 }
 

@@ -38,7 +38,7 @@ class Cutter {
     const std::uint64_t end = std::uint64_t{time.count()} * piece / pieces;
     Keyframe part;
     part.terms = canonical_terms(aus);
-    part.duration_ms = static_cast<std::uint32_t>(end - begin);
+    part.time_ms = static_cast<std::uint32_t>(end - begin);
     const std::uint64_t left = time.count() - end;
     if (whole.place_ms && *whole.place_ms >= left) part.place_ms = *whole.place_ms - left;
     encoder_.add(part);
@@ -66,7 +66,7 @@ std::shared_ptr<const EncodedStream> voiced_stream(const EncodedStream& stream,
   }
   if (holds) {
     const KeyframeTime time((sound_end - face_end).count());
-    keyframe.duration_ms = time.count();
+    keyframe.time_ms = time.count();
     if (keyframe.place_ms) *keyframe.place_ms += time.count();
     cutter.add(keyframe, time);
   }

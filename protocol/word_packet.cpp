@@ -92,7 +92,7 @@ constexpr Key<Granted> kGrantedKeys[] = {
     {.key = "keyframe",
      .member = &Granted::keyframe_ms,
      .min = 1,
-     .max = kDurationMsMax,
+     .max = kKeyframeTimeMsMax,
      .always = true},
     {.key = "from", .member = &Granted::from_ms, .max = kPlaceMsMax},
     {.key = "voice", .member = &Granted::voice, .kind = Kind::Name},

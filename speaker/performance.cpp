@@ -26,7 +26,7 @@ std::optional<std::vector<AuTerm>> named(std::string_view name, const Expression
   if (same != expressions.end()) return same->second;
   if (word == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
   protocol::Keyframe keyframe;
-  const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.duration_ms;
+  const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.time_ms;
   if (!is_aus) return std::nullopt;
   return keyframe.terms;
 }
@@ -182,8 +182,8 @@ std::vector<protocol::Keyframe> keyframes_of(const Curves& curves, float toleran
   for (const std::size_t stop : stops) {
     protocol::Keyframe keyframe;
     keyframe.terms = terms_at(curves, stop);
-    keyframe.duration_ms = static_cast<std::uint32_t>(
-        (stop - before) * static_cast<std::size_t>(Curves::kStep.count()));
+    keyframe.time_ms = static_cast<std::uint32_t>((stop - before) *
+                                                  static_cast<std::size_t>(Curves::kStep.count()));
     keyframes.push_back(std::move(keyframe));
     before = stop;
   }

@@ -15,7 +15,7 @@ std::vector<playback::Keyframe> keyframes_of(const protocol::StreamFile& stream)
   keyframes.reserve(stream.keyframes.size());
   for (const protocol::Keyframe& keyframe : stream.keyframes) {
     playback::Keyframe timed{frame_from_terms(keyframe.terms), std::nullopt};
-    if (keyframe.duration_ms) timed.duration = Milliseconds(*keyframe.duration_ms);
+    if (keyframe.time_ms) timed.time = Milliseconds(*keyframe.time_ms);
     keyframes.push_back(timed);
   }
   return keyframes;

@@ -5,15 +5,15 @@
 namespace aucast::glb {
 namespace {
 
-std::int64_t duration_ms(const playback::Keyframe& keyframe, const Sampling& sampling) {
-  return keyframe.duration.value_or(sampling.untimed).count();
+std::int64_t time_ms(const playback::Keyframe& keyframe, const Sampling& sampling) {
+  return keyframe.time.value_or(sampling.untimed).count();
 }
 
 }  // namespace
 
 std::size_t sample_count(std::span<const playback::Keyframe> keyframes, const Sampling& sampling) {
   std::int64_t all_ms = 0;
-  for (const playback::Keyframe& keyframe : keyframes) all_ms += duration_ms(keyframe, sampling);
+  for (const playback::Keyframe& keyframe : keyframes) all_ms += time_ms(keyframe, sampling);
   return static_cast<std::size_t>(all_ms * sampling.fps / 1000) + 1;
 }
 
@@ -28,7 +28,7 @@ void for_each_sample(const pipeline::AuMapping& mapping,
   std::int64_t next = 0;
   for (const playback::Keyframe& keyframe : keyframes) {
     pipeline.begin_keyframe(keyframe.aus, reached);
-    const std::int64_t takes_ms = duration_ms(keyframe, sampling);
+    const std::int64_t takes_ms = time_ms(keyframe, sampling);
     for (; next * 1000 <= (begin_ms + takes_ms) * sampling.fps; ++next) {
       const double seconds = static_cast<double>(next) / sampling.fps;
       const double into_ms = 1000 * seconds - static_cast<double>(begin_ms);

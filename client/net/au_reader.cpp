@@ -220,8 +220,8 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   back_off_.reset();
   busy_in_a_row_ = 0;
   Keyframe keyframe{event.aus, std::nullopt};
-  if (event.duration_ms) keyframe.duration = Milliseconds(*event.duration_ms);
-  const Milliseconds time = keyframe.duration.value_or(status_.keyframe_time);
+  if (event.time_ms) keyframe.time = Milliseconds(*event.time_ms);
+  const Milliseconds time = keyframe.time.value_or(status_.keyframe_time);
   keyframe.spoken = status_.live && spoken_.voice_end() > clock_;
   clock_ += time;
   keyframe.place = clock_;

@@ -30,7 +30,7 @@ void LiveTiming::begin_again() {
 
 std::optional<Milliseconds> LiveTiming::arrived(playback::Keyframe& keyframe, Milliseconds untimed,
                                                 std::optional<Milliseconds> place) {
-  const Milliseconds time = keyframe.duration.value_or(untimed);
+  const Milliseconds time = keyframe.time.value_or(untimed);
   if (options_.low_delay) {
     keyframe.due = playout_.arrived(*keyframe.arrived, time, place);
     return std::nullopt;

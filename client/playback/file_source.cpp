@@ -7,7 +7,7 @@ namespace aucast::playback {
 void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed) {
   Milliseconds place{0};
   for (Keyframe& keyframe : keyframes) {
-    keyframe.span = keyframe.duration.value_or(untimed);
+    keyframe.span = keyframe.time.value_or(untimed);
     place += keyframe.span;
     keyframe.place = place;
   }

@@ -89,7 +89,7 @@ Milliseconds KeyframeBuffers::wanted() const {
 }
 
 Milliseconds KeyframeBuffers::time_of(const Keyframe& keyframe) const {
-  return keyframe.duration.value_or(live_.value_or(untimed_));
+  return keyframe.time.value_or(live_.value_or(untimed_));
 }
 
 Milliseconds KeyframeBuffers::buffered() const {

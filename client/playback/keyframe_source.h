@@ -16,12 +16,12 @@ namespace aucast::playback {
 /// protocol::Keyframe).
 struct Keyframe {
   AuFrame aus;
-  std::optional<Milliseconds> duration;  ///< the packet's own time, if it had one
-  int pace_percent = 100;                ///< live: percentage of its time that it takes, 95-105
-  std::optional<Instant> arrived{};      ///< live: when it came
-  std::optional<Instant> due{};          ///< --live: when the face should have reached it
-  std::optional<Milliseconds> place{};   ///< where it is reached, on the source's own clock
-  Milliseconds span{0};                  ///< its length on that clock, whatever --speed says
+  std::optional<Milliseconds> time;     ///< the packet's own time, if it had one
+  int pace_percent = 100;               ///< live: percentage of its time that it takes, 95-105
+  std::optional<Instant> arrived{};     ///< live: when it came
+  std::optional<Instant> due{};         ///< --live: when the face should have reached it
+  std::optional<Milliseconds> place{};  ///< where it is reached, on the source's own clock
+  Milliseconds span{0};                 ///< its length on that clock, whatever --speed says
   bool spoken = false;  ///< live: a voice is heard meanwhile, so its pace stays in 99.5-100.5 %
 };
 

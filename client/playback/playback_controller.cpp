@@ -148,10 +148,8 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
     return std::nullopt;
   }
 
-  duration_ = keyframe->duration ? *keyframe->duration
-              : speed_           ? *speed_
-                                 : source.status().keyframe_time;
-  AUCAST_CHECK(duration_ >= Milliseconds::zero());
+  time_ = keyframe->time ? *keyframe->time : speed_ ? *speed_ : source.status().keyframe_time;
+  AUCAST_CHECK(time_ >= Milliseconds::zero());
   if (film_clock_) {
     keyframe->pace_percent = 100;
     keyframe->arrived.reset();
@@ -163,7 +161,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   if (state_ == PlaybackState::Stalled && keyframe->due && keyframe->arrived) {
     begin = std::clamp(*keyframe->arrived, looked_before_, now);
   }
-  takes_ = time_taken(*keyframe, duration_, begin);
+  takes_ = time_taken(*keyframe, time_, begin);
   place_ = keyframe->place;
   span_ = keyframe->span;
   arrived_ = keyframe->arrived;
@@ -174,14 +172,14 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   if (!first_begin_) first_begin_ = begin;
   ++progress_.keyframe;
   move_to(now);
-  return KeyframeBegun{std::move(*keyframe), duration_};
+  return KeyframeBegun{std::move(*keyframe), time_};
 }
 
 void PlaybackController::finish_keyframe(Instant now) {
   if (arrived_) delays_.add(now - *arrived_);
   if (arrived_ && due_) delays_meant_.add(*due_ - *arrived_);
   ++keyframes_played_;
-  media_time_ += duration_;
+  media_time_ += time_;
 }
 
 void PlaybackController::move_to(Instant now) {

@@ -34,8 +34,8 @@ enum class PlaybackState : std::uint8_t {
 /// A keyframe that has just begun: the face goes from where it is to `target`.
 struct KeyframeBegun {
   Keyframe target;
-  Milliseconds duration{0};  ///< its own time: as it was sent, else --speed, else the server's
-                             ///< default. A live keyframe may in fact take 5 % more or less
+  Milliseconds time{0};  ///< its own time: as it was sent, else --speed, else the server's
+                         ///< default. A live keyframe may in fact take 5 % more or less
   double cut_at = 1;  ///< how far the previous keyframe had come: 1, or less if that was an easing
                       ///< to neutral, which this one interrupts
   std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
@@ -136,8 +136,8 @@ class PlaybackController {
   PlaybackState state_ = PlaybackState::Buffering;
   PlaybackProgress progress_;
   Instant keyframe_begin_{};
-  Milliseconds duration_{0};
-  Duration takes_{0};  ///< how long it is played: up to 5 % more or less than duration_
+  Milliseconds time_{0};
+  Duration takes_{0};  ///< how long it is played: up to 5 % more or less than time_
   std::optional<Instant> arrived_;
   std::optional<Instant> due_;
   DelayMeter delays_;

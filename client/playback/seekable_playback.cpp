@@ -12,7 +12,7 @@ std::vector<Milliseconds> times_of(const std::vector<Keyframe>& keyframes, Milli
   std::vector<Milliseconds> times;
   times.reserve(keyframes.size());
   for (const Keyframe& keyframe : keyframes) {
-    times.push_back(keyframe.duration.value_or(untimed));
+    times.push_back(keyframe.time.value_or(untimed));
   }
   return times;
 }
@@ -41,7 +41,7 @@ std::optional<KeyframeBegun> SeekablePlayback::advance(Instant now) {
 
 KeyframeBegun SeekablePlayback::under_way() const {
   const Keyframe& target = keyframes_[place_.keyframe];
-  KeyframeBegun begun{target, target.duration.value_or(untimed_)};
+  KeyframeBegun begun{target, target.time.value_or(untimed_)};
   begun.from = place_.keyframe == 0 ? AuFrame{} : keyframes_[place_.keyframe - 1].aus;
   return begun;
 }

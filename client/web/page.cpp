@@ -122,9 +122,9 @@ bool Page::advance() {
 
 void Page::begun(const playback::KeyframeBegun& keyframe, Instant at) {
   if (ahead_.size() == kBegunMax) ahead_.pop_front();
-  ahead_.push_back({at, keyframe.target.aus,
-                    protocol::format_au_set(keyframe.target.aus) + ";" +
-                        std::to_string(keyframe.duration.count())});
+  ahead_.push_back(
+      {at, keyframe.target.aus,
+       protocol::format_au_set(keyframe.target.aus) + ";" + std::to_string(keyframe.time.count())});
 }
 
 /// Takes AUs, lines and captions up to what is heard now: playback is ahead of it.

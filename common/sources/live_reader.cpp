@@ -223,16 +223,16 @@ bool LiveReader::read_text(const LineSplitter::Line& line, SteadyTime now) {
 /// sent live.
 void LiveReader::play_text(const protocol::Keyframe& keyframe, SteadyTime now) {
   timeline_.set_clocked(false);
-  std::uint32_t duration_ms = keyframe.duration_ms.value_or(0);
-  if (!keyframe.duration_ms) {
+  std::uint32_t time_ms = keyframe.time_ms.value_or(0);
+  if (!keyframe.time_ms) {
     const Seconds longest = Milliseconds(options_.keyframe_ms);
     const Seconds step = std::min(arrival_step(now, longest), longest);
-    duration_ms = static_cast<std::uint32_t>(std::max(1.0, std::round(1000 * seconds(step))));
+    time_ms = static_cast<std::uint32_t>(std::max(1.0, std::round(1000 * seconds(step))));
   }
   arrived_ = now;
   silent_since_.reset();
-  timeline_.add(unclocked_, frame_from_terms(keyframe.terms), duration_ms);
-  unclocked_ += duration_ms / 1000.0;
+  timeline_.add(unclocked_, frame_from_terms(keyframe.terms), time_ms);
+  unclocked_ += time_ms / 1000.0;
 }
 
 /// The time since the last sample; `usual` for one that came together with it.

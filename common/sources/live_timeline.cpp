@@ -40,10 +40,10 @@ double LiveTimeline::step_to(double seconds) {
 }
 
 void LiveTimeline::add(double seconds, const AuFrame& update,
-                       std::optional<std::uint32_t> duration_ms) {
-  const double step = duration_ms ? *duration_ms / 1000.0 : step_to(seconds);
-  verbatim_ = duration_ms.has_value();
-  if (duration_ms) begins_ = std::exchange(restarted_, false) || begins_;
+                       std::optional<std::uint32_t> time_ms) {
+  const double step = time_ms ? *time_ms / 1000.0 : step_to(seconds);
+  verbatim_ = time_ms.has_value();
+  if (time_ms) begins_ = std::exchange(restarted_, false) || begins_;
   last_seconds_ = seconds;
   idle_steps_ = 0;
   said_anything_ = true;
@@ -66,7 +66,7 @@ void LiveTimeline::emit(const AuFrame& frame, double seconds) {
   if (place < emitted_ms_ || (place == emitted_ms_ && !verbatim_)) return;
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(verbatim_ ? frame : dead_band_.settle(frame));
-  keyframe.duration_ms = static_cast<std::uint32_t>(place - emitted_ms_);
+  keyframe.time_ms = static_cast<std::uint32_t>(place - emitted_ms_);
   emitted_ms_ = place;
   keyframes_.push_back({std::move(keyframe), seconds, std::exchange(begins_, false), clocked_});
 }

@@ -32,9 +32,9 @@ class LiveTimeline {
       : rate_(rate), conditioning_(settings), dead_band_(settings.profile.dead_band) {}
 
   /// Takes a sample of the source, later than the previous one: the intensities of `update`; a
-  /// negative one is no data. `duration_ms`: the line's own time, of a stream file; nullopt: a row,
+  /// negative one is no data. `time_ms`: the line's own time, of a stream file; nullopt: a row,
   /// whose time is the clock's.
-  void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> duration_ms = {});
+  void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> time_ms = {});
   /// The clock began again: the next sample comes one usual step after the last.
   void restart() { restarted_ = true; }
   /// Uses other settings from the next sample on; a neutral face that was measured is kept.

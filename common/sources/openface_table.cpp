@@ -101,10 +101,10 @@ OpenFaceTable write_openface_table(const protocol::StreamFile& stream, std::uint
     const protocol::Keyframe& keyframe = stream.keyframes[index];
     const AuFrame frame = frame_from_terms(keyframe.terms);
     const AuIntensities to = stronger_sides(frame);
-    const std::uint32_t duration_ms = keyframe.duration_ms.value_or(keyframe_ms);
+    const std::uint32_t time_ms = keyframe.time_ms.value_or(keyframe_ms);
     const bool last = index + 1 == stream.keyframes.size();
-    const bool passed = !last && stream.keyframes[index + 1].duration_ms.value_or(keyframe_ms) == 0;
-    const std::uint32_t steps = std::max(1U, (duration_ms + kRowMsMax - 1) / kRowMsMax);
+    const bool passed = !last && stream.keyframes[index + 1].time_ms.value_or(keyframe_ms) == 0;
+    const std::uint32_t steps = std::max(1U, (time_ms + kRowMsMax - 1) / kRowMsMax);
     for (std::uint32_t step = 1; step <= steps; ++step) {
       if (step == steps && passed) break;
       const double share = static_cast<double>(step) / steps;
@@ -113,11 +113,11 @@ OpenFaceTable write_openface_table(const protocol::StreamFile& stream, std::uint
         face[number] =
             step == steps ? to[number] : from[number] + (to[number] - from[number]) * share;
       }
-      writer.row(static_cast<double>(begin_ms) + duration_ms * share, face);
+      writer.row(static_cast<double>(begin_ms) + time_ms * share, face);
     }
     if (!passed && frame.left != frame.right) writer.count_uneven();
     from = to;
-    begin_ms += duration_ms;
+    begin_ms += time_ms;
   }
   return std::move(writer).finish();
 }

@@ -16,7 +16,7 @@ constexpr std::int64_t kPauseMs = 100;
 
 std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& keyframe,
                                                     SteadyTime now, bool free) {
-  AUCAST_CHECK(keyframe.duration_ms.has_value());
+  AUCAST_CHECK(keyframe.time_ms.has_value());
   std::vector<protocol::Keyframe> lines;
   if (!begin_) {
     begin_ = now;
@@ -28,15 +28,15 @@ std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& ke
     while (pause_ms > 0) {
       protocol::Keyframe held;
       held.terms = shown_;
-      held.duration_ms =
-          static_cast<std::uint32_t>(std::min<std::int64_t>(pause_ms, protocol::kDurationMsMax));
-      pause_ms -= *held.duration_ms;
-      place_ms_ += *held.duration_ms;
+      held.time_ms = static_cast<std::uint32_t>(
+          std::min<std::int64_t>(pause_ms, protocol::kKeyframeTimeMsMax));
+      pause_ms -= *held.time_ms;
+      place_ms_ += *held.time_ms;
       lines.push_back(std::move(held));
     }
   }
   shown_ = keyframe.terms;
-  place_ms_ += *keyframe.duration_ms;
+  place_ms_ += *keyframe.time_ms;
   lines.push_back(keyframe);
   return lines;
 }

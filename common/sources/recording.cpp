@@ -30,11 +30,11 @@ void count_gap(double seconds, Found& found) {
 double steps_a_second(const protocol::StreamFile& stream) {
   if (stream.keyframes.empty()) return 0;
   // The first keyframe takes the usual time.
-  const double usual = stream.keyframes.front().duration_ms.value_or(0);
+  const double usual = stream.keyframes.front().time_ms.value_or(0);
   double sum = 0;
   double steps = 0;
   for (const protocol::Keyframe& keyframe : stream.keyframes) {
-    const double step = keyframe.duration_ms.value_or(0);
+    const double step = keyframe.time_ms.value_or(0);
     if (step < usual / 2 || step > usual * 1.5) continue;
     sum += step;
     ++steps;

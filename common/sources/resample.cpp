@@ -33,7 +33,7 @@ class Curve {
     index_ = index;
     const protocol::Keyframe& keyframe = stream_.keyframes[index];
     to_ = frame_from_terms(keyframe.terms);
-    end_ms_ = begin_ms_ + keyframe.duration_ms.value_or(keyframe_ms_);
+    end_ms_ = begin_ms_ + keyframe.time_ms.value_or(keyframe_ms_);
   }
 
   const protocol::StreamFile& stream_;
@@ -61,7 +61,7 @@ protocol::StreamFile resample(const protocol::StreamFile& stream, double rate,
         wanted < static_cast<double>(whole_ms) ? static_cast<std::uint64_t>(wanted) : whole_ms;
     protocol::Keyframe keyframe;
     keyframe.terms = canonical_terms(curve.at(static_cast<double>(next)));
-    keyframe.duration_ms = static_cast<std::uint32_t>(next - place);
+    keyframe.time_ms = static_cast<std::uint32_t>(next - place);
     resampled.keyframes.push_back(std::move(keyframe));
     place = next;
   }

@@ -66,8 +66,8 @@ void Timeline::bridge(double until) {
 /// Where a keyframe cannot last as long as that, there are several.
 void Timeline::store(double seconds) {
   const std::int64_t place = whole_milliseconds(seconds);
-  while (last_seconds_ && place - last_ms_ > protocol::kDurationMsMax) {
-    const std::int64_t step = last_ms_ + protocol::kDurationMsMax;
+  while (last_seconds_ && place - last_ms_ > protocol::kKeyframeTimeMsMax) {
+    const std::int64_t step = last_ms_ + protocol::kKeyframeTimeMsMax;
     keep(static_cast<double>(step) / 1000, step);
   }
   if (!last_seconds_ || place > last_ms_) keep(seconds, place);
@@ -76,7 +76,7 @@ void Timeline::store(double seconds) {
 void Timeline::keep(double seconds, std::int64_t place) {
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(channels_.at(seconds));
-  keyframe.duration_ms = static_cast<std::uint32_t>(last_seconds_ ? place - last_ms_ : 0);
+  keyframe.time_ms = static_cast<std::uint32_t>(last_seconds_ ? place - last_ms_ : 0);
   stream_.keyframes.push_back(std::move(keyframe));
   last_seconds_ = seconds;
   last_ms_ = place;
@@ -85,14 +85,14 @@ void Timeline::keep(double seconds, std::int64_t place) {
 protocol::StreamFile Timeline::finish() {
   std::vector<std::uint32_t> steps;
   for (std::size_t index = 1; index < stream_.keyframes.size(); ++index) {
-    steps.push_back(*stream_.keyframes[index].duration_ms);
+    steps.push_back(*stream_.keyframes[index].time_ms);
   }
   if (steps.empty()) {
-    for (protocol::Keyframe& keyframe : stream_.keyframes) keyframe.duration_ms.reset();
+    for (protocol::Keyframe& keyframe : stream_.keyframes) keyframe.time_ms.reset();
   } else {
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
-    stream_.keyframes.front().duration_ms = *middle;
+    stream_.keyframes.front().time_ms = *middle;
   }
   return std::move(stream_);
 }

@@ -26,7 +26,7 @@ class Channels {
   std::array<double, kAuCount> right_seen_{};
 };
 
-/// Turns the samples of a recording into keyframes. Durations are differences of places rounded to
+/// Turns the samples of a recording into keyframes. Times are differences of places rounded to
 /// whole milliseconds, so that rounding errors do not add up. A channel (an AU on a side) without
 /// data holds, then eases to neutral; where whole rows are missing, keyframes are inserted for
 /// that. Samples go through a Conditioning first.

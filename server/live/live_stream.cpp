@@ -104,7 +104,7 @@ void LiveStream::send_due(SteadyTime now) {
 void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadyTime now) {
   if (voice_ && free) {
     // A keyframe's own time is part of what has passed.
-    fill_pause(now - Milliseconds(keyframe.keyframe.duration_ms.value_or(0)));
+    fill_pause(now - Milliseconds(keyframe.keyframe.time_ms.value_or(0)));
   }
   pass(keyframe.keyframe, free, now);
 }
@@ -119,14 +119,14 @@ void LiveStream::fill_pause(SteadyTime now) {
   if (pause < kPauseLeast) return;
   protocol::Keyframe held;
   held.terms = shown_;
-  held.duration_ms = static_cast<std::uint32_t>(
-      std::min<Milliseconds::rep>(pause.count(), protocol::kDurationMsMax));
+  held.time_ms = static_cast<std::uint32_t>(
+      std::min<Milliseconds::rep>(pause.count(), protocol::kKeyframeTimeMsMax));
   pass(held, true, now);
 }
 
 /// The record is not thinned.
 void LiveStream::pass(const protocol::Keyframe& keyframe, bool free, SteadyTime now) {
-  end_ += Milliseconds(keyframe.duration_ms.value_or(0));
+  end_ += Milliseconds(keyframe.time_ms.value_or(0));
   if (voice_) {
     if (!clock_begin_) clock_begin_ = now - end_;
     voice_->add_keyframe(end_, now);

@@ -43,7 +43,7 @@ void Recorder::add(const protocol::Keyframe& keyframe, SteadyTime now, bool free
   std::vector<std::string> lines;
   for (const protocol::Keyframe& line : timeline_.add(keyframe, now, free)) {
     lines.push_back(protocol::format_stream_line(line) + '\n');
-    end_ += Milliseconds(line.duration_ms.value_or(0));
+    end_ += Milliseconds(line.time_ms.value_or(0));
   }
   face_->add(std::move(lines));
 }

@@ -66,8 +66,7 @@ void ServedReplay::take_moments() {
     next_moment_ = moment.number + 1;
     protocol::Keyframe keyframe = protocol::keyframe_of(moment.full);
     const Milliseconds end = moment.begin + moment.time;
-    keyframe.duration_ms =
-        static_cast<std::uint32_t>((end - std::exchange(taken_to_, end)).count());
+    keyframe.time_ms = static_cast<std::uint32_t>((end - std::exchange(taken_to_, end)).count());
     thinning_.push(std::move(keyframe));
   }
 }

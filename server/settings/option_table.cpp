@@ -191,7 +191,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
       {"keyframe", "MS", "250", "how long keyframes without a time last (250)",
        "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
        "it to clients, and --live uses it.",
-       whole(options.keyframe_ms, 1, protocol::kDurationMsMax), "Sending"},
+       whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax), "Sending"},
       {"classic-min", "PERCENT", "20", "weakest AU that classic clients are sent (20)",
        "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
        "sent as fully active.",

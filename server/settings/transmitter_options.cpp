@@ -118,8 +118,9 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
 Result<void> validate(const TransmitterOptions& options) {
   if (auto can = validate_streams(options); !can) return can;
   if (options.bind.empty()) return usage_error("--bind is empty");
-  if (options.keyframe_ms < 1 || options.keyframe_ms > protocol::kDurationMsMax) {
-    return usage_error("--keyframe is outside 1 to " + std::to_string(protocol::kDurationMsMax));
+  if (options.keyframe_ms < 1 || options.keyframe_ms > protocol::kKeyframeTimeMsMax) {
+    return usage_error("--keyframe is outside 1 to " +
+                       std::to_string(protocol::kKeyframeTimeMsMax));
   }
   if (options.classic_min < 0 || options.classic_min > 100) {
     return usage_error("--classic-min is outside 0 to 100");

@@ -42,7 +42,7 @@ struct TransmitterOptions {
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
   Milliseconds drain_time{0};       ///< in which clients are sent away; 0: they get {-2}
   bool reuse_port = false;          ///< other processes may listen at the same port
-  std::uint32_t keyframe_ms = 250;  ///< 1 to kDurationMsMax; for untimed keyframes
+  std::uint32_t keyframe_ms = 250;  ///< 1 to kKeyframeTimeMsMax; for untimed keyframes
   bool loop = false;                ///< start again at the end instead of {-2}
   bool live = false;                ///< one clock for all clients
   int classic_min = 20;             ///< percent 0-100; weaker AUs are left out for classic clients

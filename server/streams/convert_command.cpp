@@ -56,7 +56,7 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
        "IN is a stream file that a power cut has truncated: converts what is intact.",
        flag(options.mend)},
       {"keyframe", "MS", "250", "how long keyframes without a time last (250)", "",
-       whole(options.keyframe_ms, 1, protocol::kDurationMsMax)}};
+       whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax)}};
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
   std::erase_if(rows, [](const OptionRow& row) { return row.name == "dead-band"; });

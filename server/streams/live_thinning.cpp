@@ -45,8 +45,8 @@ double LiveThinning::bits_of(const protocol::Keyframe& keyframe) const {
 
 void LiveThinning::push(protocol::Keyframe keyframe) {
   if (waiting_) {
-    const std::uint64_t time_ms = std::uint64_t{waiting_->duration_ms.value_or(keyframe_ms_)} +
-                                  keyframe.duration_ms.value_or(keyframe_ms_);
+    const std::uint64_t time_ms = std::uint64_t{waiting_->time_ms.value_or(keyframe_ms_)} +
+                                  keyframe.time_ms.value_or(keyframe_ms_);
     give_time(keyframe, time_ms);
   }
   bits_ = limited_ ? bits_of(keyframe) : 0;

@@ -73,7 +73,7 @@ Result<void> encode_file(std::string_view text, const Reading& reading, Source& 
 /// the row's time, and with it the beginning of the sound, is the end of that keyframe.
 void align_voice(const protocol::StreamFile& stream, std::uint32_t keyframe_ms, Source& source) {
   if (!source.voice) return;
-  source.voice->begin += Milliseconds(stream.keyframes.front().duration_ms.value_or(keyframe_ms));
+  source.voice->begin += Milliseconds(stream.keyframes.front().time_ms.value_or(keyframe_ms));
 }
 
 /// Encodes a stream that is in memory as keyframes; resamples and thins it if asked to.

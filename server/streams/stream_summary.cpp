@@ -6,8 +6,8 @@ namespace aucast::server {
 
 void StreamSummary::add(const protocol::Keyframe& keyframe, std::uint32_t keyframe_ms) {
   ++keyframes;
-  if (!keyframe.duration_ms) ++untimed;
-  duration_ms += keyframe.duration_ms.value_or(keyframe_ms);
+  if (!keyframe.time_ms) ++untimed;
+  duration_ms += keyframe.time_ms.value_or(keyframe_ms);
   const AuFrame frame = frame_from_terms(keyframe.terms);
   const auto count = [this](std::size_t number, int percent) {
     Use& use = uses[number];

@@ -9,7 +9,7 @@
 namespace aucast::server {
 namespace {
 
-constexpr auto kLongest = static_cast<std::uint64_t>(protocol::kDurationMsMax);
+constexpr auto kLongest = static_cast<std::uint64_t>(protocol::kKeyframeTimeMsMax);
 
 double bits_on_the_wire(const protocol::Keyframe& keyframe) {
   return static_cast<double>((encode(keyframe).size() + kHeaderBytes) * 8);
@@ -18,7 +18,7 @@ double bits_on_the_wire(const protocol::Keyframe& keyframe) {
 }  // namespace
 
 void give_time(protocol::Keyframe& keyframe, std::uint64_t time_ms) {
-  keyframe.duration_ms = static_cast<std::uint32_t>(std::min(time_ms, kLongest));
+  keyframe.time_ms = static_cast<std::uint32_t>(std::min(time_ms, kLongest));
 }
 
 std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyframes,
@@ -32,7 +32,7 @@ std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyf
   std::vector<protocol::Keyframe> kept;
   for (std::size_t i = 0; i < keyframes.size() && !stop.stop_requested(); ++i) {
     protocol::Keyframe keyframe = keyframes[i];
-    const std::uint64_t own_ms = keyframe.duration_ms.value_or(keyframe_ms);
+    const std::uint64_t own_ms = keyframe.time_ms.value_or(keyframe_ms);
     time_ms += own_ms;
     if (time_ms != own_ms) give_time(keyframe, time_ms);
     // What the keyframe's own time brings must pay for it.

@@ -140,8 +140,8 @@ void RelayedStream::begin_call() {
 
 std::optional<std::string> RelayedStream::add(const protocol::DeliverKeyframe& keyframe,
                                               std::string_view packet) {
-  const std::uint32_t time_ms = keyframe.duration_ms.value_or(shared_->keyframe_ms);
-  const protocol::Keyframe state{canonical_terms(keyframe.aus), false, keyframe.duration_ms,
+  const std::uint32_t time_ms = keyframe.time_ms.value_or(shared_->keyframe_ms);
+  const protocol::Keyframe state{canonical_terms(keyframe.aus), false, keyframe.time_ms,
                                  keyframe.place_ms};
   protocol::EncodedKeyframe encoded;
   encoded.classic = encode_classic(state, options_.classic_min);

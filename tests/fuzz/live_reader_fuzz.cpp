@@ -66,8 +66,8 @@ class Source {
   /// Whatever is served can be a line of a stream file, and says the same there.
   void serve(const protocol::Keyframe& keyframe, bool free) {
     for (const protocol::Keyframe& line : record_.add(keyframe, now_, free)) {
-      const std::int64_t duration = line.duration_ms.value_or(0);
-      AUCAST_CHECK(duration >= 1 && duration <= protocol::kDurationMsMax);
+      const std::int64_t time_ms = line.time_ms.value_or(0);
+      AUCAST_CHECK(time_ms >= 1 && time_ms <= protocol::kKeyframeTimeMsMax);
       protocol::Keyframe again;
       const std::string text = protocol::format_stream_line(line);
       AUCAST_CHECK(!protocol::parse_stream_line(text, again));

@@ -28,8 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   AUCAST_CHECK(!recording->stream.keyframes.empty());
   for (const auto& keyframe : recording->stream.keyframes) {
-    const std::int64_t duration = keyframe.duration_ms.value_or(1);
-    AUCAST_CHECK(duration >= 1 && duration <= protocol::kDurationMsMax);
+    const std::int64_t time_ms = keyframe.time_ms.value_or(1);
+    AUCAST_CHECK(time_ms >= 1 && time_ms <= protocol::kKeyframeTimeMsMax);
   }
   const auto again =
       protocol::parse_stream_file(protocol::format_stream_file(recording->stream), "f");

@@ -33,12 +33,12 @@ class Keyframe:
     text: str
     changes: bool
     terms: list  # of (side, number, percent)
-    duration: int = None
+    time_ms: int = None
     place: int = None
 
     def plain(self):
         """Only numbers: what a classic server sends."""
-        return (not self.changes and self.duration is None
+        return (not self.changes and self.time_ms is None
                 and all(side == "" and percent == 100 for side, _, percent in self.terms)
                 and ":" not in self.text)
 
@@ -197,7 +197,7 @@ def parse(text):
         match = TIMING.fullmatch(timing)
         if not match or int(match[1]) > 3600000 or int(match[2] or 0) > 1000000000000:
             raise Violation(f"no timing: {text!r}")
-        keyframe.duration = int(match[1])
+        keyframe.time_ms = int(match[1])
         keyframe.place = None if match[2] is None else int(match[2])
     return keyframe
 

@@ -215,18 +215,18 @@ class OurClient(PeerTest):
             client.send("-3")
             keyframes += client.rest()
         self.assertFalse(any(keyframe.changes for keyframe in keyframes))
-        timings = [f";{keyframe.duration}" + ("" if keyframe.place is None else f"@{keyframe.place}")
+        timings = [f";{keyframe.time_ms}" + ("" if keyframe.place is None else f"@{keyframe.place}")
                    for keyframe in keyframes]
         self.assertEqual([keyframe.text for keyframe in keyframes],
                          [full(state, timing) for state, timing in zip(states, timings)])
-        self.assertEqual({keyframe.duration for keyframe in keyframes}, {40})
+        self.assertEqual({keyframe.time_ms for keyframe in keyframes}, {40})
 
     def test_untimed_goes_out_untimed(self):
         path, _ = self.stream(4, duration=0)
         with Transmitter(path, "--keyframe", "300") as server, \
                 Client(server.port, "{hello}") as client:
             self.assertEqual(client.packet().fields["keyframe"], "300")
-            self.assertEqual({keyframe.duration for keyframe in client.rest()}, {None})
+            self.assertEqual({keyframe.time_ms for keyframe in client.rest()}, {None})
 
     def test_hello_in_single_bytes(self):
         path, states = self.stream(5)
@@ -269,7 +269,7 @@ class OurClient(PeerTest):
         self.assertGreater(sum(keyframe.changes for keyframe in keyframes), 150)
         since = 0
         for keyframe in keyframes:
-            since = since + keyframe.duration if keyframe.changes else 0
+            since = since + keyframe.time_ms if keyframe.changes else 0
             self.assertLessEqual(since, 10000)
 
     def test_from(self):
@@ -281,7 +281,7 @@ class OurClient(PeerTest):
                     self.assertEqual(begins, 100 * first)
                     keyframes = client.rest()
                 self.assertEqual(states_of(keyframes), states[first:])
-                self.assertTrue(not keyframes or keyframes[0].duration == 100)
+                self.assertTrue(not keyframes or keyframes[0].time_ms == 100)
                 self.assertTrue(not keyframes or not keyframes[0].changes)
 
     def test_from_in_a_loop(self):

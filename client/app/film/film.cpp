@@ -104,25 +104,25 @@ class Film {
   /// Draws one keyframe that begins at `begin_ms` of the film, or as much of it as there is time
   /// for before the user stops.
   Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
-    const std::int64_t duration_ms = begun.duration.count();
-    sound_.keyframe(begun, begin_ms + duration_ms);
+    const std::int64_t takes_ms = begun.time.count();
+    sound_.keyframe(begun, begin_ms + takes_ms);
     if (sinks_.frames) {
-      if (auto drawn = frames(begin_ms, duration_ms); !drawn) return drawn;
+      if (auto drawn = frames(begin_ms, takes_ms); !drawn) return drawn;
     }
-    if (auto drawn = film(begin_ms, duration_ms); !drawn) return drawn;
+    if (auto drawn = film(begin_ms, takes_ms); !drawn) return drawn;
     if (sinks_.sheet && sinks_.sheet->wants_next()) {
-      sinks_.sheet->add(draw(1.0, begin_ms + duration_ms), describe(assets_, begun.target.aus));
+      sinks_.sheet->add(draw(1.0, begin_ms + takes_ms), describe(assets_, begun.target.aus));
     }
     return {};
   }
 
   /// After the last keyframe, at `begin_ms`: the face holds while there is sound.
   Result<void> tail(std::int64_t begin_ms) {
-    const std::int64_t duration_ms = sound_.tail_ms();
-    if (duration_ms == 0) return {};
-    sound_.tail(begin_ms + duration_ms);
+    const std::int64_t takes_ms = sound_.tail_ms();
+    if (takes_ms == 0) return {};
+    sound_.tail(begin_ms + takes_ms);
     holds_ = true;
-    return film(begin_ms, duration_ms);
+    return film(begin_ms, takes_ms);
   }
 
   [[nodiscard]] pipeline::Player& player() { return player_; }
@@ -143,20 +143,20 @@ class Film {
   }
 
  private:
-  Result<void> film(std::int64_t begin_ms, std::int64_t duration_ms) {
+  Result<void> film(std::int64_t begin_ms, std::int64_t takes_ms) {
     if (!sinks_.video) return {};
     const auto add = [this](const view::Image& image) { return sinks_.video->add(image); };
-    return timed(begin_ms, duration_ms, sinks_.video_fps, sinks_.video_next, add);
+    return timed(begin_ms, takes_ms, sinks_.video_fps, sinks_.video_next, add);
   }
 
-  Result<void> frames(std::int64_t begin_ms, std::int64_t duration_ms) {
+  Result<void> frames(std::int64_t begin_ms, std::int64_t takes_ms) {
     const auto add = [this](const view::Image& image) { return sinks_.frames->add(image); };
     if (sinks_.frames_fps) {
-      return timed(begin_ms, duration_ms, *sinks_.frames_fps, sinks_.frames_next, add);
+      return timed(begin_ms, takes_ms, *sinks_.frames_fps, sinks_.frames_next, add);
     }
     for (int k = 1; k <= kPositionsPerKeyframe && !stop_(); ++k) {
       const double mu = static_cast<double>(k) / kPositionsPerKeyframe;
-      const double at_ms = static_cast<double>(begin_ms) + mu * static_cast<double>(duration_ms);
+      const double at_ms = static_cast<double>(begin_ms) + mu * static_cast<double>(takes_ms);
       if (auto added = add(draw(mu, at_ms)); !added) return added;
     }
     return {};
@@ -164,15 +164,14 @@ class Film {
 
   /// The pictures at n / fps that fall into this keyframe, its end included.
   template <typename Add>
-  Result<void> timed(std::int64_t begin_ms, std::int64_t duration_ms, int fps, std::int64_t& next,
+  Result<void> timed(std::int64_t begin_ms, std::int64_t takes_ms, int fps, std::int64_t& next,
                      const Add& add) {
-    const std::int64_t end_ms = begin_ms + duration_ms;
+    const std::int64_t end_ms = begin_ms + takes_ms;
     for (; next * 1000 <= end_ms * fps && !stop_(); ++next) {
       const double at_ms = static_cast<double>(next) * 1000.0 / fps;
-      const bool reached = duration_ms == 0 || holds_;
+      const bool reached = takes_ms == 0 || holds_;
       const double mu =
-          reached ? 1.0
-                  : (at_ms - static_cast<double>(begin_ms)) / static_cast<double>(duration_ms);
+          reached ? 1.0 : (at_ms - static_cast<double>(begin_ms)) / static_cast<double>(takes_ms);
       if (auto added = add(draw(std::clamp(mu, 0.0, 1.0), at_ms)); !added) return added;
     }
     return {};
@@ -224,7 +223,7 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
     if (!first) first = steady_now();
     if (stats.first_frame_ms == 0) stats.first_frame_ms = since_start_ms();
     drawn = film.keyframe(begun, film_ms);
-    film_ms += begun.duration.count();
+    film_ms += begun.time.count();
     stats.playback_seconds = seconds(steady_now() - *first);
   };
   const auto told = [&](Result<void> result) {

@@ -34,10 +34,10 @@ void FilmSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t end_
   take_in();
   if (!begun.target.place) return write(std::nullopt, end_ms);
   place_ms_ = begun.target.place->count();
-  const double time = seconds(begun.duration);
-  const double speed = begun.target.span == begun.duration ? 1
-                       : time > 0                          ? seconds(begun.target.span) / time
-                                                           : 0;
+  const double time = seconds(begun.time);
+  const double speed = begun.target.span == begun.time ? 1
+                       : time > 0                      ? seconds(begun.target.span) / time
+                                                       : 0;
   write(playback::Passing{*begun.target.place, speed}, end_ms);
 }
 

@@ -302,8 +302,8 @@ export class PlayerEngine {
   /// The keyframes that began since the last call.
   takeBegun() {
     return this.call('aucast_begun').split('\n').filter(Boolean).map(line => {
-      const [aus, duration] = line.split(';');
-      return { aus, duration: Number(duration) };
+      const [aus, time] = line.split(';');
+      return { aus, time: Number(time) };
     });
   }
 }

@@ -13,9 +13,9 @@ TEST(StreamFiles, AKeyframeHasItsTimeOrNone) {
   const auto read = read_stream(folder.write("two.txt", "Beg_Stream\n12:30;500\n0\nEnd_Stream\n"));
   ASSERT_TRUE(read) << read.error().message;
   ASSERT_EQ(read->size(), 2U);
-  EXPECT_EQ((*read)[0].duration, Milliseconds(500));
+  EXPECT_EQ((*read)[0].time, Milliseconds(500));
   EXPECT_NEAR((*read)[0].aus.left[12], 0.3, 1e-6);
-  EXPECT_FALSE((*read)[1].duration.has_value());
+  EXPECT_FALSE((*read)[1].time.has_value());
 }
 
 TEST(StreamFiles, ATableIsReadAsItIsSet) {

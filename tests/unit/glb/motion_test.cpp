@@ -13,7 +13,7 @@ playback::Keyframe keyframe(std::uint8_t au, float intensity,
                             std::optional<Milliseconds> duration) {
   playback::Keyframe keyframe;
   set_intensity(keyframe.aus, au, Side::Both, intensity);
-  keyframe.duration = duration;
+  keyframe.time = duration;
   return keyframe;
 }
 

@@ -94,7 +94,7 @@ TEST(AuReader, AnswersEachPacketInClassic) {
   const auto keyframe = reading.reader.take();
   ASSERT_TRUE(keyframe);
   EXPECT_EQ(keyframe->aus, frame_from_terms(std::vector<AuTerm>{{1}, {6}, {12}, {14}}));
-  EXPECT_FALSE(keyframe->duration);
+  EXPECT_FALSE(keyframe->time);
 }
 
 TEST(AuReader, TakesTheTimesOfLevel2) {
@@ -106,7 +106,7 @@ TEST(AuReader, TakesTheTimesOfLevel2) {
   reading.feed("{-2}");
   const auto keyframe = reading.reader.take();
   ASSERT_TRUE(keyframe);
-  EXPECT_EQ(keyframe->duration, 40ms);
+  EXPECT_EQ(keyframe->time, 40ms);
   EXPECT_FLOAT_EQ(keyframe->aus.left[12], 0.8F);
 }
 

@@ -79,7 +79,7 @@ TEST(RemoteSource, PlaysLevel2WithAWindow) {
   ASSERT_TRUE(source.wait_until(patience()));
   const auto first = source.take();
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->duration, Milliseconds(40));
+  EXPECT_EQ(first->time, Milliseconds(40));
   EXPECT_EQ(take_all(source), (Aus{2, 4, 5, 6}));
   EXPECT_EQ(server.finish(), "");
   EXPECT_TRUE(source.status().negotiated);

@@ -109,7 +109,7 @@ TEST_F(PlayerTest, SaysEachKeyframeThatBeginsAlsoWhenSeveralAreOver) {
   std::vector<int> begun;
   const auto note = [&](const KeyframeBegun& one) {
     EXPECT_EQ(player_.pipeline().received(), one.target.aus);
-    begun.push_back(static_cast<int>(one.duration.count()));
+    begun.push_back(static_cast<int>(one.time.count()));
   };
   player_.advance(clock_.now(), note);
   clock_.advance(Milliseconds(15));

@@ -19,7 +19,7 @@ using test::marked;
 /// Keyframe `mark` of a live stream, untimed unless `time` is given.
 Keyframe keyframe_of(int mark, std::optional<Milliseconds> time = std::nullopt) {
   Keyframe made = marked(mark);
-  made.duration = time;
+  made.time = time;
   return made;
 }
 
@@ -170,7 +170,7 @@ TEST_F(LiveBuffers, NeverPlayFasterThanFivePercent) {
     const auto before = buffers_.buffered();
     const auto taken = buffers_.take();
     if (!taken) continue;
-    EXPECT_EQ(taken->duration, before - buffers_.buffered()) << "its own time is left alone";
+    EXPECT_EQ(taken->time, before - buffers_.buffered()) << "its own time is left alone";
     EXPECT_GE(taken->pace_percent, 95);
     EXPECT_LE(taken->pace_percent, 105);
   }

@@ -88,7 +88,7 @@ class Watching {
     while (const auto begun = controller_.advance(now_, source_)) {
       EXPECT_GT(mark_of(begun->target), last_mark_);
       last_mark_ = mark_of(begun->target);
-      EXPECT_EQ(begun->duration, time_);
+      EXPECT_EQ(begun->time, time_);
       from_ = to_;
       to_ = static_cast<float>(last_mark_ % 2);
       before_ = -1;

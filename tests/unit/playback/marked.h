@@ -7,10 +7,10 @@
 namespace aucast::playback::test {
 
 /// A keyframe that can be told from others: `mark` stands in AU 1 of the left side.
-inline Keyframe marked(int mark, std::optional<Milliseconds> duration = std::nullopt) {
+inline Keyframe marked(int mark, std::optional<Milliseconds> time = std::nullopt) {
   Keyframe keyframe;
   keyframe.aus.left[1] = static_cast<float>(mark);
-  keyframe.duration = duration;
+  keyframe.time = time;
   return keyframe;
 }
 

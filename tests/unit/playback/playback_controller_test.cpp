@@ -70,17 +70,17 @@ TEST(PlaybackController, TakesAKeyframesTimeFromPacketSpeedServerInThisOrder) {
   ManualClock clock;
   ScriptedSource source;
   source.now.keyframe_time = 70ms;
-  const auto duration = [&](std::optional<Milliseconds> speed, std::optional<Milliseconds> own) {
+  const auto time_of = [&](std::optional<Milliseconds> speed, std::optional<Milliseconds> own) {
     source.keyframes = {marked(1, own)};
     PlaybackController controller(speed);
     const auto keyframe = controller.advance(clock.now(), source);
-    return keyframe ? keyframe->duration : -1ms;
+    return keyframe ? keyframe->time : -1ms;
   };
-  EXPECT_EQ(duration(90ms, 40ms), 40ms);
-  EXPECT_EQ(duration(90ms, std::nullopt), 90ms);
-  EXPECT_EQ(duration(std::nullopt, std::nullopt), 70ms);
+  EXPECT_EQ(time_of(90ms, 40ms), 40ms);
+  EXPECT_EQ(time_of(90ms, std::nullopt), 90ms);
+  EXPECT_EQ(time_of(std::nullopt, std::nullopt), 70ms);
   source.now = {};
-  EXPECT_EQ(duration(std::nullopt, std::nullopt), 250ms);
+  EXPECT_EQ(time_of(std::nullopt, std::nullopt), 250ms);
 }
 
 TEST(PlaybackController, TheNextBeginsWhereTheLastEnded) {

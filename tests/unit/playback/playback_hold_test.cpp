@@ -42,7 +42,7 @@ TEST_F(Holding, EasesToNeutralAfterTheHold) {
   const auto easing = advance(1ms);
   ASSERT_TRUE(easing);
   EXPECT_EQ(easing->target.aus, AuFrame{});
-  EXPECT_EQ(easing->duration, PlaybackController::kEaseTime);
+  EXPECT_EQ(easing->time, PlaybackController::kEaseTime);
   EXPECT_EQ(easing->cut_at, 1.0);
   EXPECT_EQ(controller_.state(), PlaybackState::Stale);
   EXPECT_EQ(controller_.progress().mu, 0.0);

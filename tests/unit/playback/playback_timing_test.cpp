@@ -109,8 +109,8 @@ TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
         const bool anew = begun == 1 || stalled;
         const Instant begin = anew ? clock.now() : current_end;
         if (begun == 1) first_begin = begin;
-        current_end = begin + keyframe->duration;
-        media += keyframe->duration;
+        current_end = begin + keyframe->time;
+        media += keyframe->time;
         stalled = false;
       }
       if (controller.state() == PlaybackState::Stalled && !stalled) {

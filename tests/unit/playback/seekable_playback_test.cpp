@@ -30,7 +30,7 @@ TEST_F(SeekablePlaybackTest, PlaysFromTheFirstLookOn) {
   const auto first = after(5000);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->from, AuFrame{});
-  EXPECT_EQ(first->duration, Milliseconds(100));
+  EXPECT_EQ(first->time, Milliseconds(100));
   EXPECT_FALSE(after(0)) << "it has begun";
   EXPECT_EQ(playback_.state(), PlaybackState::Playing);
   EXPECT_FALSE(after(50));
@@ -44,7 +44,7 @@ TEST_F(SeekablePlaybackTest, AKeyframeSetsOutFromTheOneBefore) {
   const auto second = after(200);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->from, two()[0].aus);
-  EXPECT_EQ(second->duration, Milliseconds(250));
+  EXPECT_EQ(second->time, Milliseconds(250));
   EXPECT_EQ(playback_.keyframes_played(), 1U);
   EXPECT_EQ(playback_.media_time(), Milliseconds(100));
 }

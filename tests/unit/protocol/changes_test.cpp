@@ -136,7 +136,7 @@ TEST(EncodeChanges, GivesBackEveryStateInOrder) {
                              static_cast<Side>(seeded.integer(0, 2)),
                              static_cast<std::uint8_t>(seeded.integer(0, 100))});
       }
-      if (seeded.chance(0.5)) one.duration_ms = seeded.integer(0, 3000);
+      if (seeded.chance(0.5)) one.time_ms = seeded.integer(0, 3000);
     }
     const auto packets = changes_of(keyframes);
     ASSERT_EQ(packets.size(), keyframes.size());
@@ -150,10 +150,10 @@ TEST(EncodeChanges, GivesBackEveryStateInOrder) {
       }
       apply_terms(running, read.terms);
       ASSERT_EQ(running, frame_from_terms(keyframes[i].terms)) << packets[i];
-      EXPECT_EQ(read.duration_ms, keyframes[i].duration_ms);
+      EXPECT_EQ(read.time_ms, keyframes[i].time_ms);
       EXPECT_LE(packets[i].size(), encode(keyframes[i]).size());
       EXPECT_LE(since_full, static_cast<std::uint64_t>(kFullKeyframeEvery.count()));
-      since_full += keyframes[i].duration_ms.value_or(250);
+      since_full += keyframes[i].time_ms.value_or(250);
     }
   }
 }

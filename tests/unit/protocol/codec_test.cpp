@@ -41,7 +41,7 @@ TEST(EncodeClassic, HasTheByteCountsOfTable55) {
 
 TEST(EncodeClassic, DropsSidesIntensitiesAndTiming) {
   Keyframe keyframe = of({au(14, Side::Right, 50), au(12, Side::Left), au(4, Side::Both, 30)});
-  keyframe.duration_ms = 40;
+  keyframe.time_ms = 40;
   keyframe.place_ms = 800;
   EXPECT_EQ(encode_classic(keyframe, 20), "{4,12,14}");
 }
@@ -72,7 +72,7 @@ TEST(EncodeKeyframe, IsAscendingJoinedAndOmitsHundred) {
 
 TEST(EncodeKeyframe, CarriesTiming) {
   Keyframe keyframe = of({au(1, Side::Both, 30), au(12, Side::Both, 80)});
-  keyframe.duration_ms = 40;
+  keyframe.time_ms = 40;
   EXPECT_EQ(encode(keyframe), "{1:30,12:80;40}");
   keyframe.place_ms = 73400;
   EXPECT_EQ(encode(keyframe), "{1:30,12:80;40@73400}");
@@ -81,12 +81,12 @@ TEST(EncodeKeyframe, CarriesTiming) {
 TEST(EncodeKeyframe, KeepsZerosOfTheChangesOnlyForm) {
   Keyframe keyframe = of({au(12, Side::Both, 80), au(6, Side::Both, 0), au(4, Side::Left, 0)});
   keyframe.changes_only = true;
-  keyframe.duration_ms = 33;
+  keyframe.time_ms = 33;
   EXPECT_EQ(encode(keyframe), "{~L4:0,6:0,12:80;33}");
   keyframe.terms.clear();
   EXPECT_EQ(encode(keyframe), "{~;33}");
   keyframe.terms = {au(0)};
-  keyframe.duration_ms.reset();
+  keyframe.time_ms.reset();
   EXPECT_EQ(encode(keyframe), "{~}");
 }
 
@@ -96,7 +96,7 @@ TEST(EncodeKeyframe, TheLongestOneFitsThePacketLimit) {
     keyframe.terms.push_back(au(number, Side::Left, 98));
     keyframe.terms.push_back(au(number, Side::Right, 99));
   }
-  keyframe.duration_ms = kDurationMsMax;
+  keyframe.time_ms = kKeyframeTimeMsMax;
   keyframe.place_ms = kPlaceMsMax;
   EXPECT_LT(encode(keyframe).size(), kPacketBytesMax);
 }

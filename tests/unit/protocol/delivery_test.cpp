@@ -21,7 +21,7 @@ class VoiceInTheMaking : public ::testing::Test {
     std::vector<Keyframe> keyframes(3);
     for (Keyframe& keyframe : keyframes) {
       keyframe.terms = {AuTerm{1}};
-      keyframe.duration_ms = 100;
+      keyframe.time_ms = 100;
     }
     stream_ = served("talk", encode_stream(keyframes, 250, 20));
     std::get<RecordedStream>(stream_.kind).spoken =

@@ -13,7 +13,7 @@ namespace {
 Keyframe smile(std::uint8_t percent, std::optional<std::uint32_t> ms = {}) {
   Keyframe keyframe;
   keyframe.terms = {{12, Side::Both, percent}};
-  keyframe.duration_ms = ms;
+  keyframe.time_ms = ms;
   return keyframe;
 }
 
@@ -35,7 +35,7 @@ TEST(EncodedStream, HasEachKeyframeInEveryForm) {
   open.terms.push_back({25, Side::Both, 70});
   encoder.add(open);
   open.terms.front().percent = 10;
-  open.duration_ms = 33;
+  open.time_ms = 33;
   encoder.add(open);
   EXPECT_EQ(encoder.keyframes(), 2U);
   const EncodedStream stream = encoder.finish();
@@ -60,7 +60,7 @@ TEST(EncodedStream, GivesBackTheKeyframesOfItsPackets) {
   const EncodedStream stream = encode_stream(keyframes, 250, 20);
   ASSERT_EQ(stream.negotiated.size(), keyframes.size());
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
-    EXPECT_EQ(keyframe_of(stream.negotiated[i]).duration_ms, keyframes[i].duration_ms);
+    EXPECT_EQ(keyframe_of(stream.negotiated[i]).time_ms, keyframes[i].time_ms);
   }
   EXPECT_EQ(keyframe_of(stream.negotiated[0]), keyframes[0]);
 }

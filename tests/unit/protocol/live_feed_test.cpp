@@ -8,7 +8,7 @@ namespace {
 Keyframe keyframe(std::uint8_t percent, std::uint32_t ms = 33) {
   Keyframe made;
   made.terms = {{12, Side::Both, percent}, {25, Side::Both, 70}, {51, Side::Both, 9}};
-  made.duration_ms = ms;
+  made.time_ms = ms;
   return made;
 }
 

@@ -25,7 +25,7 @@ std::vector<Keyframe> numbered(int length) {
   for (int n = 1; n <= length; ++n) {
     Keyframe keyframe;
     keyframe.terms = {{1, Side::Both, static_cast<std::uint8_t>(n)}, {6, Side::Left, 50}};
-    keyframe.duration_ms = 10;
+    keyframe.time_ms = 10;
     keyframes.push_back(keyframe);
   }
   return keyframes;

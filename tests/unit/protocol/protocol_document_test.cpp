@@ -167,7 +167,7 @@ const std::map<std::string, std::int64_t>& all_limits() {
       {"kStreamLineBytesMax", kStreamLineBytesMax},
       {"kStreamNameBytesMax", kStreamNameBytesMax},
       {"kWindowMax", kWindowMax},
-      {"kDurationMsMax", kDurationMsMax},
+      {"kKeyframeTimeMsMax", kKeyframeTimeMsMax},
       {"kPlaceMsMax", kPlaceMsMax},
       {"kDefaultKeyframeTime", kDefaultKeyframeTime.count()},
       {"kGraceMin", kGraceMin.count()},

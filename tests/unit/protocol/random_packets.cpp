@@ -47,7 +47,7 @@ Keyframe random_keyframe(Seeded& seeded) {
   keyframe.terms = random_changes(seeded);
   if (!keyframe.changes_only) keyframe.terms = canonical_terms(frame_from_terms(keyframe.terms));
   if (seeded.chance(0.5)) {
-    keyframe.duration_ms = static_cast<std::uint32_t>(seeded.integer(0, kDurationMsMax));
+    keyframe.time_ms = static_cast<std::uint32_t>(seeded.integer(0, kKeyframeTimeMsMax));
     if (seeded.chance(0.5)) {
       keyframe.place_ms = static_cast<std::uint64_t>(seeded.integer(0, 1'000'000)) * 1'000'000;
     }
@@ -83,7 +83,7 @@ ServerPacket random_server_packet(Seeded& seeded) {
       hello.live = seeded.chance(0.5);
       if (seeded.chance(0.5))
         hello.duration_ms = static_cast<std::uint64_t>(seeded.integer(0, 1 << 30));
-      hello.keyframe_ms = static_cast<std::uint32_t>(seeded.integer(1, kDurationMsMax));
+      hello.keyframe_ms = static_cast<std::uint32_t>(seeded.integer(1, kKeyframeTimeMsMax));
       if (seeded.chance(0.5)) hello.voice = kVoiceCodec;
       hello.text = seeded.chance(0.5);
       if (seeded.chance(0.5)) hello.title = random_text(seeded, "aB {}=", 20);

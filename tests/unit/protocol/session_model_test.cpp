@@ -78,7 +78,7 @@ std::vector<Keyframe> countable(int length) {
     keyframe.terms = {
         {static_cast<std::uint8_t>(n), Side::Both, static_cast<std::uint8_t>(n + 10)}};
     if (n % 3 == 0) keyframe.terms.push_back({99, Side::Left, 50});
-    keyframe.duration_ms = 20;
+    keyframe.time_ms = 20;
     keyframes.push_back(keyframe);
   }
   return keyframes;

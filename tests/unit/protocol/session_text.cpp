@@ -38,7 +38,7 @@ std::string text_of_event(const HandOver& over) {
 }
 std::string text_of_event(const DeliverKeyframe& keyframe) {
   std::string text = "store {" + format_au_set(keyframe.aus);
-  if (keyframe.duration_ms) text += ";" + std::to_string(*keyframe.duration_ms);
+  if (keyframe.time_ms) text += ";" + std::to_string(*keyframe.time_ms);
   if (keyframe.place_ms) text += "@" + std::to_string(*keyframe.place_ms);
   return text + "}";
 }

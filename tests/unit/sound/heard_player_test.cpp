@@ -45,7 +45,7 @@ class HeardPlayerTest : public ::testing::Test {
     source_ = source.get();
     Keyframe open_jaw;
     set_intensity(open_jaw.aus, 26, Side::Both, 1);
-    open_jaw.duration = open_jaw.place = open_jaw.span = Milliseconds(1'000);
+    open_jaw.time = open_jaw.place = open_jaw.span = Milliseconds(1'000);
     source->keyframes.push_back(open_jaw);
     playback_ = std::make_unique<SourcePlayback>(std::move(source), SourcePlayback::Options{});
   }

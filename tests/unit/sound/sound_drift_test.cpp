@@ -103,7 +103,7 @@ TEST_P(SoundDrift, OfAnHourIsTakenOutOfPausesAndTheFaceStaysWithTheSound) {
     steady += kDriftTick;
     if (tick % (kKeyframe / kDriftTick) == 0) {
       Keyframe keyframe;
-      keyframe.duration = kKeyframe;
+      keyframe.time = kKeyframe;
       keyframe.span = kKeyframe;
       keyframe.place = place += kKeyframe;
       keyframe.arrived = steady;

@@ -38,7 +38,7 @@ class SoundPlayerTest : public ::testing::Test {
   void keyframes(int count) {
     for (int i = 0; i < count; ++i) {
       Keyframe keyframe;
-      keyframe.duration = Milliseconds(40);
+      keyframe.time = Milliseconds(40);
       keyframe.place = place_ += Milliseconds(40);
       keyframe.span = Milliseconds(40);
       source_->keyframes.push_back(keyframe);
@@ -295,7 +295,7 @@ TEST_F(SoundPlayerTest, LiveKeyframesAreDueByTheClockOfTheSound) {
   // The device has been given 100 ms ahead, so that what arrives now is shown 100 ms later.
   for (int i = 0; i < 20; ++i) {
     Keyframe keyframe;
-    keyframe.duration = Milliseconds(40);
+    keyframe.time = Milliseconds(40);
     keyframe.place = place_ += Milliseconds(40);
     keyframe.span = Milliseconds(40);
     keyframe.arrived = steady_;

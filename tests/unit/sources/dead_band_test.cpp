@@ -68,13 +68,13 @@ TEST(DeadBand, AStreamKeepsItsTimes) {
   for (const std::uint8_t percent : std::vector<std::uint8_t>{50, 51, 53}) {
     protocol::Keyframe keyframe;
     keyframe.terms = {{12, Side::Both, percent}};
-    keyframe.duration_ms = percent;
+    keyframe.time_ms = percent;
     stream.keyframes.push_back(keyframe);
   }
   apply_dead_band(stream, PerAu(2));
   ASSERT_EQ(stream.keyframes.size(), 3U);
   EXPECT_EQ(stream.keyframes[1].terms, (std::vector<AuTerm>{{12, Side::Both, 50}}));
-  EXPECT_EQ(stream.keyframes[1].duration_ms, 51U);
+  EXPECT_EQ(stream.keyframes[1].time_ms, 51U);
   EXPECT_EQ(stream.keyframes[2].terms, (std::vector<AuTerm>{{12, Side::Both, 53}}));
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 LiveKeyframe at(double seconds, bool begins = false, bool clocked = true) {
   LiveKeyframe keyframe;
-  keyframe.keyframe.duration_ms = static_cast<std::uint32_t>(seconds * 1000) + 1;
+  keyframe.keyframe.time_ms = static_cast<std::uint32_t>(seconds * 1000) + 1;
   keyframe.seconds = seconds;
   keyframe.begins = begins;
   keyframe.clocked = clocked;

@@ -12,8 +12,8 @@
 namespace aucast::sources {
 namespace {
 
-protocol::Keyframe keyframe(std::vector<AuTerm> terms, std::optional<std::uint32_t> duration_ms) {
-  return {std::move(terms), false, duration_ms, std::nullopt};
+protocol::Keyframe keyframe(std::vector<AuTerm> terms, std::optional<std::uint32_t> time_ms) {
+  return {std::move(terms), false, time_ms, std::nullopt};
 }
 
 protocol::StreamFile read_again(const OpenFaceTable& table) {

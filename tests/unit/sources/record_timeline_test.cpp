@@ -11,10 +11,10 @@ namespace {
 
 using test::at_second;
 
-protocol::Keyframe au_keyframe(std::uint8_t au, std::uint32_t duration_ms) {
+protocol::Keyframe au_keyframe(std::uint8_t au, std::uint32_t time_ms) {
   protocol::Keyframe made;
   made.terms = {{au, Side::Both, 100}};
-  made.duration_ms = duration_ms;
+  made.time_ms = time_ms;
   return made;
 }
 

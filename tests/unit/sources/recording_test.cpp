@@ -195,10 +195,10 @@ TEST(Recording, AppendedRecordingsOfSeveralFacesStayTogether) {
   std::uint64_t place = 0;
   std::vector<std::uint64_t> full;
   for (const auto& keyframe : faces->at(1).stream.keyframes) {
-    place += *keyframe.duration_ms;
+    place += *keyframe.time_ms;
     if (keyframe.terms == std::vector<AuTerm>{{12, Side::Both, 100}}) full.push_back(place);
   }
-  const std::uint64_t begin = *faces->at(1).stream.keyframes.front().duration_ms;
+  const std::uint64_t begin = *faces->at(1).stream.keyframes.front().time_ms;
   EXPECT_EQ(full.front(), begin + 200);
   EXPECT_EQ(full.back(), begin + 800);
 }
@@ -244,13 +244,13 @@ TEST(Recording, AppendedRecordingFollowsTheFirst) {
   EXPECT_EQ(recording.found.headers, 1U);
   EXPECT_EQ(recording.found.left_out, 0U);
   ASSERT_EQ(recording.stream.keyframes.size(), 4U);
-  EXPECT_EQ(recording.stream.keyframes[2].duration_ms, 100U) << "one step later";
-  EXPECT_EQ(recording.stream.keyframes[3].duration_ms, 200U);
+  EXPECT_EQ(recording.stream.keyframes[2].time_ms, 100U) << "one step later";
+  EXPECT_EQ(recording.stream.keyframes[3].time_ms, 200U);
 }
 
 TEST(Recording, RepeatedHeaderWithinOneClockChangesNothing) {
   const auto recording = read_rows(row(1, "0") + kOpenFace2Header + row(2, "0.1"));
-  EXPECT_EQ(recording.stream.keyframes[1].duration_ms, 100U);
+  EXPECT_EQ(recording.stream.keyframes[1].time_ms, 100U);
 }
 
 TEST(Recording, RowsThatAreNotLaterAreLeftOut) {

@@ -7,8 +7,8 @@
 namespace aucast::sources {
 namespace {
 
-protocol::Keyframe smile_for(std::uint8_t percent, std::optional<std::uint32_t> duration_ms) {
-  return {{{12, Side::Both, percent}}, false, duration_ms, std::nullopt};
+protocol::Keyframe smile_for(std::uint8_t percent, std::optional<std::uint32_t> time_ms) {
+  return {{{12, Side::Both, percent}}, false, time_ms, std::nullopt};
 }
 
 int percent_of(const protocol::Keyframe& keyframe) {
@@ -22,20 +22,20 @@ TEST(Resample, GoesInStraightLinesFromNeutralOn) {
   EXPECT_EQ(percent_of(stream.keyframes[1]), 80);
   EXPECT_EQ(percent_of(stream.keyframes[2]), 60);
   EXPECT_EQ(percent_of(stream.keyframes[3]), 40);
-  for (const auto& each : stream.keyframes) EXPECT_EQ(each.duration_ms, 50U);
+  for (const auto& each : stream.keyframes) EXPECT_EQ(each.time_ms, 50U);
 }
 
 TEST(Resample, LastKeyframeIsTheStreamsOwnEnd) {
   const auto stream = resample({{smile_for(80, 110)}}, 20, 250);
   ASSERT_EQ(stream.keyframes.size(), 3U);
-  EXPECT_EQ(stream.keyframes[2].duration_ms, 10U);
+  EXPECT_EQ(stream.keyframes[2].time_ms, 10U);
   EXPECT_EQ(percent_of(stream.keyframes[2]), 80);
 }
 
 TEST(Resample, UntimedKeyframesTakeTheGivenTime) {
   const auto stream = resample({{smile_for(80, std::nullopt)}}, 1, 250);
   ASSERT_EQ(stream.keyframes.size(), 1U);
-  EXPECT_EQ(stream.keyframes[0].duration_ms, 250U);
+  EXPECT_EQ(stream.keyframes[0].time_ms, 250U);
 }
 
 TEST(Resample, TimesNeverDriftAtAnyRate) {
@@ -53,9 +53,9 @@ TEST(Resample, TimesNeverDriftAtAnyRate) {
     EXPECT_EQ(percent_of(resampled.keyframes.back()), percent_of(stream.keyframes.back()));
     double place = 0;
     for (std::size_t index = 0; index + 1 < resampled.keyframes.size(); ++index) {
-      place += *resampled.keyframes[index].duration_ms;
+      place += *resampled.keyframes[index].time_ms;
       ASSERT_NEAR(place, static_cast<double>(index + 1) * 1000 / rate, 0.5 + 1e-6);
-      ASSERT_GT(*resampled.keyframes[index].duration_ms, 0U);
+      ASSERT_GT(*resampled.keyframes[index].time_ms, 0U);
     }
   }
 }

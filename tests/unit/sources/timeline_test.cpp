@@ -22,7 +22,7 @@ int percent_of_12(const protocol::Keyframe& keyframe) {
 
 std::uint64_t place_of(const protocol::StreamFile& stream, std::size_t index) {
   std::uint64_t place = 0;
-  for (std::size_t at = 1; at <= index; ++at) place += *stream.keyframes[at].duration_ms;
+  for (std::size_t at = 1; at <= index; ++at) place += *stream.keyframes[at].time_ms;
   return place;
 }
 
@@ -31,10 +31,10 @@ TEST(Timeline, DurationsAreDifferencesOfRoundedPlaces) {
   for (int row = 0; row < 4; ++row) EXPECT_TRUE(timeline.add(row / 30.0, smile_of(0.5F)));
   const auto stream = timeline.finish();
   ASSERT_EQ(stream.keyframes.size(), 4U);
-  EXPECT_EQ(stream.keyframes[0].duration_ms, 33U) << "the usual time";
-  EXPECT_EQ(stream.keyframes[1].duration_ms, 33U);
-  EXPECT_EQ(stream.keyframes[2].duration_ms, 34U);
-  EXPECT_EQ(stream.keyframes[3].duration_ms, 33U);
+  EXPECT_EQ(stream.keyframes[0].time_ms, 33U) << "the usual time";
+  EXPECT_EQ(stream.keyframes[1].time_ms, 33U);
+  EXPECT_EQ(stream.keyframes[2].time_ms, 34U);
+  EXPECT_EQ(stream.keyframes[3].time_ms, 33U);
 }
 
 TEST(Timeline, TimesNeverDrift) {
@@ -53,7 +53,7 @@ TEST(Timeline, TimesNeverDrift) {
     ASSERT_EQ(stream.keyframes.size(), moments.size());
     std::uint64_t place = 0;
     for (std::size_t index = 1; index < moments.size(); ++index) {
-      place += *stream.keyframes[index].duration_ms;
+      place += *stream.keyframes[index].time_ms;
       ASSERT_NEAR(static_cast<double>(place), moments[index] * 1000, 0.5 + 1e-6);
     }
   }
@@ -72,7 +72,7 @@ TEST(Timeline, OneRowAloneIsUntimed) {
   EXPECT_TRUE(timeline.add(0, smile_of(1)));
   const auto stream = timeline.finish();
   ASSERT_EQ(stream.keyframes.size(), 1U);
-  EXPECT_FALSE(stream.keyframes[0].duration_ms);
+  EXPECT_FALSE(stream.keyframes[0].time_ms);
 }
 
 TEST(Timeline, RemainingHoldsThenEasesThenIsGone) {
@@ -127,7 +127,7 @@ TEST(Timeline, PausesOfHoursKeepToTheLongestKeyframe) {
   timeline.add(0, smile_of(0.8F));
   timeline.add(10'000, smile_of(0.6F));
   const auto stream = timeline.finish();
-  for (const auto& keyframe : stream.keyframes) EXPECT_LE(*keyframe.duration_ms, 3'600'000U);
+  for (const auto& keyframe : stream.keyframes) EXPECT_LE(*keyframe.time_ms, 3'600'000U);
   EXPECT_EQ(place_of(stream, stream.keyframes.size() - 1), 10'000'000U);
 }
 
@@ -140,7 +140,7 @@ TEST(Timeline, PausesOfAnyLengthEnd) {
       timeline.add(begin + pause, smile_of(0.6F));
       const auto stream = timeline.finish();
       EXPECT_LE(stream.keyframes.size(), 32U) << begin << " " << pause;
-      for (const auto& keyframe : stream.keyframes) EXPECT_LE(*keyframe.duration_ms, 3'600'000U);
+      for (const auto& keyframe : stream.keyframes) EXPECT_LE(*keyframe.time_ms, 3'600'000U);
     }
   }
 }

@@ -40,7 +40,7 @@ float shown(const protocol::StreamFile& stream, int au, Milliseconds time) {
   float from = 0;
   Milliseconds begin{0};
   for (const protocol::Keyframe& keyframe : stream.keyframes) {
-    const Milliseconds end = begin + Milliseconds(*keyframe.duration_ms);
+    const Milliseconds end = begin + Milliseconds(*keyframe.time_ms);
     if (time <= end) {
       const float mu =
           static_cast<float>((time - begin).count()) / static_cast<float>((end - begin).count());

@@ -53,11 +53,11 @@ std::string format_au_table(std::span<const playback::Keyframe> keyframes, Milli
     if (column.side != Side::Both) text += column.side == Side::Left ? "_left" : "_right";
   }
   text += '\n';
-  Milliseconds time{0};
+  Milliseconds place{0};
   for (const playback::Keyframe& keyframe : keyframes) {
-    const Milliseconds duration = keyframe.duration.value_or(untimed);
-    time += duration;
-    text += in_seconds(time) + "," + in_seconds(duration);
+    const Milliseconds time = keyframe.time.value_or(untimed);
+    place += time;
+    text += in_seconds(place) + "," + in_seconds(time);
     for (const Column& column : columns) {
       const auto& side = column.side == Side::Right ? keyframe.aus.right : keyframe.aus.left;
       text += "," + std::to_string(std::lround(100 * side[column.number]));

@@ -133,7 +133,7 @@ std::vector<playback::Keyframe> ComposerSession::keyframes() const {
   std::vector<playback::Keyframe> keyframes;
   for (const auto& keyframe : composer_.keyframes()) {
     playback::Keyframe timed{keyframe->aus, std::nullopt};
-    if (keyframe->ms) timed.duration = Milliseconds(*keyframe->ms);
+    if (keyframe->ms) timed.time = Milliseconds(*keyframe->ms);
     keyframes.push_back(timed);
   }
   return keyframes;

@@ -12,11 +12,11 @@
 
 namespace aucast::app {
 
-static_assert(gui::Composer::kMsMax == protocol::kDurationMsMax);
+static_assert(gui::Composer::kMsMax == protocol::kKeyframeTimeMsMax);
 
 gui::ComposedKeyframe composed(const playback::Keyframe& keyframe) {
   gui::ComposedKeyframe composed{keyframe.aus, std::nullopt};
-  if (keyframe.duration) composed.ms = static_cast<std::uint32_t>(keyframe.duration->count());
+  if (keyframe.time) composed.ms = static_cast<std::uint32_t>(keyframe.time->count());
   return composed;
 }
 
@@ -28,7 +28,7 @@ Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes) {
   for (const auto& keyframe : keyframes) {
     protocol::Keyframe packet;
     packet.terms = canonical_terms(keyframe->aus);
-    packet.duration_ms = keyframe->ms;
+    packet.time_ms = keyframe->ms;
     stream.keyframes.push_back(std::move(packet));
   }
   std::string text = protocol::format_stream_file(stream);

@@ -42,8 +42,8 @@ bool RemoteStream::ended_by_server() const {
 
 /// Keeps every keyframe except the easing to neutral, which was not received.
 void RemoteStream::begun(const playback::KeyframeBegun& keyframe) {
-  timed_ = keyframe.target.duration.has_value();
-  if (!playback_->eased()) received_.add({keyframe.target.aus, keyframe.duration});
+  timed_ = keyframe.target.time.has_value();
+  if (!playback_->eased()) received_.add({keyframe.target.aus, keyframe.time});
 }
 
 void RemoteStream::advanced(Instant now, const AuFrame& aus) {

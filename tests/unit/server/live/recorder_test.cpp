@@ -20,7 +20,7 @@ class RecorderTest : public ::testing::Test {
   static void add_face(Recorder& recorder, Milliseconds time) {
     protocol::Keyframe keyframe;
     keyframe.terms = {{12, Side::Both, 50}};
-    keyframe.duration_ms = static_cast<std::uint32_t>(time.count());
+    keyframe.time_ms = static_cast<std::uint32_t>(time.count());
     recorder.add(keyframe, {}, false);
   }
 
@@ -35,7 +35,7 @@ TEST_F(RecorderTest, WritesAllThatItWasGiven) {
   for (std::uint32_t i = 0; i < 2000; ++i) {
     protocol::Keyframe keyframe;
     keyframe.terms = {{static_cast<std::uint8_t>(i % 60 + 1), Side::Both, 50}};
-    keyframe.duration_ms = i + 1;
+    keyframe.time_ms = i + 1;
     (*recorder)->add(keyframe, {}, false);
     stream.keyframes.push_back(keyframe);
   }

@@ -22,7 +22,7 @@ std::shared_ptr<const protocol::EncodedStream> face() {
       keyframe.terms.push_back({static_cast<std::uint8_t>(au), Side::Both,
                                 static_cast<std::uint8_t>(10 + (7 * i + au) % 90)});
     }
-    keyframe.duration_ms = 40;
+    keyframe.time_ms = 40;
     keyframes.push_back(keyframe);
   }
   return std::make_shared<const protocol::EncodedStream>(

@@ -19,13 +19,13 @@ using namespace std::chrono_literals;
 using protocol::Keyframe;
 
 /// A keyframe of twelve AUs of which each changes from `n` to `n` + 1.
-Keyframe busy(int n, std::optional<std::uint32_t> duration_ms) {
+Keyframe busy(int n, std::optional<std::uint32_t> time_ms) {
   Keyframe keyframe;
   for (int au = 1; au <= 12; ++au) {
     keyframe.terms.push_back(
         {static_cast<std::uint8_t>(au), Side::Both, static_cast<std::uint8_t>(10 + (n + au) % 90)});
   }
-  keyframe.duration_ms = duration_ms;
+  keyframe.time_ms = time_ms;
   return keyframe;
 }
 
@@ -117,11 +117,11 @@ TEST(LiveThinning, NoSecondHoldsMoreThanTheLimit) {
       auto keyframe = thinning.pop(now);
       if (ms + 1 == 20'000 && !keyframe) {
         keyframe = thinning.take_last();
-        if (keyframe) sent_ms += *keyframe->duration_ms;
+        if (keyframe) sent_ms += *keyframe->time_ms;
         continue;
       }
       if (!keyframe) continue;
-      sent_ms += *keyframe->duration_ms;
+      sent_ms += *keyframe->time_ms;
       write(static_cast<double>(encoder.next(*keyframe).changes.size()), ms);
     }
     EXPECT_EQ(sent_ms, given_ms);

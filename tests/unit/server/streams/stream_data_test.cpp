@@ -49,7 +49,7 @@ const std::vector<std::string> kTableThreeTwo = {"{1,2,5,15,16,20,26}", "{1,2,4,
 TEST(StreamData, SixExpressionsAreThoseOfTheThesis) {
   EXPECT_EQ(classic_packets("six_expressions"), kTableThreeTwo);
   for (const auto& keyframe : keyframes_of("six_expressions")) {
-    EXPECT_FALSE(keyframe.duration_ms.has_value());
+    EXPECT_FALSE(keyframe.time_ms.has_value());
   }
 }
 
@@ -84,8 +84,8 @@ TEST(StreamData, TalkIsLongTimedAndEndsNeutral) {
   EXPECT_GE(keyframes.size(), 400U);
   std::array<bool, kAuCount> used{};
   for (const auto& keyframe : keyframes) {
-    ASSERT_TRUE(keyframe.duration_ms.has_value());
-    EXPECT_GE(*keyframe.duration_ms, 20U);
+    ASSERT_TRUE(keyframe.time_ms.has_value());
+    EXPECT_GE(*keyframe.time_ms, 20U);
     for (const AuTerm& term : keyframe.terms) used[term.number] = true;
   }
   for (const std::size_t number :
@@ -100,7 +100,7 @@ TEST(StreamData, LipWipeGoesFromSideToSideAndEndsNeutral) {
   ASSERT_FALSE(keyframes.empty());
   int sides = 0;
   for (const auto& keyframe : keyframes) {
-    ASSERT_TRUE(keyframe.duration_ms.has_value());
+    ASSERT_TRUE(keyframe.time_ms.has_value());
     const AuFrame frame = frame_from_terms(keyframe.terms);
     if (frame.left[37] != frame.right[37]) ++sides;
   }

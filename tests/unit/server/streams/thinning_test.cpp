@@ -17,13 +17,13 @@ Keyframe full_of(int number, std::optional<std::uint32_t> time_ms) {
     keyframe.terms.push_back({static_cast<std::uint8_t>(au), Side::Both,
                               static_cast<std::uint8_t>(10 + (number + au) % 80)});
   }
-  keyframe.duration_ms = time_ms;
+  keyframe.time_ms = time_ms;
   return keyframe;
 }
 
 std::uint64_t time_of(const std::vector<Keyframe>& keyframes, std::uint32_t untimed) {
   std::uint64_t sum = 0;
-  for (const Keyframe& keyframe : keyframes) sum += keyframe.duration_ms.value_or(untimed);
+  for (const Keyframe& keyframe : keyframes) sum += keyframe.time_ms.value_or(untimed);
   return sum;
 }
 
@@ -43,7 +43,7 @@ TEST(Thinning, MergesIntoTheNewestWhichTakesTheTimeOfAll) {
   EXPECT_EQ(kept.back().terms, stream.back().terms);
   std::uint64_t at = 0;
   for (const Keyframe& keyframe : kept) {
-    at += *keyframe.duration_ms;
+    at += *keyframe.time_ms;
     ASSERT_EQ(at % 40, 0U);
     EXPECT_EQ(keyframe.terms, stream[at / 40 - 1].terms) << "the face is right when it gets there";
   }
@@ -62,7 +62,7 @@ TEST(Thinning, KeepsToTheBitrate) {
       Keyframe keyframe = full_of(i, std::nullopt);
       keyframe.terms.resize(static_cast<std::size_t>(seeded.integer(1, 60)));
       if (seeded.chance(0.8)) {
-        keyframe.duration_ms = static_cast<std::uint32_t>(seeded.integer(0, 300));
+        keyframe.time_ms = static_cast<std::uint32_t>(seeded.integer(0, 300));
       }
       stream.push_back(std::move(keyframe));
     }
@@ -72,7 +72,7 @@ TEST(Thinning, KeepsToTheBitrate) {
     double time_ms = 0;
     // The last one is sent in any case.
     for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
-      time_ms += kept[i].duration_ms.value_or(250);
+      time_ms += kept[i].time_ms.value_or(250);
       bits += static_cast<double>((encode(kept[i]).size() + kHeaderBytes) * 8);
       EXPECT_LE(bits, kbits * (time_ms + 1000) + 1);
     }

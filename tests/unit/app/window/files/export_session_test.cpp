@@ -16,7 +16,7 @@ namespace {
 
 playback::Keyframe keyframe(std::initializer_list<AuTerm> terms, int ms) {
   playback::Keyframe timed{frame_from_terms({terms.begin(), terms.size()}), std::nullopt};
-  if (ms >= 0) timed.duration = Milliseconds(ms);
+  if (ms >= 0) timed.time = Milliseconds(ms);
   return timed;
 }
 

@@ -99,8 +99,8 @@ TEST_F(RemoteStreamTest, KeepsWhatItReceivedWithTheTimesItWasPlayedIn) {
   ASSERT_EQ(played.keyframes.size(), 2U);
   EXPECT_EQ(played.begun, 2U);
   EXPECT_EQ(playback::test::mark_of(played.keyframes[1]), 2);
-  EXPECT_EQ(played.keyframes[0].duration, Milliseconds(100));
-  EXPECT_EQ(played.keyframes[1].duration, source_->now.keyframe_time);
+  EXPECT_EQ(played.keyframes[0].time, Milliseconds(100));
+  EXPECT_EQ(played.keyframes[1].time, source_->now.keyframe_time);
 }
 
 TEST_F(RemoteStreamTest, SaysInHowManySecondsALostServerIsTriedAgain) {
