@@ -1,0 +1,57 @@
+// What needs the models of scripts/install_models.sh says so when they are not there.
+#include "common/camera/camera_feed.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/unit/camera/other_ffmpeg.h"
+
+namespace aucast::camera {
+namespace {
+
+TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
+  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; printf 'FRAME\\n'; head -c 768 /dev/zero");
+  std::vector<std::size_t> widths;  // by the other thread, as long as it lives
+  auto feed = CameraFeed::start({.device = kDevice}, {}, [&widths](const Sight& sight) {
+    EXPECT_EQ(sight.landmarks, nullptr);
+    EXPECT_TRUE(sight.aus.empty());
+    widths.push_back(sight.picture.width);
+  });
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  const int rows = (*feed)->take_rows();
+  std::string text;
+  std::vector<char> chunk(4096);
+  for (;;) {
+    pollfd wait{rows, POLLIN, 0};
+    ASSERT_EQ(::poll(&wait, 1, 30'000), 1);
+    const ssize_t got = ::read(rows, chunk.data(), chunk.size());
+    if (got <= 0) break;
+    text.append(chunk.data(), static_cast<std::size_t>(got));
+  }
+  ::close(rows);
+  EXPECT_TRUE(text.starts_with("aucast_seconds,"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  EXPECT_NE(text.find(",0.000,0,"), std::string::npos);
+  EXPECT_EQ((*feed)->complaint(), "");
+  feed->reset();
+  EXPECT_EQ(widths, std::vector<std::size_t>{16});
+}
+
+TEST(CameraFeed, EndsAtOnceWhileItsCameraGoesOn) {
+  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
+      "/dev/zero; done");
+  auto feed = CameraFeed::start({.device = kDevice}, {});
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  feed->reset();
+}
+
+}  // namespace
+}  // namespace aucast::camera
