@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "server/streams/film_source.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
@@ -143,20 +142,6 @@ TEST(SignalOptions, ASavedProfileIsAllThatIsNeededNextTime) {
   EXPECT_EQ(save_profile(options, measured).error().kind, ErrorKind::BadData);
   options.save_profile = folder.path() / "no" / "p.toml";
   EXPECT_EQ(save_profile(options, std::nullopt).error().kind, ErrorKind::Failed);
-}
-
-TEST(ConditioningFor, TheNeutralFaceOfAFilmOrACameraIsNotTakenOffTwice) {
-  sources::ConditioningSettings settings;
-  settings.neutral_seconds = 2;
-  settings.neutral_turns_only = true;
-  for (const char* const seen : {"lecture.mp4", "camera", "camera:/dev/video2"}) {
-    EXPECT_FALSE(conditioning_for(seen, settings).neutral_seconds) << seen;
-    EXPECT_FALSE(conditioning_for(seen, settings).neutral_turns_only) << seen;
-  }
-  for (const char* const told : {"lecture.csv", "-"}) {
-    EXPECT_EQ(conditioning_for(told, settings).neutral_seconds, 2) << told;
-    EXPECT_TRUE(conditioning_for(told, settings).neutral_turns_only) << told;
-  }
 }
 
 }  // namespace
