@@ -10,7 +10,7 @@ namespace {
 using gui::ComposerCommand;
 
 /// The composer on the default face.
-class ComposerSessionTest : public SessionOnDefaultFace {
+class WindowSessionComposerTest : public SessionOnDefaultFace {
  protected:
   void SetUp() override { session_.emplace(*assets_, options_, nullptr, stats_); }
   void compose(const ComposerCommand& command) { ask(command); }
@@ -27,7 +27,7 @@ class ComposerSessionTest : public SessionOnDefaultFace {
   }
 };
 
-TEST_F(ComposerSessionTest, TheEditorBeginsWithTheFaceThatIsComposed) {
+TEST_F(WindowSessionComposerTest, TheEditorBeginsWithTheFaceThatIsComposed) {
   compose(gui::ComposeAu{26, 100, 100, false});
   const float jaw = shown("jaw");
   ASSERT_GT(jaw, 0);
@@ -37,7 +37,7 @@ TEST_F(ComposerSessionTest, TheEditorBeginsWithTheFaceThatIsComposed) {
   EXPECT_FLOAT_EQ(shown("jaw"), jaw);
 }
 
-TEST_F(ComposerSessionTest, TheFaceShowsWhatIsComposedWithTheRules) {
+TEST_F(WindowSessionComposerTest, TheFaceShowsWhatIsComposedWithTheRules) {
   compose(gui::ComposeAu{51, 100, 100, false});
   compose(gui::ComposeAu{52, 40, 40, false});
   EXPECT_TRUE(model().composer.active);
@@ -50,7 +50,7 @@ TEST_F(ComposerSessionTest, TheFaceShowsWhatIsComposedWithTheRules) {
   EXPECT_EQ(model().composer.aus[1].name, "Head Turn Right");
 }
 
-TEST_F(ComposerSessionTest, WhatIsComposedIsPlayed) {
+TEST_F(WindowSessionComposerTest, WhatIsComposedIsPlayed) {
   make_two();
   EXPECT_EQ(model().composer.total, "2 keyframes, 1.00 s");
   ASSERT_EQ(model().composer.rows->size(), 2U);
@@ -64,7 +64,7 @@ TEST_F(ComposerSessionTest, WhatIsComposedIsPlayed) {
   EXPECT_EQ(shown("jaw"), 0);
 }
 
-TEST_F(ComposerSessionTest, ThePadBlendsThePrototypesOfTheData) {
+TEST_F(WindowSessionComposerTest, ThePadBlendsThePrototypesOfTheData) {
   ASSERT_GE(model().composer.pad->size(), 6U);
   for (const gui::PadPoint& point : *model().composer.pad) {
     compose(gui::ComposeMood{point.x, point.y, false});
@@ -77,7 +77,7 @@ TEST_F(ComposerSessionTest, ThePadBlendsThePrototypesOfTheData) {
   }
 }
 
-TEST_F(ComposerSessionTest, SavedFromTheDialogAndLoadedAgain) {
+TEST_F(WindowSessionComposerTest, SavedFromTheDialogAndLoadedAgain) {
   const test::TempFolder folder;
   make_two();
   EXPECT_TRUE(model().composer.unsaved);
@@ -104,7 +104,7 @@ TEST_F(ComposerSessionTest, SavedFromTheDialogAndLoadedAgain) {
   EXPECT_EQ(*read_file(file), "Beg_Stream\n26\n0;500\nEnd_Stream\n");
 }
 
-TEST_F(ComposerSessionTest, AnExistingFileIsAskedAbout) {
+TEST_F(WindowSessionComposerTest, AnExistingFileIsAskedAbout) {
   const test::TempFolder folder;
   const auto file = folder.write("mine.txt", "not mine");
   make_two();
@@ -119,7 +119,7 @@ TEST_F(ComposerSessionTest, AnExistingFileIsAskedAbout) {
   EXPECT_EQ(model().recent_files.front(), file.string());
 }
 
-TEST_F(ComposerSessionTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLost) {
+TEST_F(WindowSessionComposerTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLost) {
   make_two();
   ask(gui::Browse{gui::Purpose::SaveStream});
   ask(gui::ChooseFile{"/proc/no-such-file.txt"});
@@ -128,7 +128,7 @@ TEST_F(ComposerSessionTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLost) {
   EXPECT_TRUE(model().composer.unsaved);
 }
 
-TEST_F(ComposerSessionTest, LeavingAsksWhenTheStreamIsNotSaved) {
+TEST_F(WindowSessionComposerTest, LeavingAsksWhenTheStreamIsNotSaved) {
   compose(gui::ComposeAu{12, 50, 50, false});
   session_->ask_to_leave();
   EXPECT_FALSE(session_->leaving());

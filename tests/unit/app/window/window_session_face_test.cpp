@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 /// A face of one's own is the small one, with channels of its own. Each test has assets of its own,
 /// because their face becomes another one.
-class FaceSessionTest : public SessionOnDefaultFace {
+class WindowSessionFaceTest : public SessionOnDefaultFace {
  protected:
   void SetUp() override {
     if (assets_ == nullptr || assets_->face.name != "default") SetUpTestSuite();
@@ -38,7 +38,7 @@ class FaceSessionTest : public SessionOnDefaultFace {
   fs::path small_ = home_.path() / "aucast" / "faces" / "small";
 };
 
-TEST_F(FaceSessionTest, ShippedOnesAndOnesOwnAreThereToChoose) {
+TEST_F(WindowSessionFaceTest, ShippedOnesAndOnesOwnAreThereToChoose) {
   const gui::FacesView& faces = model().faces;
   const auto has = [&](const std::string& name, gui::FaceKind kind) {
     return std::any_of(faces.entries->begin(), faces.entries->end(),
@@ -51,7 +51,7 @@ TEST_F(FaceSessionTest, ShippedOnesAndOnesOwnAreThereToChoose) {
   EXPECT_EQ(faces.shown, faces.entries->front().folder);
 }
 
-TEST_F(FaceSessionTest, WhatPlaysGoesOnOnAnotherFace) {
+TEST_F(WindowSessionFaceTest, WhatPlaysGoesOnOnAnotherFace) {
   const test::TempFolder folder;
   ask(gui::OpenStream{folder.write("jaw.txt", "Beg_Stream\n26;100\n0;200\nEnd_Stream\n").string()});
   go_on(Milliseconds(0));
@@ -69,7 +69,7 @@ TEST_F(FaceSessionTest, WhatPlaysGoesOnOnAnotherFace) {
   EXPECT_FLOAT_EQ(shown("jaw"), whole * 0.25F);
 }
 
-TEST_F(FaceSessionTest, TheNextStartShowsTheFaceThatWasChosen) {
+TEST_F(WindowSessionFaceTest, TheNextStartShowsTheFaceThatWasChosen) {
   EXPECT_EQ(session_->kept().face, "");
   ask(gui::ShowFace{small_.string()});
   EXPECT_EQ(session_->kept().face, small_.string());
@@ -78,7 +78,7 @@ TEST_F(FaceSessionTest, TheNextStartShowsTheFaceThatWasChosen) {
   EXPECT_EQ(session_->kept().face, "marek") << "shipped faces may lie elsewhere next time";
 }
 
-TEST_F(FaceSessionTest, AShippedFaceIsListedOnceHoweverItsFolderIsReached) {
+TEST_F(WindowSessionFaceTest, AShippedFaceIsListedOnceHoweverItsFolderIsReached) {
   const std::size_t listed = model().faces.entries->size();
   const test::TempFolder folder;
   const fs::path way = folder.path() / "way";
@@ -92,7 +92,7 @@ TEST_F(FaceSessionTest, AShippedFaceIsListedOnceHoweverItsFolderIsReached) {
   EXPECT_EQ(session_->kept().face, "marek");
 }
 
-TEST_F(FaceSessionTest, AShippedFaceIsListedOnceWhenACopyOfItIsOpened) {
+TEST_F(WindowSessionFaceTest, AShippedFaceIsListedOnceWhenACopyOfItIsOpened) {
   const gui::FacesView before = model().faces;
   const test::TempFolder folder;
   const fs::path copy = folder.path() / "marek";
@@ -121,7 +121,7 @@ TEST_F(FaceSessionTest, AShippedFaceIsListedOnceWhenACopyOfItIsOpened) {
   EXPECT_EQ(model().faces.shown, copy.string()) << "as is one that uses what was changed";
 }
 
-TEST_F(FaceSessionTest, AnUnchangedCopyOfOnesOwnIsOnesOwn) {
+TEST_F(WindowSessionFaceTest, AnUnchangedCopyOfOnesOwnIsOnesOwn) {
   const fs::path copy = home_.path() / "aucast" / "faces" / "default";
   fs::copy(assets_->data_folder / "faces" / "default", copy, fs::copy_options::recursive);
   ask(gui::ShowFace{copy.string()});
@@ -131,7 +131,7 @@ TEST_F(FaceSessionTest, AnUnchangedCopyOfOnesOwnIsOnesOwn) {
             2);
 }
 
-TEST_F(FaceSessionTest, WhatIsEditedOrComposedStays) {
+TEST_F(WindowSessionFaceTest, WhatIsEditedOrComposedStays) {
   ask(gui::ComposeAu{26, 50, 50, false});
   ask(gui::LoadAu{26});
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
@@ -148,7 +148,7 @@ TEST_F(FaceSessionTest, WhatIsEditedOrComposedStays) {
   EXPECT_EQ(model().composer.rows->size(), 1U);
 }
 
-TEST_F(FaceSessionTest, AnExpressionIsTheSameOneOnAnotherFace) {
+TEST_F(WindowSessionFaceTest, AnExpressionIsTheSameOneOnAnotherFace) {
   ask(gui::ShowAus{"26:50"});
   go_on(Milliseconds(1000));
   ask(gui::ShowFace{small_.string()});
@@ -156,7 +156,7 @@ TEST_F(FaceSessionTest, AnExpressionIsTheSameOneOnAnotherFace) {
   EXPECT_FLOAT_EQ(shown("jaw"), recording[static_cast<std::size_t>(channel("jaw"))] / 2);
 }
 
-TEST_F(FaceSessionTest, AFaceThatCannotBeReadIsSaidAndChangesNothing) {
+TEST_F(WindowSessionFaceTest, AFaceThatCannotBeReadIsSaidAndChangesNothing) {
   home_.write("aucast/faces/small/aus.toml", "nonsense");
   ask(gui::ShowFace{small_.string()});
   EXPECT_TRUE(model().notice.bad);
@@ -166,7 +166,7 @@ TEST_F(FaceSessionTest, AFaceThatCannotBeReadIsSaidAndChangesNothing) {
   EXPECT_EQ(session_->kept().face, "");
 }
 
-TEST_F(FaceSessionTest, FacesOfAFolderAreListedAndADroppedOneIsShown) {
+TEST_F(WindowSessionFaceTest, FacesOfAFolderAreListedAndADroppedOneIsShown) {
   const test::TempFolder folder;
   fs::copy(made_.path(), folder.path() / "anna", fs::copy_options::recursive);
   ask(gui::Browse{gui::Purpose::LookForFaces});
@@ -194,7 +194,7 @@ TEST_F(FaceSessionTest, FacesOfAFolderAreListedAndADroppedOneIsShown) {
   EXPECT_NE(model().browser.problem.find("no face in this folder"), std::string::npos);
 }
 
-TEST_F(FaceSessionTest, AGalleryGoesWherePicturesGo) {
+TEST_F(WindowSessionFaceTest, AGalleryGoesWherePicturesGo) {
   const test::TempFolder folder;
   ask(gui::Browse{gui::Purpose::PictureFolder});
   ask(gui::EnterFolder{folder.path().string()});
@@ -207,7 +207,7 @@ TEST_F(FaceSessionTest, AGalleryGoesWherePicturesGo) {
   EXPECT_EQ(model().gallery.settings.folder, (home_.path() / "gallery").string());
 }
 
-TEST_F(FaceSessionTest, AfterSavingTheFaceIsOnesOwnCopy) {
+TEST_F(WindowSessionFaceTest, AfterSavingTheFaceIsOnesOwnCopy) {
   ask(gui::LoadAu{12});
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   ask(gui::SaveAu{12});
@@ -220,7 +220,7 @@ TEST_F(FaceSessionTest, AfterSavingTheFaceIsOnesOwnCopy) {
   EXPECT_FLOAT_EQ(shown("jaw"), 3.5F) << "what was saved is what is shown";
 }
 
-TEST_F(FaceSessionTest, ACopyWithOtherChangesIsWhatIsShownAfterSaving) {
+TEST_F(WindowSessionFaceTest, ACopyWithOtherChangesIsWhatIsShownAfterSaving) {
   ask(gui::LoadAu{12});
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   ask(gui::SaveAu{12});
@@ -240,7 +240,7 @@ gui::AuEntry entry_of(const gui::GuiModel& model, int number) {
   return {};
 }
 
-TEST_F(FaceSessionTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
+TEST_F(WindowSessionFaceTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
   ask(gui::NeutralFace{});
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   ask(gui::SaveAu{77});
@@ -269,7 +269,7 @@ TEST_F(FaceSessionTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {
   EXPECT_TRUE(model().editor.names.empty());
 }
 
-TEST_F(FaceSessionTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
+TEST_F(WindowSessionFaceTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
   ask(gui::LoadAu{12});
   EXPECT_FALSE(model().editor.unsaved);
   ask(gui::NameAu{77, " yawn"});
@@ -292,7 +292,7 @@ TEST_F(FaceSessionTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
   EXPECT_FALSE(model().editor.unsaved);
 }
 
-TEST_F(FaceSessionTest, WhatIsSaidOfAusIsSaidInTheNewLanguage) {
+TEST_F(WindowSessionFaceTest, WhatIsSaidOfAusIsSaidInTheNewLanguage) {
   gui::DisplaySettings display;
   display.language = "en";
   ask(gui::ChangeDisplay{display});
@@ -309,7 +309,7 @@ TEST_F(FaceSessionTest, WhatIsSaidOfAusIsSaidInTheNewLanguage) {
   gui::use_english();
 }
 
-TEST_F(FaceSessionTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
+TEST_F(WindowSessionFaceTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
   const auto name = [this] {
     const auto file = session_->picture_file(".png");
     return file ? file->stem().string() : file.error().message;
@@ -328,7 +328,7 @@ TEST_F(FaceSessionTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
   EXPECT_FALSE(session_->aus_shown().has_value()) << "it is no AU 12 any more";
 }
 
-TEST_F(FaceSessionTest, NoPictureIsSavedUnderANameThatIsHalfTyped) {
+TEST_F(WindowSessionFaceTest, NoPictureIsSavedUnderANameThatIsHalfTyped) {
   gui::PictureSettings pictures;
   pictures.folder = home_.path().string();
   pictures.pattern = "lesson-{numb";
@@ -343,7 +343,7 @@ TEST_F(FaceSessionTest, NoPictureIsSavedUnderANameThatIsHalfTyped) {
   EXPECT_EQ(session_->picture_file(".png")->filename(), "lesson-1.png");
 }
 
-TEST_F(FaceSessionTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
+TEST_F(WindowSessionFaceTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
   ask(gui::LoadAu{12});
   const float jaw = shown("jaw");
   ask(gui::RemoveAu{12});
@@ -356,7 +356,7 @@ TEST_F(FaceSessionTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {
   EXPECT_FLOAT_EQ(shown("jaw"), jaw);
 }
 
-TEST_F(FaceSessionTest, AGalleryIsOfTheFaceThatIsShown) {
+TEST_F(WindowSessionFaceTest, AGalleryIsOfTheFaceThatIsShown) {
   const test::TempFolder folder;
   gui::GallerySettings settings;
   settings.folder = (folder.path() / "gallery").string();
@@ -375,7 +375,7 @@ TEST_F(FaceSessionTest, AGalleryIsOfTheFaceThatIsShown) {
   EXPECT_NE(folder.read("gallery/index.html").find("small"), std::string::npos);
 }
 
-TEST_F(FaceSessionTest, AnAuIsExportedAsAFileOfAus) {
+TEST_F(WindowSessionFaceTest, AnAuIsExportedAsAFileOfAus) {
   const test::TempFolder folder;
   ask(gui::LoadAu{26});
   ask(gui::Browse{gui::Purpose::ExportAu});
@@ -387,7 +387,7 @@ TEST_F(FaceSessionTest, AnAuIsExportedAsAFileOfAus) {
       << folder.read("au26.toml");
 }
 
-TEST_F(FaceSessionTest, AusOfAFileBecomeOnesOwn) {
+TEST_F(WindowSessionFaceTest, AusOfAFileBecomeOnesOwn) {
   const test::TempFolder folder;
   const auto file = folder.write("two.toml",
                                  "[[au]]\nnumber = 12\ndrive = { jaw = 2.5 }\n\n"
@@ -413,7 +413,7 @@ TEST_F(FaceSessionTest, AusOfAFileBecomeOnesOwn) {
   EXPECT_TRUE(model().editor.unsaved) << "what was there is now a change";
 }
 
-TEST_F(FaceSessionTest, AFileOfAusThatIsNoneIsRefusedWhole) {
+TEST_F(WindowSessionFaceTest, AFileOfAusThatIsNoneIsRefusedWhole) {
   const test::TempFolder folder;
   const auto refused = [&](const std::string& text) {
     ask(gui::Browse{gui::Purpose::ImportAus});
@@ -433,7 +433,7 @@ TEST_F(FaceSessionTest, AFileOfAusThatIsNoneIsRefusedWhole) {
   EXPECT_FALSE(fs::exists(home_.path() / "aucast" / "faces" / "default"));
 }
 
-TEST_F(FaceSessionTest, AThumbnailIsOfTheFaceAsItWouldBeShown) {
+TEST_F(WindowSessionFaceTest, AThumbnailIsOfTheFaceAsItWouldBeShown) {
   const std::size_t jaw = *assets_->face.channel_index("jaw");
   const float open = session_->face_of("27").at(jaw);
   EXPECT_GT(open, 0);

@@ -1,0 +1,143 @@
+#include "client/app/window/making/composer_session.h"
+
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "client/gui/texts/texts.h"
+#include "protocol/codec.h"
+#include "tests/support/temp_folder.h"
+#include "tests/unit/face/small_face.h"
+
+namespace aucast::app {
+namespace {
+
+/// On the small face, with two expressions on the pad.
+class ComposerSessionTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    assets_.face = face::test::small_face();
+    assets_.expressions.push_back({"joy", "Joy", set("12:80"), {}, "", {{0.8F, 0.5F}}});
+    assets_.expressions.push_back({"calm", "Calm", set("43:20"), {}, "", {{0.6F, -0.8F}}});
+    assets_.expressions.push_back({"yawn", "Yawn", set("26"), {}, "", {}});
+    mapping_.emplace(pipeline::AuMapping{assets_.face, assets_.face.recordings, {}});
+    composer_.emplace(assets_, *mapping_);
+  }
+
+  static AuFrame set(const char* text) { return *protocol::parse_au_set(text); }
+  bool ask(const gui::ComposerCommand& command) { return composer_->apply(command); }
+  [[nodiscard]] float jaw() const {
+    return composer_->activations()[*assets_.face.channel_index("jaw")];
+  }
+
+  Assets assets_;
+  std::optional<pipeline::AuMapping> mapping_;
+  std::optional<ComposerSession> composer_;
+};
+
+TEST_F(ComposerSessionTest, BeginsWithTheNeutralFaceAndNoKeyframe) {
+  const gui::ComposerView view = composer_->view();
+  EXPECT_TRUE(view.rows->empty());
+  EXPECT_EQ(view.total, gui::tr("said.no_keyframes"));
+  EXPECT_TRUE(view.aus.empty());
+  EXPECT_EQ(jaw(), 0);
+  EXPECT_FALSE(composer_->unsaved());
+}
+
+TEST_F(ComposerSessionTest, AnAuIsShownAndListedWhenItsKeyframeIsAdded) {
+  EXPECT_TRUE(ask(gui::ComposeAu{26, 100, 100, false}));
+  EXPECT_GT(jaw(), 0);
+  ASSERT_EQ(composer_->view().aus.size(), 1U);
+  EXPECT_EQ(composer_->view().aus[0].name, "Jaw Drop");
+  EXPECT_TRUE(composer_->view().rows->empty());
+  EXPECT_TRUE(ask(gui::AddKeyframe{}));
+  ASSERT_EQ(composer_->view().rows->size(), 1U);
+  EXPECT_EQ(composer_->view().rows->front(), (gui::TimelineRow{"26", "500 ms"}));
+  EXPECT_EQ(composer_->view().total, "1 keyframe, 0.50 s");
+}
+
+TEST_F(ComposerSessionTest, ATimeChangesNoFace) {
+  ask(gui::ComposeMood{0.8F, 0.5F, false});
+  EXPECT_FALSE(ask(gui::ComposeTime{-1, false}));
+  EXPECT_EQ(composer_->view().ms, -1);
+  EXPECT_TRUE(composer_->view().pad_at.has_value()) << "the pad is where it was";
+  ask(gui::AddKeyframe{});
+  EXPECT_EQ(composer_->view().rows->front().time, gui::tr("said.no_time"));
+  EXPECT_EQ(composer_->view().total, "1 keyframe, 0.25 s") << "as a player plays it";
+}
+
+TEST_F(ComposerSessionTest, ThePadHasTheExpressionsThatHaveAPlaceOnIt) {
+  ASSERT_EQ(composer_->view().pad->size(), 2U);
+  EXPECT_TRUE(ask(gui::ComposeMood{0.8F, 0.5F, false}));
+  EXPECT_EQ(protocol::format_au_set(composer_->aus()), "12:80");
+  ask(gui::ComposeAu{26, 50, 50, false});
+  EXPECT_EQ(composer_->view().pad_at, std::nullopt) << "the face is no longer of the pad";
+}
+
+TEST_F(ComposerSessionTest, WhatTheWindowCarriesOutIsLeftToIt) {
+  ask(gui::ComposeAu{26, 100, 100, false});
+  for (const gui::ComposerCommand& command : std::initializer_list<gui::ComposerCommand>{
+           gui::ComposeShown{}, gui::PlayComposition{}, gui::SaveComposition{}}) {
+    EXPECT_FALSE(ask(command));
+    EXPECT_EQ(protocol::format_au_set(composer_->aus()), "26");
+  }
+}
+
+TEST_F(ComposerSessionTest, TakesAFaceAsOneStep) {
+  composer_->take(set("12:40,26"));
+  EXPECT_EQ(protocol::format_au_set(composer_->aus()), "12:40,26");
+  EXPECT_GT(jaw(), 0);
+  EXPECT_TRUE(ask(gui::UndoComposing{}));
+  EXPECT_EQ(jaw(), 0);
+  EXPECT_FALSE(composer_->view().can_undo);
+  ask(gui::RedoComposing{});
+  EXPECT_GT(jaw(), 0);
+}
+
+TEST_F(ComposerSessionTest, IsRemadeForAnotherFace) {
+  ask(gui::ComposeAu{26, 100, 100, false});
+  const float before = jaw();
+  mapping_->recordings.at(26).activation[*assets_.face.channel_index("jaw")] = before / 2;
+  composer_->remake();
+  EXPECT_FLOAT_EQ(jaw(), before / 2);
+}
+
+TEST_F(ComposerSessionTest, IsSavedAndLoadedWithTimesAndWithout) {
+  const test::TempFolder folder;
+  ask(gui::ComposeAu{26, 100, 50, false});
+  ask(gui::AddKeyframe{});
+  ask(gui::ComposeNeutral{});
+  ask(gui::ComposeTime{-1, false});
+  ask(gui::AddKeyframe{});
+  const auto file = folder.path() / "mine.txt";
+  const auto saved = composer_->save(file);
+  ASSERT_TRUE(saved.has_value()) << saved.error().message;
+  EXPECT_NE(saved->find(file.string()), std::string::npos);
+  EXPECT_FALSE(composer_->unsaved());
+  ask(gui::NewComposition{});
+  EXPECT_TRUE(composer_->keyframes().empty());
+  ASSERT_TRUE(composer_->load(file).has_value());
+  EXPECT_EQ(composer_->file(), file);
+  const auto keyframes = composer_->keyframes();
+  ASSERT_EQ(keyframes.size(), 2U);
+  EXPECT_EQ(keyframes[0].aus, set("L26,R26:50"));
+  EXPECT_EQ(keyframes[0].time, Milliseconds(500));
+  EXPECT_EQ(keyframes[1].time, std::nullopt);
+}
+
+TEST_F(ComposerSessionTest, AFileThatIsNoStreamChangesNothing) {
+  const test::TempFolder folder;
+  ask(gui::ComposeAu{26, 100, 100, false});
+  ask(gui::AddKeyframe{});
+  EXPECT_EQ(composer_->load(folder.write("none.txt", "no stream")).error().kind,
+            ErrorKind::BadData);
+  EXPECT_EQ(composer_->load(folder.path() / "absent.txt").error().kind, ErrorKind::Unreadable);
+  EXPECT_EQ(composer_->keyframes().size(), 1U);
+  EXPECT_TRUE(composer_->unsaved());
+  EXPECT_FALSE(composer_->save(folder.path() / "no" / "such.txt").has_value());
+  EXPECT_TRUE(composer_->unsaved());
+}
+
+}  // namespace
+}  // namespace aucast::app
