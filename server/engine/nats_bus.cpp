@@ -50,10 +50,13 @@ void warn_of_full() {
       link::LoopGate::kBytesMax >> 20U);
 }
 
-/// Gets what the library tells, on the loop.
+/// Gets what the library tells, on the loop. Connections are numbered, since the end of one is told
+/// by a thread of the library: perhaps when the next is there already.
 struct LibraryEvents {
-  Bus::Events owner;
-  /// The connection of this number is closed for good.
+  std::function<void(Bus::Message)> on_message;
+  std::function<void(int connection, const std::string& server)> on_connected;
+  std::function<void(int connection)> on_disconnected;
+  /// It is closed for good.
   std::function<void(int connection, const std::string& why)> on_given_up;
 };
 
@@ -65,17 +68,19 @@ class Poster final : public NatsListener {
       : gate_(std::move(gate)), events_(events), connection_(connection) {}
 
   void on_connected(const std::string& server) override {
-    gate_->post([&events = events_, server] { events.owner.on_connected(server); });
+    gate_->post([&events = events_, connection = connection_, server] {
+      events.on_connected(connection, server);
+    });
   }
   void on_disconnected() override {
-    gate_->post([&events = events_] { events.owner.on_disconnected(); });
+    gate_->post(
+        [&events = events_, connection = connection_] { events.on_disconnected(connection); });
   }
   void on_message(Bus::Message message) override {
     const std::size_t bytes =
         message.subject.size() + message.reply_to.size() + message.bytes.size();
     gate_->post_if_room(
-        [&events = events_, message = std::move(message)] { events.owner.on_message(message); },
-        bytes);
+        [&events = events_, message = std::move(message)] { events.on_message(message); }, bytes);
   }
   void on_error(const std::string& text) override {
     gate_->post_if_room([text] { spdlog::warn("NATS says: {}", escaped(text, kSaidMax)); },
@@ -121,6 +126,7 @@ class NatsBus final : public Bus {
   void use(std::unique_ptr<NatsConnection> connection);
   void add_subscription(const std::string& subject);
   void on_connected(const std::string& server);
+  void on_disconnected();
   void ask_again_later(const std::string& why);
   void connect_anew();
 
@@ -134,6 +140,7 @@ class NatsBus final : public Bus {
   int connections_ = 0;                         ///< made so far; the last is the present one
   std::unique_ptr<NatsConnection> connection_;  ///< null: one was closed, and the next is not open
   std::string connected_early_;  ///< the server that was reported before connection_ was set
+  bool owner_knows_ = false;     ///< that there is a connection
   std::vector<std::string> subjects_;
   std::string own_subject_;
 };
@@ -144,14 +151,19 @@ NatsBus::~NatsBus() {
 }
 
 LibraryEvents NatsBus::library_events() {
-  return {{events_.on_message, [this](const std::string& server) { on_connected(server); },
-           [this] {
-             connected_early_.clear();
-             events_.on_disconnected();
-           }},
-          [this](int connection, const std::string& why) {
-            if (connection == connections_) ask_again_later(why);
-          }};
+  return {.on_message = events_.on_message,
+          .on_connected =
+              [this](int connection, const std::string& server) {
+                if (connection == connections_) on_connected(server);
+              },
+          .on_disconnected =
+              [this](int connection) {
+                if (connection == connections_) on_disconnected();
+              },
+          .on_given_up =
+              [this](int connection, const std::string& why) {
+                if (connection == connections_) ask_again_later(why);
+              }};
 }
 
 std::shared_ptr<Poster> NatsBus::new_listener() {
@@ -161,10 +173,16 @@ std::shared_ptr<Poster> NatsBus::new_listener() {
 /// Nothing can be sent yet over a connection that has not been passed to us.
 void NatsBus::on_connected(const std::string& server) {
   if (connection_) {
+    owner_knows_ = true;
     events_.on_connected(server);
   } else {
     connected_early_ = server;
   }
+}
+
+void NatsBus::on_disconnected() {
+  connected_early_.clear();
+  if (std::exchange(owner_knows_, false)) events_.on_disconnected();
 }
 
 /// The library gives up when it is refused twice in the same way. We try again, since the servers'
@@ -180,7 +198,9 @@ void NatsBus::ask_again_later(const std::string& why) {
 }
 
 void NatsBus::connect_anew() {
-  // When a subscription was refused it is still connected, and its end waits for the server.
+  // When a subscription was refused it is still connected, and its end waits for the server. What
+  // the library tells of that end comes under the old number.
+  on_disconnected();
   const auto refused = std::make_shared<std::unique_ptr<NatsConnection>>(std::move(connection_));
   const auto connect = [this, refused, gate = gate_, module = module_, servers = servers_,
                         listener = new_listener()] {
@@ -196,6 +216,7 @@ void NatsBus::connect_anew() {
   };
   if (auto started = start_unattended(connect); !started) {
     connection_ = std::move(*refused);
+    --connections_;  // it is the present one again
     ask_again_later(started.error().message);
   }
 }
@@ -227,7 +248,7 @@ void NatsBus::use(std::unique_ptr<NatsConnection> connection) {
   }
   for (const std::string& subject : subjects_) add_subscription(subject);
   const std::string server = std::exchange(connected_early_, {});
-  if (!server.empty()) events_.on_connected(server);
+  if (!server.empty()) on_connected(server);
 }
 
 void NatsBus::subscribe(const std::string& subject) {

@@ -134,5 +134,36 @@ TEST(NatsBus, TheLoopGoesRoundWhileAConnectionEndsThatGotNoSubscription) {
   EXPECT_TRUE(went_on);
 }
 
+TEST(NatsBus, TheEndOfAConnectionThatIsToldLateIsNotTheEndOfTheNext) {
+  const test::QuietLog quiet;
+  opened = 0;
+  may_end.release();
+  const NatsModule module{"",
+                          [](const NatsServers&, const std::shared_ptr<NatsListener>& listener) {
+                            if (opened == 0) library = listener;
+                            listener->on_connected("hub " + std::to_string(++opened));
+                            return Result<std::unique_ptr<NatsConnection>>(
+                                std::make_unique<RefusedConnection>(opened == 1));
+                          },
+                          new_subject};
+  asio::io_context io;
+  const auto work = asio::make_work_guard(io);
+  std::vector<std::string> told;
+  auto bus = open_nats_bus(
+      io, module, {},
+      {[](const Bus::Message&) {}, [&told](const std::string& server) { told.push_back(server); },
+       [&told] { told.emplace_back("lost"); }},
+      1ms);
+  ASSERT_TRUE(bus);
+  ASSERT_TRUE(test::run_until(io, [&told] { return told.size() == 1; }));
+  (*bus)->subscribe("talk");
+  ASSERT_TRUE(test::run_until(io, [&told] { return told.size() == 3; }));
+  library->on_disconnected();
+  bool heard = false;
+  asio::post(io, [&heard] { heard = true; });
+  ASSERT_TRUE(test::run_until(io, [&heard] { return heard; }));
+  EXPECT_EQ(told, (std::vector<std::string>{"hub 1", "lost", "hub 2"}));
+}
+
 }  // namespace
 }  // namespace aucast::server
