@@ -63,13 +63,13 @@ void RecordWriter::add(std::size_t bytes, std::function<std::string()> make) {
 void RecordWriter::enqueue(std::size_t bytes, Makers makers) {
   pieces_.change([&](Pieces& shared) {
     if (shared.error) return;
-    if (shared.waiting_bytes + bytes > kUnwrittenBytesMax) {
+    if (shared.unwritten_bytes + bytes > kUnwrittenBytesMax) {
       // What was accepted is still written.
       shared.end_with({ErrorKind::Failed,
                        at_place(path_.string(), "cannot be written: the disk takes nothing")});
       return;
     }
-    shared.waiting_bytes += bytes;
+    shared.unwritten_bytes += bytes;
     shared.waiting.insert(shared.waiting.end(), std::make_move_iterator(makers.begin()),
                           std::make_move_iterator(makers.end()));
   });
@@ -105,9 +105,10 @@ void RecordWriter::write_until_finished() {
     return shared.finished || shared.error || !shared.waiting.empty();
   };
   bool last = false;
-  const auto take = [&last](Pieces& shared) {
+  std::size_t taken_bytes = 0;
+  const auto take = [&last, &taken_bytes](Pieces& shared) {
     last = shared.finished || shared.error;
-    shared.waiting_bytes = 0;
+    taken_bytes = shared.unwritten_bytes;
     return std::exchange(shared.waiting, {});
   };
   Instant sync_at = Instant::max();
@@ -118,6 +119,7 @@ void RecordWriter::write_until_finished() {
     Result<void> done;
     if (!makers.empty()) {
       done = write(makers);
+      pieces_.change([taken_bytes](Pieces& shared) { shared.unwritten_bytes -= taken_bytes; });
       sync_at = std::min<Instant>(sync_at, now + kSyncEvery);
     }
     if (done && (last || now >= sync_at)) {

@@ -42,8 +42,8 @@ class RecordWriter {
  private:
   using Makers = std::vector<std::function<std::string()>>;
   struct Pieces {
-    Makers waiting;  ///< of what is to be written
-    std::size_t waiting_bytes = 0;
+    Makers waiting;                   ///< of what is to be written
+    std::size_t unwritten_bytes = 0;  ///< of these, and of those that are being written
     bool finished = false;
     std::optional<Error> error;  ///< what ended the recording
 

@@ -30,6 +30,25 @@ TEST_F(RecordWriterTest, WhatComesTooFastEndsItAndWhatWasAcceptedIsKept) {
   EXPECT_EQ((*writer)->written(), 1U);
 }
 
+TEST_F(RecordWriterTest, WhatIsBeingWrittenCountsAsWaitingForTheDisk) {
+  auto writer = RecordWriter::start(path_, kPagesForm);
+  ASSERT_TRUE(writer) << writer.error().message;
+  std::binary_semaphore begun{0};
+  std::binary_semaphore disk{0};
+  constexpr std::size_t kHalf = std::size_t{1} << 19U;  // of what may wait
+  (*writer)->add(kHalf, [&] {
+    begun.release();
+    disk.acquire();
+    return std::string("begin");
+  });
+  begun.acquire();
+  (*writer)->add(kHalf, [] { return std::string(" and end"); });
+  (*writer)->add({"!"});
+  disk.release();
+  EXPECT_FALSE((*writer)->finish());
+  EXPECT_EQ(folder_.read("kept.txt"), "begin and end");
+}
+
 TEST_F(RecordWriterTest, WhatIsMadeWhenItIsWrittenMayBeLarge) {
   auto writer = RecordWriter::start(path_, kPagesForm);
   ASSERT_TRUE(writer) << writer.error().message;
