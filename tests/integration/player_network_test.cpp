@@ -98,6 +98,24 @@ TEST(PlayerNetwork, GoesOnWhereItWasCutOff) {
   EXPECT_NE(server.received().find("from=50}"), std::string::npos) << server.received();
 }
 
+TEST(PlayerNetwork, SaysOfEveryLossThatThereIsNoConnection) {
+  const std::string hello = "{hello v=2 window=4 keyframe=20}";
+  ScriptedServer server({Accept{}, ExpectHello{}, Send{hello + "{1}"}, Close{}, Accept{},
+                         ExpectHello{}, Send{hello + "{2;30}"}, Close{}, Accept{}, ExpectHello{},
+                         Send{hello + "{6,1}{-2}"}, HalfClose{}, ExpectEnd{}});
+  const PlayerRun run =
+      run_player({"--headless", "127.0.0.1:" + std::to_string(server.port()), "--reconnect"});
+  EXPECT_EQ(server.finish(), "");
+  EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.stats["reconnects"], 2);
+  std::size_t told = 0;
+  for (std::size_t at = 0; (at = run.finished.err.find("again in", at)) != std::string::npos;
+       ++at) {
+    ++told;
+  }
+  EXPECT_EQ(told, 2U) << run.finished.err;
+}
+
 TEST(PlayerList, PrintsTheNamesOfTheStreams) {
   Served served({stream_file("happiness.txt"), stream_file("anger.txt")});
   const Finished list = run({program("face-player"), "--list", served.address()});

@@ -67,7 +67,9 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     sound.advanced();
     sound.face_shown();
     if (sound.take_loss()) spdlog::warn("the sound device plays no more; going on without it");
-    if (!playback.next_position_at()) {  // nothing plays
+    if (playback.state() == playback::PlaybackState::Playing) {
+      said.clear();  // the next loss may read like the last
+    } else if (!playback.next_position_at()) {
       const playback::SourceStatus status = playback.status();
       if (status.end == playback::EndReason::NotEnded && !status.reason.empty() &&
           !status.connected && status.detail != said) {
