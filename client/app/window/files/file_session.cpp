@@ -54,7 +54,9 @@ std::string FileSession::choose(const std::string& name, const Use& use) {
 
 void FileSession::close() {
   const gui::BrowserView& view = browser_.view();
-  if (view.open) folder_for(view.purpose) = view.folder;
+  if (view.open && view.purpose != gui::Purpose::LookForFaces) {
+    folder_for(view.purpose) = view.folder;
+  }
   browser_.close();
 }
 

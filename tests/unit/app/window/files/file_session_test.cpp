@@ -44,6 +44,16 @@ TEST_F(FileSessionTest, ComesAgainInTheFolderThatWasLeft) {
   EXPECT_EQ(view().folder, in("lectures")) << "streams are looked for in one place";
 }
 
+TEST_F(FileSessionTest, ALookForFacesMovesNoOtherDialog) {
+  session_.set_own_folder(in("made"));
+  session_.look_for_faces(in("lectures"));
+  session_.close();
+  session_.look_for_faces(in("lectures"));
+  EXPECT_EQ(choose("one.txt"), "used");
+  session_.browse(Purpose::ExportTable, "two.csv");
+  EXPECT_EQ(view().folder, in("made"));
+}
+
 TEST_F(FileSessionTest, TheFolderOfWhatWasSavedIsKeptForTheNextStart) {
   session_.browse(Purpose::ExportTable, "two.csv");
   session_.enter(in("lectures"));
