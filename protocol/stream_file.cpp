@@ -51,6 +51,7 @@ class StreamFileParser {
   void finish();
   /// `position`: of the byte in the line, from 0.
   void refuse(std::size_t position, const std::string& reason);
+  void refuse_byte(std::size_t position, char byte);
   /// A line that cannot be read: it may have been a packet or a tag.
   void refuse_line(std::size_t position, const std::string& reason);
 
@@ -69,6 +70,13 @@ class StreamFileParser {
 Result<void> StreamFileParser::parse() {
   std::string_view rest = text_;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  if (const std::size_t zero = rest.find('\0'); zero != std::string_view::npos) {
+    // A picture or a sound: it has one mistake and not one a line.
+    const std::string_view before = rest.substr(0, zero);
+    line_number_ = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    refuse_byte(before.size() - (before.rfind('\n') + 1), '\0');
+    return errors_.error();
+  }
   while (!rest.empty() && !refused_) {
     ++line_number_;
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -92,9 +100,7 @@ void StreamFileParser::read_line(std::string_view line) {
   }
   const auto control = std::find_if(line.begin(), line.end(), is_control);
   if (control != line.end()) {
-    refuse_line(static_cast<std::size_t>(control - line.begin()),
-                "this is not text: found the byte '" + escaped(std::string_view(&*control, 1)) +
-                    "'; a stream file is ASCII or UTF-8 text");
+    refuse_byte(static_cast<std::size_t>(control - line.begin()), *control);
     return;
   }
   const std::string_view content = content_of(line);
@@ -176,6 +182,11 @@ void StreamFileParser::finish() {
 
 void StreamFileParser::refuse(std::size_t position, const std::string& reason) {
   errors_.add(line_number_, position + 1, reason);
+}
+
+void StreamFileParser::refuse_byte(std::size_t position, char byte) {
+  refuse_line(position, "this is not text: found the byte '" + escaped(std::string_view(&byte, 1)) +
+                            "'; a stream file is ASCII or UTF-8 text");
 }
 
 void StreamFileParser::refuse_line(std::size_t position, const std::string& reason) {
