@@ -71,6 +71,7 @@ RemoteSettings with_server_of(RemoteSettings settings, const RemoteSettings& oth
   settings.others = other.others;
   settings.stream = other.stream;
   settings.tls = other.tls;
+  settings.authorities_file = other.authorities_file;
   settings.token_file = other.token_file;
   return settings;
 }

@@ -37,7 +37,8 @@ struct RemoteSettings {
   bool reconnect = false;  ///< try again when the server is lost
   std::string stream{};    ///< empty: the server's first
   bool tls = false;
-  std::string token_file{};                  ///< empty: as the command line says
+  std::string authorities_file{};            ///< of TLS; empty: as the command line says
+  std::string token_file{};                  ///< the same
   std::vector<protocol::Endpoint> others{};  ///< other servers of the stream, tried in turn
   Behind behind = Behind::Sets;
   int behind_ms = 300;  ///< 0 to kBehindMsMax, of Behind::Time

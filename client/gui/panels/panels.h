@@ -43,6 +43,7 @@ struct RecordForm {
 struct RemoteForm {
   RemoteSettings settings;
   std::array<char, 512> address{};
+  std::array<char, 512> authorities_file{};
   std::array<char, 512> token_file{};
   std::optional<std::string> wrong;  ///< what is wrong with the text of the address; nullopt:
                                      ///< nothing

@@ -31,6 +31,7 @@ void write(const std::string& text, std::span<char> out) {
 void fill_form(const RemoteSettings& settings, RemoteForm& form) {
   form.settings = settings;
   write(server_text(settings), form.address);
+  write(settings.authorities_file, form.authorities_file);
   write(settings.token_file, form.token_file);
   form.wrong.reset();
   form.filled = true;
@@ -176,6 +177,14 @@ void behind_server(const Look& look, RemoteSettings& settings) {
          tr("tip.threshold"));
 }
 
+void path(const Look& look, const char* name, std::span<char> text, const char* help) {
+  label(look, name, help);
+  ImGui::InputTextWithHint(with_id("", name).c_str(), tr("play.path_hint"), text.data(),
+                           text.size());
+  stay_in_field();
+  tip(help);
+}
+
 /// How to connect to the server. Initially folded. Takes effect with the next Connect.
 void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (!ImGui::TreeNodeEx(tr("play.next_connection"),
@@ -186,12 +195,12 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) 
   label(look, tr("play.protection"), tr("tip.tls"));
   if (ImGui::Checkbox(tr("play.tls"), &settings.tls)) write(server_text(settings), form.address);
   tip(tr("tip.tls"));
-  label(look, tr("play.token_file"), tr("tip.token"));
-  ImGui::InputTextWithHint("##token", tr("play.token_hint"), form.token_file.data(),
-                           form.token_file.size());
-  stay_in_field();
+  ImGui::BeginDisabled(!settings.tls);
+  path(look, tr("play.authorities_file"), form.authorities_file, tr("tip.authorities"));
+  ImGui::EndDisabled();
+  settings.authorities_file = form.authorities_file.data();
+  path(look, tr("play.token_file"), form.token_file, tr("tip.token"));
   settings.token_file = form.token_file.data();
-  tip(tr("tip.token"));
   label(look, tr("play.when_lost"), tr("tip.again"));
   ImGui::Checkbox(tr("play.again"), &settings.reconnect);
   tip(tr("tip.again"));

@@ -52,6 +52,7 @@ void read_remote(Fields fields, KeptSettings& settings) {
   fields.take("reconnect", remote.reconnect);
   fields.take("stream", remote.stream);
   fields.take("tls", remote.tls);
+  fields.take("tls_ca", remote.authorities_file);
   fields.take("token_file", remote.token_file);
   for (const std::string& other : fields.texts("others")) {
     if (auto endpoint = protocol::parse_endpoint(other)) {
@@ -220,7 +221,8 @@ std::string format_settings(const KeptSettings& settings) {
           line("behind", std::string(kBehind[static_cast<std::size_t>(remote.behind)])) +
           line("behind_ms", remote.behind_ms) + line("speed_ms", remote.speed_ms) +
           line("reconnect", remote.reconnect) + line("stream", remote.stream) +
-          line("tls", remote.tls) + line("token_file", remote.token_file);
+          line("tls", remote.tls) + line("tls_ca", remote.authorities_file) +
+          line("token_file", remote.token_file);
   text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files)) +
           line("own_folder", settings.own_folder);
   for (const KnownTable& known : settings.tables) {

@@ -41,6 +41,8 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
      "classic is level 1, the protocol of the thesis; level 2 has intensities, sides and times"},
     {"tip.tls",
      "Transport Layer Security: what is sent can be neither read nor changed on its way"},
+    {"tip.authorities",
+     "a file (PEM) with the authorities to trust in place of the system's, as --tls-ca names"},
     {"tip.token", "a file with the secret that the server asks for"},
     {"tip.again", "the server is tried again until it is there"},
     {"tip.mixer",

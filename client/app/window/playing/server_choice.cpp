@@ -23,6 +23,9 @@ Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& se
                                                    bool voice) const {
   net::SecurityOptions protection = options_.security;
   protection.tls |= settings.tls;
+  if (protection.tls && !settings.authorities_file.empty()) {
+    protection.files.authorities = settings.authorities_file;
+  }
   if (!settings.token_file.empty()) protection.token = settings.token_file;
   auto security = net::load_security(protection, settings.address);
   if (!security) return security.error();

@@ -15,6 +15,7 @@ namespace aucast::app {
 class ServerChoice {
  public:
   explicit ServerChoice(const PlaybackOptions& options) : options_(options) {}
+  explicit ServerChoice(PlaybackOptions&& options) = delete;  // it would be gone
 
   /// Begins with what the window remembered.
   void set(const gui::RemoteSettings& settings, std::vector<std::string> recent);

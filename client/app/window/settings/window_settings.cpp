@@ -42,6 +42,10 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
   copy(
       "--tls", [](auto& s) -> auto& { return s.remote.tls; });
   copy(
+      "--tls-ca", [](auto& s) -> auto& { return s.remote.authorities_file; });
+  copy(
+      "--token-file", [](auto& s) -> auto& { return s.remote.token_file; });
+  copy(
       "--mixer", [](auto& s) -> auto& { return s.animation.mixer; });
   copy(
       "--rules", [](auto& s) -> auto& { return s.animation.rules; });
@@ -121,6 +125,7 @@ WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::pa
     // The last ones were another server's.
     in_force_.remote.stream = options.playback.stream;
     in_force_.remote.tls = options.playback.security.tls;
+    in_force_.remote.authorities_file.clear();
     in_force_.remote.token_file.clear();
   }
 }

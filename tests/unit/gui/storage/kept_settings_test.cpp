@@ -18,6 +18,7 @@ KeptSettings unusual() {
   settings.remote = {"lecture.example.org", 4777, 200, 60, 55, 500, true};
   settings.remote.behind = Behind::Time;
   settings.remote.behind_ms = 150;
+  settings.remote.authorities_file = "/home/anna/ca.pem";
   settings.remote.others = {{"other.example.org", 4650}, {"::1", 9}};
   settings.recent = {"lecture.example.org:4777", "[::1]", "od\"d\\name"};
   settings.animation = {face::Mixer::Average, "kumar2010", playback::Interpolation::Cosine};

@@ -49,6 +49,18 @@ TEST(ServerChoice, TheFormComesBeforeTheCommandLine) {
   EXPECT_FALSE(server->buffers.low_delay) << "nor is it to be live";
 }
 
+TEST(ServerChoice, TheFormNamesWhoMustHaveIssuedTheServersCertificate) {
+  const PlaybackOptions options;
+  const ServerChoice servers(options);
+  gui::RemoteSettings form;
+  form.authorities_file = "/nowhere/ca.pem";
+  EXPECT_TRUE(servers.server_of(form, false)) << "without TLS there is no certificate";
+  form.tls = true;
+  const auto refused = servers.server_of(form, false);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("/nowhere/ca.pem"), std::string::npos);
+}
+
 TEST(ServerChoice, AVoiceIsAskedForWhereItCanBeHeardOrWritten) {
   PlaybackOptions options;
   EXPECT_FALSE(ServerChoice(options).server_of({}, false)->voice);

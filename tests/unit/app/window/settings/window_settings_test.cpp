@@ -64,6 +64,17 @@ TEST_F(WindowSettingsTest, ATokenOfTheLastServerGoesToNoOther) {
   EXPECT_EQ(WindowSettings(parsed({"new.example"}), file_).in_force().remote.token_file, "");
 }
 
+TEST_F(WindowSettingsTest, FilesOfTheCommandLineComeBeforeKeptOnes) {
+  write("[remote]\ntls = true\ntls_ca = \"/old/ca.pem\"\ntoken_file = \"/old/token\"\n");
+  WindowSettings settings(parsed({"--tls", "--tls-ca", "ca.pem", "--token-file", "token"}), file_);
+  EXPECT_EQ(settings.in_force().remote.authorities_file, "") << "as the command line says";
+  EXPECT_EQ(settings.in_force().remote.token_file, "");
+  gui::KeptSettings now = settings.in_force();
+  now.transition.frames = 60;
+  ASSERT_TRUE(settings.keep(now));
+  EXPECT_EQ(on_disk().remote.authorities_file, "/old/ca.pem");
+}
+
 TEST_F(WindowSettingsTest, TheSecondOfSeveralHostsIsTriedWithoutBeingKept) {
   const PlayerOptions given = parsed({"aucast://one.example,other.example/talk"});
   WindowSettings settings(given, file_);
