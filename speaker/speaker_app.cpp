@@ -134,10 +134,12 @@ Result<void> write_wav(const fs::path& path, const Speech& speech) {
   const auto count = static_cast<sf_count_t>(speech.samples.size());
   const bool whole =
       file != nullptr && sf_writef_float(file, speech.samples.data(), count) == count;
+  const std::string why = sf_strerror(file);
   if (sf_close(file) == 0 && whole) return replace_file(*temporary, path);
   std::error_code ignored;
   fs::remove(*temporary, ignored);
-  return Error{ErrorKind::Failed, at_place(path.string(), "cannot be written whole")};
+  return Error{ErrorKind::Failed,
+               at_place(path.string(), "cannot be written whole: " + why + "; is the disk full?")};
 }
 
 /// A line for each sound that is no pause: where it begins and ends, in seconds, and its letters.
@@ -194,6 +196,18 @@ Result<void> check_output(const fs::path& output, const Options& options) {
   return {};
 }
 
+/// Refuses labels that another file would be written over.
+Result<void> check_labels(const fs::path& labels, const std::vector<fs::path>& others) {
+  std::error_code none;
+  const fs::path place = fs::weakly_canonical(labels, none);
+  for (const fs::path& other : others) {
+    if (labels.empty() || other.empty() || fs::weakly_canonical(other, none) != place) continue;
+    return Error{ErrorKind::Usage, "--labels " + printable(labels.string()) +
+                                       " names a file that is written too; choose another name"};
+  }
+  return {};
+}
+
 Result<void> run(const Options& options) {
   const auto bytes = read_text(options.text);
   if (!bytes) return bytes.error();
@@ -220,6 +234,9 @@ Result<void> run(const Options& options) {
   const fs::path sound_file = options.recording.empty() ? folder / (name + ".wav") : fs::path();
   for (const fs::path& output : {stream_file, caption_file, sound_file, options.labels}) {
     if (auto good = check_output(output, options); !good) return good;
+  }
+  if (auto good = check_labels(options.labels, {stream_file, caption_file, sound_file}); !good) {
+    return good;
   }
   if (!options.labels.empty()) {
     if (auto written = write_file_atomically(options.labels, labels_of(*speech)); !written) {

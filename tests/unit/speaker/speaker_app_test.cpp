@@ -84,6 +84,15 @@ TEST(SpeakerApp, NeverWritesOverTheText) {
   EXPECT_EQ(folder.read("talk.vtt"), "Good morning.\n");
 }
 
+TEST(SpeakerApp, NeverWritesOverTheLabels) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/../out/talk.txt"}), 2);
+  EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/talk.wav"}), 2);
+  EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/labels.txt"}), 0);
+}
+
 TEST(SpeakerApp, ExitCodesAreThoseOfTheOtherPrograms) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good [morning]\n").string();
