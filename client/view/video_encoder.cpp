@@ -149,6 +149,13 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
   return {};
 }
 
+Error not_started(const std::filesystem::path& path, const Error& error) {
+  if (error.kind != ErrorKind::Unreadable) return error;
+  return {ErrorKind::Failed,
+          at_place(path.string(),
+                   "ffmpeg, which writes the video, is not installed: apt install ffmpeg")};
+}
+
 }  // namespace
 
 struct VideoEncoder::State {
@@ -164,13 +171,6 @@ struct VideoEncoder::State {
   [[nodiscard]] Result<void> give_up();
   [[nodiscard]] Result<void> add_sound(const std::filesystem::path& sound);
 };
-
-Error not_started(const std::filesystem::path& path, const Error& error) {
-  if (error.kind != ErrorKind::Unreadable) return error;
-  return {ErrorKind::Failed,
-          at_place(path.string(),
-                   "ffmpeg, which writes the video, is not installed: apt install ffmpeg")};
-}
 
 /// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
