@@ -43,17 +43,17 @@ bool read_numbers(std::span<const std::string_view> words, std::span<double> num
   return true;
 }
 
-/// Reads the file line by line. A line begins with "quiet-side", "quiet-middle", "raised-side",
+/// Reads the file line by line. A line begins with "neutral-side", "neutral-middle", "raised-side",
 /// "raised-middle", "feature" or "au".
 class WeightsReader {
  public:
   /// What is wrong with the line; nullopt if it is right.
   std::optional<std::string> read(const Words& words) {
     const std::span<const std::string_view> rest = std::span(words).subspan(1);
-    if (words[0] == "quiet-side") {
+    if (words[0] == "neutral-side") {
       if (!read_numbers(rest, weights_.typical.left)) return kSideNumbers;
       weights_.typical.right = weights_.typical.left;
-    } else if (words[0] == "quiet-middle") {
+    } else if (words[0] == "neutral-middle") {
       if (!read_numbers(rest, weights_.typical.middle)) return kMiddleNumbers;
     } else if (words[0] == "raised-side") {
       if (!read_numbers(rest, weights_.raised_side)) return kSideNumbers;

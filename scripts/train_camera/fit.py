@@ -263,10 +263,10 @@ def write(path, weights, thresholds, seeming, neutral):
     with open(path, "w", encoding="utf-8") as out:
         out.write("# What Action Units are told by, from the measures of a face against the neutral\n"
                   "# face. Written by scripts/train_camera/train.py; README.md there describes it.\n")
-        out.write("quiet-side " + " ".join(
+        out.write("neutral-side " + " ".join(
             f"{(neutral['left-' + n] + neutral['right-' + n]) / 2 * (n not in TOWARDS_LEFT):.4f}"
             for n in SIDE) + "\n")
-        out.write("quiet-middle " + " ".join(
+        out.write("neutral-middle " + " ".join(
             f"{neutral[n] * (n not in TOWARDS_LEFT):.4f}" for n in MIDDLE) + "\n")
         for line, names in (("raised-side", SIDE), ("raised-middle", MIDDLE)):
             out.write(" ".join([line, *(f"{seeming.get(name, 0):.4f}" for name in names)]) + "\n")

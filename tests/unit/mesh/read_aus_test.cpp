@@ -16,8 +16,8 @@ constexpr double kTolerance = 1e-6;
 /// missing, 26 by the chin, 51 and 53 by the head's turn.
 const std::string kWeights =
     "# for a test\n"
-    "quiet-side 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
-    "quiet-middle 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "neutral-side 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "neutral-middle 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
     "feature own-corner-up\n"
     "feature own-aperture\n"
     "feature chin-up\n"
@@ -164,8 +164,8 @@ TEST(AuWeights, SaysWhereAFileIsWrong) {
   };
   EXPECT_NE(message("").find("no weights"), std::string::npos);
   EXPECT_NE(message("# x\nwhat 1 2\n").find("w.txt:2:1"), std::string::npos);
-  EXPECT_NE(message("quiet-side 1 2\n").find("18 numbers"), std::string::npos);
-  EXPECT_NE(message("quiet-middle nan\n").find("29 numbers"), std::string::npos);
+  EXPECT_NE(message("neutral-side 1 2\n").find("18 numbers"), std::string::npos);
+  EXPECT_NE(message("neutral-middle nan\n").find("29 numbers"), std::string::npos);
   EXPECT_NE(message("raised-side 1 2\n").find("18 numbers"), std::string::npos);
   EXPECT_NE(message("raised-middle 1 2\n").find("29 numbers"), std::string::npos);
   EXPECT_NE(message("feature nose\n").find("measure"), std::string::npos);
