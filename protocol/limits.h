@@ -45,7 +45,8 @@ inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};  ///< from its '
 /// How long the refusal of a wrong token is held back.
 inline constexpr std::chrono::milliseconds kWrongTokenWait{1000};
 inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
-/// Draining, after the last packet: the longest time without progress, and how much is read.
+/// Draining: the longest time in which nothing of the last packets can be sent, and then, when they
+/// are, in which the peer does not end; and how many of its bytes are read.
 inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};
 inline constexpr std::size_t kDrainBytesMax = 65536;
 /// Changes-only form: the most keyframe time between the beginnings of two full keyframes.

@@ -11,8 +11,9 @@
 
 namespace aucast::protocol {
 
-/// One Opus packet (RFC 6716) of a stream's voice. Its sound begins at `place` on the stream's
-/// clock and lasts for opus_duration().
+/// One Opus packet (RFC 6716) of a stream's voice. Its sound begins at `place` and lasts for
+/// opus_duration(). On the wire and beyond `place` is on the client's clock; before, on that of the
+/// stream or of the recording.
 struct VoicePacket {
   Milliseconds place{0};
   std::string opus;
