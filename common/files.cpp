@@ -199,6 +199,29 @@ Result<int> open_file(const fs::path& path) {
   return opened->first.release();
 }
 
+std::string bytes_at(int descriptor, std::int64_t position, std::size_t count) {
+  std::string bytes(count, '\0');
+  std::size_t done = 0;
+  while (done < count) {
+    const ssize_t got = ::pread(descriptor, bytes.data() + done, count - done,
+                                position + static_cast<std::int64_t>(done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+std::int64_t file_size(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 ? status.st_size : 0;
+}
+
+void close_file(int descriptor) {
+  ::close(descriptor);
+}
+
 Result<SecretFile> read_secret_file(const fs::path& path, std::size_t bytes_max) {
   const auto opened = open_to_read(path);
   if (!opened) return opened.error();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,6 +29,16 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 /// Opens a regular file for a library that does its own reading; the caller closes the descriptor.
 /// Refuses the kinds that read_file() refuses.
 [[nodiscard]] Result<int> open_file(const std::filesystem::path& path);
+
+/// The bytes of an open file from `position` on, fewer where it ends or cannot be read. Where the
+/// descriptor reads on stays.
+[[nodiscard]] std::string bytes_at(int descriptor, std::int64_t position, std::size_t count);
+
+/// The size of an open file; 0 if the system does not tell.
+[[nodiscard]] std::int64_t file_size(int descriptor);
+
+/// Closes what open_file() opened.
+void close_file(int descriptor);
 
 /// A file with a secret in it.
 struct SecretFile {

@@ -17,7 +17,8 @@ namespace aucast::voice {
 class SoundFile {
  public:
   /// Unreadable when the file is missing or no regular file, BadData when there is no sound in it,
-  /// or its header tells of a day or more.
+  /// its header tells of a day or more, or its length is unknown since it ends within a page of
+  /// Ogg.
   [[nodiscard]] static Result<SoundFile> open(const std::filesystem::path& path);
   ~SoundFile();
   SoundFile(SoundFile&&) noexcept;
@@ -25,7 +26,9 @@ class SoundFile {
 
   /// Reads the next samples, in [-1,1], and returns how many; fewer than asked for only at the end.
   [[nodiscard]] std::size_t read(std::span<float> samples);
-  /// Why read() stopped before the file's end, with the file's name; empty: it did not.
+  /// Once read() has come to the end: how one sees that the file was cut off or is damaged, with
+  /// its name; empty: it is whole. Of MP3 without a Xing header, and of WAV from a pipe, nobody can
+  /// see it.
   [[nodiscard]] std::string complaint() const;
   /// The length that the file's header gives, less than a day.
   [[nodiscard]] Milliseconds duration() const;

@@ -110,6 +110,7 @@ std::string voice_lines(const VoiceFile& file, const VoiceSummary& voice, Millis
     text += formatted("  %-11s it can be read up to %.3f s only, and should last %.3f s\n", "",
                       in_seconds(voice.end), in_seconds(promised));
   }
+  if (!voice.complaint.empty()) text += formatted("  %-11s ", "") + voice.complaint + "\n";
   const Milliseconds longer = voice.end - face;
   if (longer > kMuch || -longer > kMuch) {
     text += formatted("  %-11s the voice ends at %.3f s, the face at %.3f s\n", "lengths",

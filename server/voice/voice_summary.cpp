@@ -33,6 +33,7 @@ Result<VoiceSummary> summarise_voice(const VoiceFile& file, const voice::VoiceSe
   while (reader->read(summary.packets)) {
   }
   summary.end = reader->end();
+  summary.complaint = reader->complaint();
   summary.silences = silences_of(summary.packets, summary.end);
   return summary;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "common/result.h"
@@ -24,6 +25,7 @@ struct VoiceSummary {
   Milliseconds end{0};  ///< where the sound that could be read ends, on the stream's clock
   /// Silences of at least kSilenceLeast, also at the beginning and at the end.
   std::vector<Silence> silences;
+  std::string complaint;  ///< as SoundFile::complaint()
 };
 
 /// A speaker's pauses are shorter than this.

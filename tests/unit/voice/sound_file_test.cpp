@@ -52,6 +52,7 @@ TEST(SoundFile, EveryFormatRateAndChannelCountIsTheSameSound) {
       {"c.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 1},
       {"d.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS, 22050, 1},
       {"e.opus", SF_FORMAT_OGG | SF_FORMAT_OPUS, 48000, 1},
+      {"f.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, 44100, 2},
   };
   for (const Row& row : rows) {
     const auto path = write_sound(folder, row.name, row.format, row.rate, row.channels, 2);
@@ -76,23 +77,91 @@ TEST(SoundFile, SaysWhyThereIsNoSound) {
   EXPECT_EQ(text.error().kind, ErrorKind::BadData);
 }
 
+/// What is said of a file after it was read to its end.
+std::string complaint_of(const std::filesystem::path& path) {
+  auto file = SoundFile::open(path);
+  if (!file) return file.error().message;
+  static_cast<void>(read_all(*file));
+  return file->complaint();
+}
+
 TEST(SoundFile, SaysThatItBreaksOff) {
   const TempFolder folder;
-  const auto path = write_sound(folder, "a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 1, 2);
-  {
-    auto whole = SoundFile::open(path);
-    ASSERT_TRUE(whole);
-    static_cast<void>(read_all(*whole));
-    EXPECT_EQ(whole->complaint(), "");
+  struct Row {
+    const char* name;
+    int format;
+    const char* why;
+  };
+  const Row rows[] = {
+      {"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, "of 192000 bytes of sound it has "},
+      {"b.wav", SF_FORMAT_RF64 | SF_FORMAT_PCM_16, "of 192000 bytes of sound it has "},
+      {"c.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, ""},
+      {"d.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, " frames it has "},
+  };
+  for (const Row& row : rows) {
+    const auto path = write_sound(folder, row.name, row.format, 48000, 1, 2);
+    EXPECT_EQ(complaint_of(path), "");
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+    auto half = SoundFile::open(path);
+    ASSERT_TRUE(half) << half.error().message;
+    const std::size_t count = read_all(*half).size();
+    EXPECT_GT(count, 0U);
+    EXPECT_LT(count, std::size_t{2 * kEncoderRate});
+    const std::string why = half->complaint();
+    EXPECT_TRUE(why.starts_with(path.string() + ": the sound breaks off"))
+        << row.name << ": " << why;
+    EXPECT_NE(why.find(row.why), std::string::npos) << why;
   }
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
-  auto half = SoundFile::open(path);
-  ASSERT_TRUE(half);
-  const std::size_t count = read_all(*half).size();
-  EXPECT_GT(count, 0U);
-  EXPECT_LT(count, std::size_t{2 * kEncoderRate});
-  EXPECT_TRUE(half->complaint().starts_with(path.string() + ": the sound breaks off"))
-      << half->complaint();
+}
+
+TEST(SoundFile, SaysThatTheLastPageOfAnOggFileIsMissing) {
+  const TempFolder folder;
+  for (const int codec : {SF_FORMAT_VORBIS, SF_FORMAT_OPUS}) {
+    const auto path = write_sound(folder, "a.ogg", SF_FORMAT_OGG | codec, 48000, 1, 9);
+    EXPECT_EQ(complaint_of(path), "");
+    const std::string whole = folder.read("a.ogg");
+    const std::size_t last_page = whole.rfind("OggS");
+
+    folder.write("a.ogg", whole.substr(0, last_page));
+    EXPECT_NE(complaint_of(path).find("the sound breaks off before its end: its last page"),
+              std::string::npos);
+
+    folder.write("a.ogg", whole.substr(0, last_page + 100));
+    const std::string why = complaint_of(path);
+    EXPECT_NE(why.find("it was cut off"), std::string::npos) << why;
+    EXPECT_EQ(why.find("hours"), std::string::npos) << why;
+  }
+}
+
+TEST(SoundFile, AWavFileFromAPipeIsNotCutOff) {
+  const TempFolder folder;
+  const auto path = write_sound(folder, "a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 16000, 1, 1);
+  std::string bytes = folder.read("a.wav");
+  const std::size_t size = bytes.find("data") + 4;
+  for (const char* unknown : {"\xff\xff\xff\xff", "\x00\xf0\xff\x7f"}) {
+    bytes.replace(size, 4, std::string(unknown, 4));
+    folder.write("a.wav", bytes);
+    auto file = SoundFile::open(path);
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_NEAR(static_cast<double>(read_all(*file).size()), kEncoderRate, 10);
+    EXPECT_EQ(file->complaint(), "");
+  }
+}
+
+TEST(SoundFile, AnMp3FileIsReadWithoutAWordOfTheLibrarys) {
+  const TempFolder folder;
+  const int format = SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III;
+  const auto path = write_sound(folder, "a.mp3", format, 44100, 1, 4);
+  const std::string whole = folder.read("a.mp3");
+  const std::size_t half = whole.size() / 2;
+  for (const std::string& broken :
+       {whole.substr(0, half), whole.substr(0, half) + std::string(5000, 'U') + whole.substr(half),
+        std::string("ID3\x04\0\0\0\0\0\x05junk", 14) + std::string(300, '\0') + whole}) {
+    folder.write("a.mp3", broken);
+    testing::internal::CaptureStderr();
+    static_cast<void>(complaint_of(path));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  }
 }
 
 TEST(SoundFile, ARateThatCannotBeConvertedIsNoSound) {

@@ -109,5 +109,19 @@ TEST_F(VoicedSources, CheckTellsLengthsAndSilence) {
   EXPECT_NE(estimate.find("  changes+voice "), std::string::npos) << estimate;
 }
 
+TEST_F(VoicedSources, CheckTellsThatTheSoundWasCutOff) {
+  const auto face = write_face("talk.txt", 2);
+  const auto sound = write_wav("talk.wav", voice::test::speech_like(2));
+  std::filesystem::resize_file(sound, std::filesystem::file_size(sound) / 2);
+  const auto sources = load_sources({face});
+  ASSERT_TRUE(sources);
+  const auto summary = summarise_voice(*sources->front().voice, {});
+  ASSERT_TRUE(summary);
+  const std::string report = check_report(sources->front(), 250, &*summary);
+  EXPECT_NE(report.find("talk.wav: the sound breaks off before its end: of 64000 bytes of sound"),
+            std::string::npos)
+      << report;
+}
+
 }  // namespace
 }  // namespace aucast::server

@@ -1,0 +1,156 @@
+#include <mpg123.h>
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "common/files.h"
+#include "common/text.h"
+#include "common/voice/sound_reader.h"
+
+namespace aucast::voice {
+namespace {
+
+constexpr std::size_t kTagHeader = 10;
+/// As far into the first frame as a Xing header can begin.
+constexpr std::size_t kLookBytes = 64;
+/// What writers of Xing headers disagree about: whether the frame that has it counts.
+constexpr std::int64_t kOwnFrame = 1;
+
+unsigned byte_of(std::string_view bytes, std::size_t at) {
+  return static_cast<unsigned char>(bytes[at]);
+}
+
+/// Where the first frame should be: after the tags of ID3v2, each of which tells its length in four
+/// times seven bits.
+std::int64_t after_tags(int descriptor) {
+  std::int64_t at = 0;
+  while (true) {
+    const std::string tag = bytes_at(descriptor, at, kTagHeader);
+    if (tag.size() < kTagHeader || !tag.starts_with("ID3")) return at;
+    std::int64_t length = 0;
+    for (std::size_t i = 6; i < kTagHeader; ++i) length = length * 128 + (byte_of(tag, i) & 127U);
+    at += static_cast<std::int64_t>(kTagHeader) + length;
+  }
+}
+
+/// Whether a frame of MPEG audio begins there.
+bool is_frame(std::string_view bytes) {
+  if (bytes.size() < 4 || byte_of(bytes, 0) != 0xff) return false;
+  const unsigned second = byte_of(bytes, 1);
+  const unsigned third = byte_of(bytes, 2);
+  const unsigned version = second >> 3U & 3U;
+  const unsigned layer = second >> 1U & 3U;
+  return second >= 0xe0 && version != 1 && layer != 0 && third >> 4U != 15 &&
+         (third >> 2U & 3U) != 3;
+}
+
+/// How many frames the Xing header says there are, if the first frame has one that does.
+std::optional<std::int64_t> frames_told(std::string_view first_frame) {
+  for (const std::string_view name : {"Xing", "Info"}) {
+    const std::size_t at = first_frame.find(name);
+    if (at == std::string_view::npos || first_frame.size() < at + 12) continue;
+    constexpr unsigned kHasFrames = 1;
+    if ((byte_of(first_frame, at + 7) & kHasFrames) == 0) return std::nullopt;
+    std::int64_t frames = 0;
+    for (std::size_t i = at + 8; i < at + 12; ++i) frames = frames * 256 + byte_of(first_frame, i);
+    return frames;
+  }
+  return std::nullopt;
+}
+
+struct DeleteDecoder {
+  void operator()(mpg123_handle* decoder) const { mpg123_delete(decoder); }
+};
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close_file(number_); }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+class Mp3Reader final : public SoundReader {
+ public:
+  explicit Mp3Reader(int descriptor) : file_(descriptor) {
+    // A no-op since 1.27.
+    static const int kInitialised = mpg123_init();
+    if (kInitialised == MPG123_OK) decoder_.reset(mpg123_new(nullptr, nullptr));
+  }
+
+  /// Why it cannot be read; empty: it can.
+  [[nodiscard]] std::string begin() {
+    mpg123_handle* const decoder = decoder_.get();
+    if (decoder == nullptr) return "libmpg123 does not work";
+    mpg123_param(decoder, MPG123_ADD_FLAGS, MPG123_QUIET | MPG123_FORCE_FLOAT | MPG123_MONO_MIX, 0);
+    int channels = 0;
+    int encoding = 0;
+    if (mpg123_open_fd(decoder, file_.number()) != MPG123_OK ||
+        mpg123_getformat(decoder, &rate_, &channels, &encoding) != MPG123_OK ||
+        mpg123_scan(decoder) != MPG123_OK) {
+      return mpg123_strerror(decoder);
+    }
+    count_ = mpg123_length(decoder);
+    if (count_ < 1 || channels != 1 || encoding != MPG123_ENC_FLOAT_32) return "it has no samples";
+    const std::string first = bytes_at(file_.number(), after_tags(file_.number()), kLookBytes);
+    const std::int64_t there = mpg123_framelength(decoder);
+    if (const auto told = frames_told(first); told && *told > there + kOwnFrame) {
+      missing_ = "of " + counted(static_cast<std::uint64_t>(*told), "frame") + " it has " +
+                 std::to_string(there);
+    }
+    return {};
+  }
+
+  [[nodiscard]] int rate() const override { return static_cast<int>(rate_); }
+  [[nodiscard]] std::int64_t count() const override { return count_; }
+
+  [[nodiscard]] std::size_t read(std::span<float> samples) override {
+    const auto bytes = std::as_writable_bytes(samples);
+    std::size_t done = 0;
+    while (done < bytes.size() && !ended_) {
+      std::size_t got = 0;
+      const int state = mpg123_read(decoder_.get(), bytes.data() + done, bytes.size() - done, &got);
+      done += got;
+      ended_ = state != MPG123_OK || got == 0;
+      if (state == MPG123_NEW_FORMAT) complaint_ = "its sample rate changes";
+      if (state == MPG123_ERR) complaint_ = mpg123_strerror(decoder_.get());
+      if (state == MPG123_DONE) complaint_ = missing_;
+    }
+    return done / sizeof(float);
+  }
+
+  [[nodiscard]] std::string complaint() const override { return complaint_; }
+
+ private:
+  Descriptor file_;
+  std::unique_ptr<mpg123_handle, DeleteDecoder> decoder_;
+  long rate_ = 0;
+  std::int64_t count_ = 0;
+  std::string missing_;
+  std::string complaint_;
+  bool ended_ = false;  ///< after an error libmpg123 would go on behind what is broken
+};
+
+}  // namespace
+
+bool is_mp3(int descriptor) {
+  const std::int64_t begin = after_tags(descriptor);
+  const std::string first = bytes_at(descriptor, begin, 4);
+  // Before a FLAC file such tags are rare, elsewhere unknown.
+  return is_frame(first) || (begin > 0 && first != "fLaC");
+}
+
+Result<std::unique_ptr<SoundReader>> open_mp3(int descriptor) {
+  auto reader = std::make_unique<Mp3Reader>(descriptor);
+  if (std::string why = reader->begin(); !why.empty()) {
+    return Error{ErrorKind::BadData, std::move(why)};
+  }
+  return std::unique_ptr<SoundReader>(std::move(reader));
+}
+
+}  // namespace aucast::voice
