@@ -10,12 +10,14 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "common/number_of.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -138,20 +140,50 @@ std::string_view objection(const fs::file_status& status) {
   return fs::is_socket(status) ? "it is a socket" : "";
 }
 
+/// A name of the system's that stands for something open, such as /dev/stdout: another file in its
+/// place would harm all programs.
+bool is_system_name(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path, ignored).parent_path(), ignored);
+  return folder == "/dev" || folder.native().starts_with("/proc/");
+}
+
 /// A device or a FIFO has no "beside it" and nothing to lose: it is written directly.
-bool is_special(const fs::file_status& status) {
-  return fs::exists(status) && !fs::is_regular_file(status);
+bool is_special(const fs::path& path, const fs::file_status& status) {
+  return (fs::exists(status) && !fs::is_regular_file(status)) || is_system_name(path);
+}
+
+/// The descriptor of our own that a name such as /dev/stdout or /dev/fd/3 stands for, if any.
+std::optional<int> own_descriptor(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(path, ignored).lexically_normal();
+  if (whole == "/dev/stdout") return STDOUT_FILENO;
+  if (whole == "/dev/stderr") return STDERR_FILENO;
+  const fs::path folder = fs::weakly_canonical(whole.parent_path(), ignored);
+  if (folder != "/proc/" + std::to_string(::getpid()) + "/fd") return std::nullopt;
+  return number_of<int>(whole.filename().native());
+}
+
+/// What is written goes behind what this program has written there before, and before what follows:
+/// opened anew, a file would be written from another place.
+Result<void> write_to_own(const fs::path& path, int descriptor, std::string_view bytes) {
+  std::fflush(nullptr);
+  Descriptor file(::fcntl(descriptor, F_DUPFD_CLOEXEC, 0));
+  if (file.get() < 0 || !write_all(file.get(), bytes) || !file.close()) {
+    return unwritable(path, system_reason(errno));
+  }
+  return {};
 }
 
 Result<void> write_special(const fs::path& path, const fs::file_status& status,
                            std::string_view bytes) {
   // Opened without blocking, so that a FIFO without a reader is an error and not a wait.
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (file.get() < 0) {
     const bool alone = errno == ENXIO && fs::is_fifo(status);
     return unwritable(path, alone ? "nobody reads it" : system_reason(errno));
   }
-  static_cast<void>(::fcntl(file.get(), F_SETFL, O_WRONLY));
+  static_cast<void>(::fcntl(file.get(), F_SETFL, O_WRONLY | O_APPEND));
   if (!write_all(file.get(), bytes) || !file.close()) {
     return unwritable(path, system_reason(errno));
   }
@@ -247,9 +279,10 @@ Result<std::string> read_standard_input(std::size_t bytes_max) {
 
 Result<void> write_file_atomically(const fs::path& path, std::string_view bytes) {
   std::error_code ignored;
+  if (const auto own = own_descriptor(path)) return write_to_own(path, *own, bytes);
   const fs::file_status status = fs::status(path, ignored);
   if (const auto why = objection(status); !why.empty()) return unwritable(path, why);
-  if (is_special(status)) return write_special(path, status, bytes);
+  if (is_special(path, status)) return write_special(path, status, bytes);
   auto temporary = open_temporary_beside(path);
   if (!temporary) return temporary.error();
   const int file = temporary->file.get();
@@ -265,7 +298,7 @@ Result<void> check_writable(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (const auto why = objection(status); !why.empty()) return unwritable(path, why);
-  if (is_special(status)) {
+  if (is_special(path, status)) {
     // Not opened: to close a FIFO again would be the end to whoever reads it.
     if (::access(path.c_str(), W_OK) == 0) return {};
     return unwritable(path, system_reason(errno));
@@ -284,6 +317,7 @@ Result<fs::path> create_temporary_beside(const fs::path& path) {
   std::error_code ignored;
   const auto why = objection(fs::status(path, ignored));
   if (!why.empty()) return unwritable(path, why);
+  if (is_system_name(path)) return unwritable(path, "it is no place for a file");
   auto temporary = open_temporary_beside(path);
   if (!temporary) return temporary.error();
   return std::move(temporary->path);

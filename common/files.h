@@ -53,9 +53,10 @@ struct SecretFile {
                                                   std::size_t bytes_max);
 
 /// Writes the file whole or not at all: a temporary file beside it, synced, then a rename, which
-/// replaces a symbolic link and does not follow it. The mode of an existing file is kept. A device
-/// or a FIFO with a reader is written directly. Failed, with the path and the cause, when it cannot
-/// be written; an existing file is then unchanged.
+/// replaces a symbolic link and does not follow it. The mode of an existing file is kept. A device,
+/// a FIFO with a reader and what the system has names for, such as /dev/stdout, are written
+/// directly. Failed, with the path and the cause, when it cannot be written; an existing file is
+/// then unchanged.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
 

@@ -136,6 +136,26 @@ TEST(WriteFileAtomically, ReplacesALinkAndDoesNotFollowIt) {
   EXPECT_FALSE(std::filesystem::is_symlink(file));
 }
 
+TEST(WriteFileAtomically, StandardOutputIsWrittenToAndNotReplaced) {
+  const test::TempFolder folder;
+  const auto path = folder.write("out", "before\n");
+  const int out = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(out, 0);
+  ASSERT_EQ(::lseek(out, 0, SEEK_END), 7);
+  for (const char* form : {"/proc/self/fd/", "/dev/fd/"}) {
+    const std::string name = form + std::to_string(out);
+    EXPECT_TRUE(check_writable(name));
+    EXPECT_TRUE(write_file_atomically(name, "more\n"));
+    EXPECT_FALSE(create_temporary_beside(name));
+    EXPECT_EQ(::write(out, "and\n", 4), 4);
+  }
+  EXPECT_EQ(folder.read("out"), "before\nmore\nand\nmore\nand\n");
+  ::close(out);
+  const std::string closed = "/dev/fd/" + std::to_string(out);
+  EXPECT_FALSE(check_writable(closed));
+  EXPECT_FALSE(write_file_atomically(closed, "lost\n"));
+}
+
 TEST(WriteFileAtomically, KeepsTheModeOfTheFileThatWasThere) {
   namespace fs = std::filesystem;
   const test::TempFolder folder;
