@@ -441,7 +441,8 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
          "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's address: "
          "aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. The next of several "
          "hosts is tried when one is lost (as with --reconnect), is full or does not have the "
-         "stream yet; it gives up when all have refused.",
+         "stream yet; it gives up when all have refused, and without window and --reconnect also "
+         "when none could be reached at first.",
          word(options.playback.endpoint), "", Where::Positional},
         {"list", "", "", "",
          "Prints the server's streams, one a line: on a terminal with \"live\" or their length, "

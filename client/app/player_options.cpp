@@ -119,6 +119,9 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
     if (auto checked = check_background(options.output); !checked) return checked;
     if (options.output.pictures() || !options.sound.file.empty()) options.output.fast = true;
     if (options.output.fast) options.headless = true;
+    // A window shows what is tried, and has a button to end it.
+    options.playback.one_round =
+        options.headless && !options.playback.others.empty() && !typed.contains("reconnect");
     if (options.headless && !options.output.onsets.empty()) {
       return usage_error("--onsets tells when the window showed a face: there is none");
     }

@@ -16,6 +16,7 @@ net::RemoteOptions remote_options(const PlaybackOptions& options, const net::End
   remote.buffers = options.buffers;
   remote.speed = options.speed;
   remote.reconnect = options.reconnect;
+  remote.one_round = options.one_round;
   remote.security = std::move(security);
   remote.voice = options.voice;
   return remote;

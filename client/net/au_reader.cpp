@@ -149,6 +149,8 @@ Reaction AuReader::refused(EndReason why, const std::string& reason) {
 /// After a loss: what was received is played until the next attempt.
 bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   if (!options_.reconnect || status_.end != EndReason::NotEnded) return false;
+  const bool reached = granted_ || keyframes_before_ + session_.keyframes_received() > 0;
+  if (options_.one_round && !reached && ++failures_ >= options_.hosts) return false;
   if (first_) take_in(*std::exchange(first_, std::nullopt));
   settled_ = false;
   buffers_.release();
@@ -240,6 +242,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
+  granted_ = true;
   if (!with_answers_ && !event.hello.live) {
     // Only a live stream goes without answers; a recorded one would come keyframe by keyframe.
     with_answers_ = true;

@@ -29,6 +29,7 @@ struct AuReaderOptions {
   std::optional<Milliseconds> speed{};  ///< --speed: the time of keyframes that have none of their
                                         ///< own; nullopt: what the server's hello says
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
+  bool one_round = false;               ///< until a keyframe has come, each host is tried only once
   std::string token{};                  ///< shown in the hello; empty: none
   bool voice = false;                   ///< asks for the stream's voice
   bool captions = false;                ///< asks for its captions
@@ -157,6 +158,8 @@ class AuReader {
   Milliseconds clock_shift_{0};  ///< added to this connection's places, gives clock_'s
   SpokenQueue spoken_;           ///< its places are on clock_
   BackOff back_off_;
+  bool granted_ = false;                ///< a hello was answered, if only once
+  std::size_t failures_ = 0;            ///< attempts in vain before a server was reached
   std::size_t busy_in_a_row_ = 0;       ///< hosts that were full, or did not have the stream yet
   std::uint64_t keyframes_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

@@ -38,6 +38,7 @@ AuReaderOptions reader_options(const RemoteOptions& options) {
           .buffers = options.buffers,
           .speed = options.speed,
           .reconnect = options.reconnect,
+          .one_round = options.one_round,
           .token = options.security.token,
           .voice = options.voice,
           .captions = options.captions,

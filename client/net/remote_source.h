@@ -35,6 +35,8 @@ struct RemoteOptions {
   /// --reconnect: a connection that is lost or cannot be made is tried again after 1, 2, 4 ... 30
   /// s, until stop().
   bool reconnect = false;
+  /// With `reconnect`: until something has come from one of the servers, each is tried only once.
+  bool one_round = false;
   Security security{};
   bool voice = false;     ///< ask for the stream's voice
   bool captions = false;  ///< ask for its captions

@@ -18,8 +18,8 @@ namespace aucast::net {
 namespace {
 
 /// Dials and asks. Everything runs in the calling thread.
-Result<protocol::StreamList> ask(const RemoteOptions& options) {
-  const std::string server = link::host_and_port(options.host, options.port);
+Result<protocol::StreamList> ask(const RemoteOptions& options, const link::DialOptions& dial) {
+  const std::string server = link::host_and_port(dial.host, dial.port);
   std::optional<Result<protocol::StreamList>> answer;
   asio::io_context io{1};
   link::Dialler dialler{io};
@@ -28,7 +28,7 @@ Result<protocol::StreamList> ask(const RemoteOptions& options) {
                            .until = std::chrono::steady_clock::now() + options.connect_timeout,
                            .remedy = "--connect-timeout sets how long to wait"},
                           [&](Result<protocol::StreamList> result) { answer = std::move(result); });
-  dialler.dial(dial_options(options), [&](link::Dialled dialled) {
+  dialler.dial(dial, [&](link::Dialled dialled) {
     if (auto* const link = std::get_if<std::shared_ptr<link::Link>>(&dialled)) {
       question.ask(std::move(*link));
     } else {
@@ -43,13 +43,20 @@ Result<protocol::StreamList> ask(const RemoteOptions& options) {
 }  // namespace
 
 Result<protocol::StreamList> list_streams(const RemoteOptions& options) {
-  // Asio throws when the system has no descriptor left for it.
-  try {
-    return ask(options);
-  } catch (const std::system_error& failure) {
-    return Error{ErrorKind::Network,
-                 link::host_and_port(options.host, options.port) + ": " + shortage_text(failure)};
+  std::string failures;
+  for (std::size_t turn = 0; turn <= options.others.size(); ++turn) {
+    const link::DialOptions dial = dial_options(options, turn);
+    // Asio throws when the system has no descriptor left for it.
+    try {
+      auto list = ask(options, dial);
+      if (list) return list;
+      failures += (failures.empty() ? "" : "\n") + list.error().message;
+    } catch (const std::system_error& failure) {
+      return Error{ErrorKind::Network,
+                   link::host_and_port(dial.host, dial.port) + ": " + shortage_text(failure)};
+    }
   }
+  return Error{ErrorKind::Network, failures};
 }
 
 }  // namespace aucast::net

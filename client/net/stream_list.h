@@ -7,9 +7,10 @@
 namespace aucast::net {
 
 /// Asks a server for its streams, in its order; a client that names none gets the first. Of each
-/// there is what the server says, perhaps only the name. Blocks until they have come, at most
-/// options.connect_timeout. Network error otherwise, naming the server and the cause. Only the
-/// options about the connection are used.
+/// there is what the server says, perhaps only the name. Of several servers the first that answers
+/// is asked. Blocks until they have come, at most options.connect_timeout for each server. Network
+/// error otherwise, naming the servers and the causes. Only the options about the connection are
+/// used.
 [[nodiscard]] Result<protocol::StreamList> list_streams(const RemoteOptions& options);
 
 }  // namespace aucast::net

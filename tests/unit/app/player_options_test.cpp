@@ -355,6 +355,9 @@ TEST(PlayerOptions, AStreamsAddressSaysWhatOtherOptionsSayToo) {
   EXPECT_EQ(more.playback.others, (std::vector<protocol::Endpoint>{{"::1", 7}}));
   EXPECT_TRUE(more.playback.reconnect) << "else the second would never be asked";
   EXPECT_TRUE(more.playback.security.tls);
+  EXPECT_FALSE(more.playback.one_round) << "the window shows what is tried";
+  EXPECT_TRUE(accepted({"aucast://a,b/talk", "--headless"}).playback.one_round);
+  EXPECT_FALSE(accepted({"aucast://a,b/talk", "--headless", "--reconnect"}).playback.one_round);
   EXPECT_FALSE(parse_player_options({"aucast://a/talk", "--stream", "six"}));
   EXPECT_FALSE(parse_player_options({"aucast:///talk"}));
 }

@@ -388,6 +388,36 @@ TEST(AuReader, IsRefusedWhenNoHostIsLeftThatHasRoom) {
   EXPECT_EQ(reader.status().end, EndReason::Refused);
 }
 
+TEST(AuReader, GivesUpWhenNoHostCouldBeReachedAtFirst) {
+  AuReaderOptions options;
+  options.peer = "a:4650 or b:4650";
+  options.reconnect = true;
+  options.one_round = true;
+  options.hosts = 2;
+  AuReader in_vain(options);
+  EXPECT_EQ(in_vain.unreachable("cannot reach a").next, Next::ReconnectLater);
+  EXPECT_EQ(in_vain.unreachable("cannot reach b").next, Next::Close);
+  EXPECT_EQ(in_vain.status().end, EndReason::Unreachable);
+
+  ManualClock clock;
+  AuReader begun(options);
+  (void)begun.connected(clock.now());
+  (void)begun.received("{1}{2}", clock.now());
+  EXPECT_EQ(begun.closed(clock.now()).next, Next::ReconnectLater);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(begun.unreachable("cannot reach it").next, Next::ReconnectLater)
+        << "the stream has begun, and the face holds";
+  }
+  AuReader waiting(options);
+  (void)waiting.connected(clock.now());
+  (void)waiting.received("{hello v=2 window=4 live=1 keyframe=250}", clock.now());
+  EXPECT_EQ(waiting.closed(clock.now()).next, Next::ReconnectLater);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(waiting.unreachable("cannot reach it").next, Next::ReconnectLater)
+        << "a live stream may begin hours after its server";
+  }
+}
+
 TEST(AuReader, TellsOfSilence) {
   Reading reading(kEager);
   ASSERT_TRUE(reading.reader.deadline());

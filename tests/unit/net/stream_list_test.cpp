@@ -85,5 +85,22 @@ TEST(StreamList, ServerThatIsNotThereIsSaid) {
   EXPECT_TRUE(has(names.error().message, "cannot be reached: Connection refused"));
 }
 
+TEST(StreamList, TheNextOfSeveralServersIsAskedWhenOneIsNotThere) {
+  ScriptedServer server({Accept{}, Expect{"{streams details=1}"}, Send{"{streams talk}"}});
+  RemoteOptions options;
+  options.host = "127.0.0.1";
+  options.port = 1;
+  options.others = {{"127.0.0.1", server.port()}};
+  const auto list = list_streams(options);
+  ASSERT_TRUE(list) << list.error().message;
+  EXPECT_EQ(list->streams, std::vector<protocol::ListedStream>{{"talk"}});
+
+  options.others = {{"127.0.0.1", 2}};
+  const auto none = list_streams(options);
+  ASSERT_FALSE(none);
+  EXPECT_TRUE(has(none.error().message, "127.0.0.1:1: cannot be reached"));
+  EXPECT_TRUE(has(none.error().message, "\n127.0.0.1:2: cannot be reached"));
+}
+
 }  // namespace
 }  // namespace aucast::net
