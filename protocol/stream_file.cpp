@@ -197,11 +197,11 @@ void StreamFileParser::refuse_line(std::size_t position, const std::string& reas
 
 }  // namespace
 
-std::string stream_title(std::string_view text) {
+StreamTitle stream_title(std::string_view text) {
   constexpr std::string_view kTitle = "title:";
   constexpr std::string_view kLineBlanks = " \t\r";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  while (!text.empty()) {
+  for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = trimmed(text.substr(0, end), kLineBlanks);
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -211,7 +211,7 @@ std::string stream_title(std::string_view text) {
     }
     const std::string_view comment = trimmed(line.substr(1), kLineBlanks);
     if (lowered(comment.substr(0, kTitle.size())) == kTitle) {
-      return std::string(trimmed(comment.substr(kTitle.size()), kLineBlanks));
+      return {std::string(trimmed(comment.substr(kTitle.size()), kLineBlanks)), number};
     }
   }
   return {};
@@ -220,7 +220,7 @@ std::string stream_title(std::string_view text) {
 Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,
                                      const StopToken& stop) {
   StreamFile stream;
-  stream.title = stream_title(text);
+  stream.title = stream_title(text).text;
   // A keyframe a line: room for all of them at once, where growing takes three times as much.
   stream.keyframes.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
   const auto read = read_stream_file(text, file, [&](Keyframe&& keyframe) -> Result<void> {

@@ -21,7 +21,7 @@ inline constexpr std::string_view kEndTag = "End_Stream";
 /// A stream file in memory: the keyframes between Beg_Stream and End_Stream, in order.
 struct StreamFile {
   std::vector<Keyframe> keyframes;  ///< at least one; none is changes-only
-  std::string title{};              ///< stream_title()
+  std::string title{};              ///< of stream_title()
 };
 
 /// Takes the keyframes of a stream file one by one; an error ends the reading.
@@ -32,9 +32,13 @@ using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
 [[nodiscard]] Result<void> read_stream_file(std::string_view text, std::string_view file,
                                             const KeyframeSink& sink);
 
-/// The title that a comment "# title: ..." before the first packet gives, byte for byte as in the
-/// file; empty: there is none.
-[[nodiscard]] std::string stream_title(std::string_view text);
+struct StreamTitle {
+  std::string text;      ///< byte for byte as in the file, and so perhaps not is_title()
+  std::size_t line = 0;  ///< where it is
+};
+
+/// The title that a comment "# title: ..." before the first packet gives; empty: there is none.
+[[nodiscard]] StreamTitle stream_title(std::string_view text);
 
 /// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
 /// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that

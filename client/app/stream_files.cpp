@@ -73,6 +73,11 @@ Result<std::vector<playback::Keyframe>> open_typed_stream(const std::filesystem:
   if (!opened) return opened.error();
   if (!opened->found.empty()) spdlog::info("{}", opened->found);
   for (const std::string& warning : opened->warnings) spdlog::warn("{}", warning);
+  if (opened->found.empty() && settings != gui::TableSettings{}) {
+    spdlog::warn("{}", at_place(file.string(),
+                                "a stream file, not changed by " + std::string(kOptionNames.fps) +
+                                    ", --table-gain and " + std::string(kOptionNames.neutral)));
+  }
   return std::move(opened->keyframes);
 }
 

@@ -1,5 +1,7 @@
 #include "server/settings/source_options.h"
 
+#include <utility>
+
 #include "common/sources/resample.h"
 #include "common/text.h"
 
@@ -53,6 +55,27 @@ Complaint read_size(const std::string& word, camera::CameraOptions& camera) {
 }
 
 }  // namespace
+
+std::string options_of_recordings(const SourceOptions& options) {
+  const SourceOptions untouched;
+  const SignalOptions& signal = options.signal;
+  const std::pair<bool, const char*> given[] = {
+      {options.recording.fps.has_value(), "--fps"},
+      {options.recording.au_scale.has_value(), "--au-scale"},
+      {options.recording.confidence_min != untouched.recording.confidence_min, "--min-confidence"},
+      {options.recording.face || options.recording.all_faces, "--face-id"},
+      {signal.distance, "--distance"},
+      {signal.neutral_auto || signal.neutral_seconds, "--neutral"},
+      {!signal.gain.empty(), "--gain"},
+      {signal.filter.has_value(), "--filter"},
+      {!signal.dead_band.empty(), "--dead-band"},
+      {!signal.profile.empty(), "--profile"}};
+  std::string names;
+  for (const auto& [is_given, name] : given) {
+    if (is_given) names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
+}
 
 std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
   return {

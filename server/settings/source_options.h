@@ -27,6 +27,10 @@ struct SourceOptions {
 /// The rows of cameras, --camera-size and --camera-fps, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> camera_rows(camera::CameraOptions& options);
 
+/// The options that change something in tables, films and cameras only, of those that were given:
+/// "--gain, --neutral"; empty: none was.
+[[nodiscard]] std::string options_of_recordings(const SourceOptions& options);
+
 /// How sources that are still being written are served.
 struct LiveSourceSettings {
   bool follow = false;           ///< regular files too are read on as they grow

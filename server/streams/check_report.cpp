@@ -135,9 +135,9 @@ std::string check_report(const Source& source, std::uint32_t keyframe_ms,
   const StreamSummary& summary = source.summary;
   const protocol::EncodedStream& served = *source.stream;
   std::string text = source.name + ": " + printable(source.path.string()) + "\n";
-  if (!source.title.empty()) {
-    text += formatted("  %-11s ", "title") + printable(source.title) +
-            (protocol::is_title(source.title) ? "\n" : " (left out: too long, or no plain text)\n");
+  if (!source.title.text.empty()) {
+    text += formatted("  %-11s ", "title") + printable(source.title.text) +
+            (protocol::is_title(source.title.text) ? "\n" : " (left out)\n");
   }
   if (source.found) text += sources::found_lines(*source.found);
   text += formatted("  %-11s %zu, %zu of them untimed\n", "packets", summary.keyframes,

@@ -161,6 +161,10 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   }
   std::string text;
   if (content->found) said += sources::found_sentence(*content->found) + "; ";
+  if (const std::string unused = options_of_recordings(options.source);
+      !content->found && !unused.empty()) {
+    said += "a stream file, not changed by " + unused + "; ";
+  }
   const std::uint64_t ms = protocol::media_ms(content->stream, options.keyframe_ms);
   said +=
       counted(content->stream.keyframes.size(), "keyframe") + ", " + std::to_string(ms) + " ms\n";

@@ -9,6 +9,7 @@
 #include "common/sources/found_report.h"
 #include "protocol/codec.h"
 #include "server/streams/measured_profile.h"
+#include "server/streams/source_warnings.h"
 
 namespace aucast::server {
 namespace {
@@ -61,6 +62,11 @@ Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
   for (const Error& error : skipped) {
     std::istringstream lines(error.message);
     for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);
+  }
+  if (sources) {
+    for (const std::string& warning : source_warnings(*sources, options.source)) {
+      spdlog::warn("{}", warning);
+    }
   }
   return sources;
 }

@@ -161,11 +161,12 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
   if (!beside) return beside.error();
   const bool is_stream_file = sources::content_kind(*text) == sources::ContentKind::StreamFile;
   const auto source_named = [&](const std::string& name) {
-    return Source{.path = path,
-                  .name = name,
-                  .voice = beside->voice,
-                  .captions = beside->captions,
-                  .title = is_stream_file ? protocol::stream_title(*text) : std::string()};
+    return Source{
+        .path = path,
+        .name = name,
+        .voice = beside->voice,
+        .captions = beside->captions,
+        .title = is_stream_file ? protocol::stream_title(*text) : protocol::StreamTitle()};
   };
   if (is_stream_file && !reading.source.rate && reading.encoding.max_kbits == 0) {
     streams.push_back(source_named(stem));

@@ -32,7 +32,7 @@ struct Source {
   /// protocol::voiced_stream().
   std::shared_ptr<const protocol::EncodedStream> voiced{};
   std::vector<protocol::CaptionData> captions{};
-  std::string title{};  ///< empty: none
+  protocol::StreamTitle title{};  ///< of a stream file; empty: none
 };
 
 /// Which sources are live streams; others are read whole. Files of a folder are never live.

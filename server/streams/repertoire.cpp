@@ -44,7 +44,7 @@ Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t key
   catalogue.loop = loop;
   for (const Source& source : sources) {
     protocol::ServedStream& stream = catalogue.streams.emplace_back(source.name);
-    if (protocol::is_title(source.title)) stream.title = source.title;
+    if (protocol::is_title(source.title.text)) stream.title = source.title.text;
     if (!source.stream) continue;
     protocol::RecordedStream recorded{source.stream, nullptr, source.voiced};
     if (!source.captions.empty()) {

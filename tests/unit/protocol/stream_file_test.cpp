@@ -202,13 +202,15 @@ TEST(ReadStreamFile, EndsWithTheErrorOfItsSink) {
 }
 
 TEST(StreamTitle, IsACommentBeforeTheFirstPacket) {
-  EXPECT_EQ(stream_title("# title: A talk \r\nBeg_Stream\n1\nEnd_Stream\n"), "A talk");
-  EXPECT_EQ(stream_title("\xEF\xBB\xBF# by hand\n\nBeg_Stream # of it\n  #title:Two words\n1\n"),
-            "Two words");
-  EXPECT_EQ(stream_title("# Title: Any case\nBeg_Stream\n1\nEnd_Stream\n"), "Any case");
-  EXPECT_EQ(stream_title("Beg_Stream\n1\n# title: too late\nEnd_Stream\n"), "");
-  EXPECT_EQ(stream_title("# titles: none\nBeg_Stream\n"), "");
-  EXPECT_EQ(stream_title(""), "");
+  EXPECT_EQ(stream_title("# title: A talk \r\nBeg_Stream\n1\nEnd_Stream\n").text, "A talk");
+  EXPECT_EQ(
+      stream_title("\xEF\xBB\xBF# by hand\n\nBeg_Stream # of it\n  #title:Two words\n1\n").text,
+      "Two words");
+  EXPECT_EQ(stream_title("# Title: Any case\nBeg_Stream\n1\nEnd_Stream\n").text, "Any case");
+  EXPECT_EQ(stream_title("Beg_Stream\n1\n# title: too late\nEnd_Stream\n").text, "");
+  EXPECT_EQ(stream_title("# titles: none\nBeg_Stream\n").text, "");
+  EXPECT_EQ(stream_title("").text, "");
+  EXPECT_EQ(stream_title("\n# by hand\n# title: A talk\nBeg_Stream\n").line, 3U);
 }
 
 }  // namespace

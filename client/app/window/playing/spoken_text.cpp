@@ -5,17 +5,26 @@
 #include <utility>
 
 #include "common/files.h"
+#include "common/log.h"
 #include "common/text.h"
 #include "common/voice/webvtt.h"
 #include "protocol/caption.h"
+#include "protocol/limits.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::app {
 
 Result<void> SpokenText::read_beside(const std::filesystem::path& file) {
   if (const auto text = read_file(file)) {
-    std::string title = protocol::stream_title(*text);
-    if (protocol::is_title(title)) title_ = std::move(title);
+    protocol::StreamTitle title = protocol::stream_title(*text);
+    if (protocol::is_title(title.text)) {
+      title_ = std::move(title.text);
+    } else {
+      spdlog::warn("{}", at_place(file.string(), title.line, 1,
+                                  "the title is left out: it has more than " +
+                                      std::to_string(protocol::kTitleBytesMax) +
+                                      " bytes, or is no plain text"));
+    }
   }
   std::filesystem::path captions = file;
   captions.replace_extension(".vtt");

@@ -32,6 +32,12 @@ TEST(Convert, KeepsAStreamFileWhole) {
   const auto converted = run_convert({folder.write("in.txt", text).string(), "-"});
   ASSERT_TRUE(converted);
   EXPECT_EQ(converted->text, text);
+  EXPECT_EQ(converted->said.find("not changed"), std::string::npos) << converted->said;
+  const auto gain = run_convert({"--gain", "2", folder.write("in.txt", text).string(), "-"});
+  ASSERT_TRUE(gain);
+  EXPECT_EQ(gain->text, text);
+  EXPECT_NE(gain->said.find("a stream file, not changed by --gain; "), std::string::npos)
+      << gain->said;
 }
 
 TEST(Convert, ANameInCsvIsWrittenAsATableThatSaysTheSame) {

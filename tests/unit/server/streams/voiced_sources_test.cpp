@@ -28,7 +28,7 @@ TEST_F(VoicedSources, GoesWithItsStreamUnlessItIsNotWanted) {
   ASSERT_TRUE(found) << found.error().message;
   ASSERT_EQ(found->size(), 2U) << "a sound file is no source";
   EXPECT_EQ(found->at(0).voice->path, sound);
-  EXPECT_EQ(found->at(0).title, "A talk");
+  EXPECT_EQ(found->at(0).title.text, "A talk");
   ASSERT_EQ(found->at(0).captions.size(), 2U);
   EXPECT_FALSE(found->at(1).voice);
 
