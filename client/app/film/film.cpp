@@ -14,6 +14,7 @@
 #include "client/app/steady.h"
 #include "client/pipeline/idle_face.h"
 #include "client/pipeline/player.h"
+#include "common/log.h"
 #include "common/text.h"
 
 namespace aucast::app {
@@ -139,6 +140,10 @@ class Film {
       if (auto finished = sinks_.sheet->finish(); !finished) return finished;
     }
     progress_.end_with(where_they_are(options_.output, stats_.frames_drawn));
+    if (const std::string left = sinks_.frames ? sinks_.frames->leftovers() : std::string();
+        !left.empty()) {
+      spdlog::warn("{}", left);
+    }
     return {};
   }
 

@@ -21,6 +21,12 @@ int columns_for(std::size_t pictures) {
   return static_cast<int>(std::ceil(std::sqrt(count * 1.4)));
 }
 
+std::string frame_name(std::uint64_t number) {
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%06" PRIu64 ".png", number);
+  return name.data();
+}
+
 }  // namespace
 
 Result<void> make_output_folder(std::string_view asked_by, const std::filesystem::path& folder) {
@@ -45,9 +51,17 @@ Result<FrameFolder> FrameFolder::open(const std::filesystem::path& folder) {
 }
 
 Result<void> FrameFolder::add(const view::Image& picture) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "frame_%06" PRIu64 ".png", ++count_);
-  return view::write_png(picture, folder_ / name.data());
+  return view::write_png(picture, folder_ / frame_name(++count_));
+}
+
+std::string FrameFolder::leftovers() const {
+  std::uint64_t more = 0;
+  std::error_code ignored;
+  while (std::filesystem::exists(folder_ / frame_name(count_ + more + 1), ignored)) ++more;
+  if (more == 0) return {};
+  return at_place(folder_.string(), counted(more, "picture") + " from " + frame_name(count_ + 1) +
+                                        " on are of an earlier run; remove them before you make "
+                                        "a film of this folder");
 }
 
 void Sheet::add(const view::Image& picture, std::string caption) {

@@ -23,6 +23,9 @@ class FrameFolder {
  public:
   [[nodiscard]] static Result<FrameFolder> open(const std::filesystem::path& folder);
   [[nodiscard]] Result<void> add(const view::Image& picture);
+  /// After the last picture: those that an earlier, longer run has left behind it in the folder,
+  /// and why that matters, in a sentence; empty: there are none.
+  [[nodiscard]] std::string leftovers() const;
 
  private:
   explicit FrameFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -20,6 +20,21 @@ TEST(FrameFolder, MakesItsFolderAndCountsFromOne) {
   EXPECT_FALSE(folder.read("a/b/frame_000002.png").empty());
 }
 
+TEST(FrameFolder, TellsOfPicturesThatALongerRunHasLeft) {
+  const test::TempFolder folder;
+  const auto run = [&folder](int pictures) {
+    auto frames = FrameFolder::open(folder.path());
+    EXPECT_TRUE(frames);
+    for (int i = 0; i < pictures; ++i) EXPECT_TRUE(frames->add(view::make_image(4, 3)));
+    return frames->leftovers();
+  };
+  EXPECT_EQ(run(4), "");
+  EXPECT_EQ(run(4), "");
+  EXPECT_EQ(run(2), folder.path().string() +
+                        ": 2 pictures from frame_000003.png on are of an earlier run; remove them "
+                        "before you make a film of this folder");
+}
+
 TEST(FrameFolder, SaysWhyItCannotWrite) {
   const test::TempFolder folder;
   const auto file = folder.write("file", "x");
