@@ -86,6 +86,13 @@ Result<void> check_background(const OutputOptions& output) {
   return {};
 }
 
+/// A name that tells of something else, such as face.jpg, is a mistake; none, or a device, is not.
+Result<void> check_png(const char* option, const std::filesystem::path& file) {
+  const std::string ending = lowered(file.extension().string());
+  if (ending.empty() || ending == ".png") return {};
+  return usage_error(std::string(option) + " writes a PNG: let its name end in .png");
+}
+
 Result<void> settle_sound(const PlayerOptions& options) {
   const SoundOptions& sound = options.sound;
   if (sound.none && !sound.file.empty()) {
@@ -105,6 +112,8 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
   if (auto settled = settle_mirror(typed, options); !settled) return settled;
   if (auto settled = settle_address(typed, options.playback); !settled) return settled;
   if (options.quiet) options.log_level = "error";
+  if (auto png = check_png("--png", options.pose.png); !png) return png;
+  if (auto png = check_png("--sheet", options.output.sheet); !png) return png;
   if (const auto verbose = typed.find("verbose"); verbose != typed.end()) {
     options.log_level = verbose->second.size() == 1 ? "info" : "debug";
   }

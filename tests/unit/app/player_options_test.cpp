@@ -344,6 +344,16 @@ TEST(PlayerOptions, LiveDelayAndReconnect) {
   EXPECT_NE(late.error().message.find("--live-delay"), std::string::npos) << late.error().message;
 }
 
+TEST(PlayerOptions, APictureIsAPngAndSoIsItsName) {
+  EXPECT_TRUE(parse_player_options({"pose", "6,12", "--png", "a.png"}));
+  EXPECT_TRUE(parse_player_options({"pose", "6,12", "--png", "/dev/stdout"}));
+  const auto pose = parse_player_options({"pose", "6,12", "--png", "a.jpg"});
+  ASSERT_FALSE(pose);
+  EXPECT_EQ(pose.error().kind, ErrorKind::Usage);
+  EXPECT_NE(pose.error().message.find("--png writes a PNG"), std::string::npos);
+  EXPECT_FALSE(parse_player_options({"play", "talk.txt", "--sheet", "a.jpg"}));
+}
+
 TEST(PlayerOptions, AStreamsAddressSaysWhatOtherOptionsSayToo) {
   const PlayerOptions one = accepted({"aucast://a:7/talk"});
   EXPECT_EQ(one.playback.endpoint, "a:7");
