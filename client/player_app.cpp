@@ -44,14 +44,17 @@ bool stop_asked() {
   return g_interrupted != 0;
 }
 
-/// SIGINT and SIGTERM end playing in good order. A broken pipe is an error and does not end the
-/// program.
+/// SIGINT, SIGTERM and SIGHUP (a terminal that is gone, unless nohup ignores it) end playing in
+/// good order. A broken pipe is an error and does not end the program.
 void set_up_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one ends the program at once
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before {};
+  ::sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);
   action.sa_handler = SIG_IGN;
   action.sa_flags = 0;
   ::sigaction(SIGPIPE, &action, nullptr);

@@ -93,17 +93,19 @@ TEST(Pictures, VideoAndSheetAreWritten) {
 }
 
 TEST(Pictures, AnInterruptedVideoIsFinishedWithWhatThereIs) {
-  const TempFolder folder;
-  const auto video = folder.path() / "talk.mp4";
-  Process player({program("face-player"), "play", stream_file("talk.txt"), "--record",
-                  video.string(), "--size", "64x64"});
-  ASSERT_FALSE(player.wait(std::chrono::seconds(2)).has_value()) << player.err();
-  player.signal(SIGINT);
-  EXPECT_EQ(player.wait(std::chrono::seconds(60)), 0) << player.err();
-  const Finished probe = test::run({"ffprobe", "-v", "error", "-show_entries", "format=duration",
-                                    "-of", "csv=p=0", video.string()});
-  EXPECT_EQ(probe.exit_code, 0) << probe.err;
-  EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"talk.mp4"});
+  for (const int number : {SIGINT, SIGHUP}) {
+    const TempFolder folder;
+    const auto video = folder.path() / "talk.mp4";
+    Process player({program("face-player"), "play", stream_file("talk.txt"), "--record",
+                    video.string(), "--size", "64x64"});
+    ASSERT_FALSE(player.wait(std::chrono::seconds(2)).has_value()) << player.err();
+    player.signal(number);
+    EXPECT_EQ(player.wait(std::chrono::seconds(60)), 0) << player.err();
+    const Finished probe = test::run({"ffprobe", "-v", "error", "-show_entries", "format=duration",
+                                      "-of", "csv=p=0", video.string()});
+    EXPECT_EQ(probe.exit_code, 0) << probe.err;
+    EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"talk.mp4"});
+  }
 }
 
 TEST(Pictures, WithoutFfmpegTheMessageSaysWhatToInstall) {

@@ -61,8 +61,17 @@ Process::Process(std::vector<std::string> arguments, std::vector<std::string> va
   ::posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, out[1], 1);
   ::posix_spawn_file_actions_adddup2(&actions, err[1], 2);
+  // nohup, for one, ignores signals that tests send.
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  sigset_t usual;
+  ::sigemptyset(&usual);
+  for (const int one : {SIGHUP, SIGINT, SIGTERM}) ::sigaddset(&usual, one);
+  ::posix_spawnattr_setsigdefault(&attributes, &usual);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   const int failed =
-      ::posix_spawnp(&pid_, argv[0], &actions, nullptr, argv.data(), environment.data());
+      ::posix_spawnp(&pid_, argv[0], &actions, &attributes, argv.data(), environment.data());
+  ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(out[1]);
   ::close(err[1]);
