@@ -72,6 +72,8 @@ void read_movers(TableReader& reader, Face& face, Problems& problems) {
     for (const Eye& other : face.eyes) {
       if (side_at(other.centre.x) == side_at(eye.centre.x)) {
         problems.add(table->place, "there are two eyes on one side");
+      } else if (other.part == eye.part) {
+        problems.add(table->place, "the two eyes are one part of the mesh: each turns its own");
       }
     }
     face.eyes.push_back(eye);

@@ -191,6 +191,8 @@ const std::vector<BadFile> kBadFaceToml = {
     {"face.toml", "\"left_eye\"", "\"left_eyes\"",
      ":16:8: part 'left_eyes' is no part of the mesh; did you mean left_eye?"},
     {"face.toml", "[-2.2, 2.7", "[1.2, 2.7", ":19:1: there are two eyes on one side"},
+    {"face.toml", "\"right_eye\"", "\"left_eye\"",
+     ":19:1: the two eyes are one part of the mesh: each turns its own"},
     {"face.toml", "[head]", "[[head]]", ":23:1: head must be a table"},
 };
 
