@@ -77,9 +77,12 @@ CommandPage command_page(Command command) {
       // Receiving options are accepted so that both commands take the same.
       const std::vector<OptionRow> receiving = receiving_rows(described.playback);
       for (OptionRow& row : page.rows) {
-        if (find_row(receiving, row.name) != nullptr) row.text = {};
+        if (find_row(receiving, row.name) == nullptr) continue;
+        if (row.more.empty()) row.more = row.text;
+        row.text = {};
+        if (row.heading == "Receiving") row.heading = "Receiving, once the window has a server";
       }
-      page.notes = kLayers;
+      page.notes = kWatchNotes;
       page.examples = {"face-player play talk.txt --headless --record talk.mp4",
                        "face-player play six_expressions.txt --speed 500"};
       break;

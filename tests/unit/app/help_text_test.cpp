@@ -49,6 +49,20 @@ TEST(HelpText, HasTheOptionsAndTheExamplesOfItsCommand) {
   }
 }
 
+TEST(OptionRows, AllAreExplainedInTheManualPage) {
+  for (const Command command : kCommands) {
+    for (const OptionRow& row : command_page(command).rows) {
+      EXPECT_FALSE(row.text.empty() && row.more.empty()) << typed_name(row);
+    }
+  }
+}
+
+TEST(HelpText, PlayTellsExitCodesAndKeysToo) {
+  const std::string text = help_text(command_page(Command::Play));
+  EXPECT_NE(text.find("Exit codes: "), std::string::npos);
+  EXPECT_NE(text.find("? lists keys"), std::string::npos);
+}
+
 TEST(OptionRows, OnlyTheManualPageNamesWhatPlayIgnoresAndWhatUsageShows) {
   std::set<std::string> hidden;
   for (const OptionRow& row : command_page(Command::Play).rows) {
