@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -76,6 +77,30 @@ Result<void> validate_streams(const TransmitterOptions& options) {
   return {};
 }
 
+/// Checks that there is somebody to show tokens and certificates to: their files are read only
+/// then, and one that is missing would not be noticed.
+Result<void> validate_secrets(const TransmitterOptions& options) {
+  const auto any_source = [&options](bool (*is_one)(std::string_view)) {
+    return std::any_of(options.sources.begin(), options.sources.end(),
+                       [is_one](const auto& source) { return is_one(source.string()); });
+  };
+  const PushSettings& push = options.push;
+  if (push.addresses.empty() && !(push.token.empty() && push.tls == tls::Files{})) {
+    return usage_error("--push-token-file and --push-tls-ca need --push");
+  }
+  const UpstreamSettings& upstream = options.upstream;
+  if (!any_source(protocol::is_stream_address) &&
+      !(upstream.token.empty() && upstream.tls == tls::Files{})) {
+    return usage_error("--upstream-token-file and --upstream-tls-ca need a SOURCE aucast://HOST");
+  }
+  const EngineSettings& engine = options.engine;
+  const bool nats = !engine.publish.empty() || any_source(protocol::is_engine_address);
+  if (!nats && engine != EngineSettings{}) {
+    return usage_error("--nats-... options need --publish or a SOURCE nats://HOST/NAME");
+  }
+  return {};
+}
+
 }  // namespace
 
 Surroundings surroundings_of_process() {
@@ -117,6 +142,7 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
 
 Result<void> validate(const TransmitterOptions& options) {
   if (auto can = validate_streams(options); !can) return can;
+  if (auto can = validate_secrets(options); !can) return can;
   if (options.bind.empty()) return usage_error("--bind is empty");
   if (options.keyframe_ms < 1 || options.keyframe_ms > protocol::kKeyframeTimeMsMax) {
     return usage_error("--keyframe is outside 1 to " +

@@ -40,6 +40,17 @@ TEST(TransmitterOptions, DefaultsAreThoseOfTheHelp) {
   EXPECT_EQ(expected.log_level, "info");
 }
 
+TEST(TransmitterOptions, SecretsThatNobodyIsShownAreAMistake) {
+  for (const char* name : {"--push-token-file", "--push-tls-ca", "--upstream-token-file",
+                           "--upstream-tls-ca", "--nats-creds", "--nats-tls-ca"}) {
+    EXPECT_NE(message({"talk.txt", name, "missing"}).find(" need "), std::string::npos) << name;
+  }
+  EXPECT_EQ(message({"talk.txt", "--push", "aucast://a", "--push-token-file", "f"}), "accepted");
+  EXPECT_EQ(message({"aucast://a/talk", "--upstream-token-file", "f"}), "accepted");
+  EXPECT_EQ(message({"nats://a/talk", "--nats-creds", "f"}), "accepted");
+  EXPECT_EQ(message({"talk.txt", "--publish", "nats://a/talk", "--nats-creds", "f"}), "accepted");
+}
+
 TEST(TransmitterOptions, EveryOptionIsRead) {
   const auto options = read(
       {"--bind",      "::1",   "--port=0", "--keyframe",       "40",  "--loop",   "--classic-min",
