@@ -32,8 +32,8 @@ std::string format_of(const Found& found) {
 }
 
 std::string scale_of(const Found& found) {
-  return scale_name(found.scale) + (found.scale_asked ? " as asked" : "") + ", largest " +
-         fixed(found.largest, 2);
+  return scale_name(found.scale) + (found.scale_asked ? " as asked" : "") +
+         (found.largest ? ", largest " + fixed(*found.largest, 2) : std::string());
 }
 
 /// The first few; a bad tracker may have thousands.

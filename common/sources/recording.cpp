@@ -127,7 +127,7 @@ void RecordingReader::survey() {
     ++found.faces[at->second].rows;
     if (!sure(row)) continue;
     for (const AuValue& au : row.aus) {
-      if (au.native) found.largest = std::max(found.largest, au.value);
+      if (au.native) found.largest = std::max(found.largest.value_or(0), au.value);
     }
   }
 }
@@ -145,7 +145,8 @@ std::optional<Error> RecordingReader::settle() {
     return need(found.format + " wrote no times here; " + needs_fps());
   }
   found.scale_asked = options_.au_scale.has_value();
-  found.scale = options_.au_scale.value_or(scale_for(format_.native_scale(), found.largest));
+  found.scale =
+      options_.au_scale.value_or(scale_for(format_.native_scale(), found.largest.value_or(0)));
   return choose();
 }
 

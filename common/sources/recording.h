@@ -47,7 +47,8 @@ struct Found {
   std::string note;          ///< what the format's reader decided or assumed
   double scale = 1;          ///< full intensity: 1, 5 or 100
   bool scale_asked = false;  ///< by --au-scale
-  double largest = 0;        ///< of the file's own AU values
+  /// Of the file's own AU values; nullopt: what it has is read as intensities, without a scale.
+  std::optional<double> largest;
   std::vector<Face> faces;   ///< in order of appearance
   std::int64_t face = 0;     ///< the one that was taken
   bool all_taken = false;    ///< it is one of several streams

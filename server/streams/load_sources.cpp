@@ -88,11 +88,6 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
   if (content.found) {
     sources::apply_dead_band(stream, reading.conditioning.profile.dead_band);
   }
-  if (options.summarise) {
-    for (const protocol::Keyframe& keyframe : stream.keyframes) {
-      source.summary.add(keyframe, options.keyframe_ms);
-    }
-  }
   if (options.max_kbits != 0) {
     std::uint32_t kbits = options.max_kbits;
     if (source.voice) {
@@ -103,6 +98,11 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
     const bool when_sent = source.voice && options.live;
     if (!when_sent) {
       stream.keyframes = thinned(stream.keyframes, options.keyframe_ms, kbits, reading.stop);
+    }
+  }
+  if (options.summarise) {
+    for (const protocol::Keyframe& keyframe : stream.keyframes) {
+      source.summary.add(keyframe, options.keyframe_ms);
     }
   }
   source.stream = std::make_shared<const protocol::EncodedStream>(protocol::encode_stream(

@@ -217,6 +217,8 @@ TEST(FaceReader, NumbersAndLettersBySideBehindItsPreamble) {
 
 TEST(IMotions, FacetsEvidenceIsAnIntensityOnlyAboveEvenOdds) {
   const auto recording = read(kFacet);
+  EXPECT_EQ(found_lines(recording.found).find("largest"), std::string::npos)
+      << "evidence is no value of the scale";
   EXPECT_EQ(recording.found.format, "iMotions (FACET)");
   EXPECT_EQ(recording.found.note, "evidence read as intensity, approximate");
   EXPECT_EQ(packet(recording, 0), "{12:82,51:50,54:50,56:50;40}");

@@ -197,6 +197,21 @@ TEST(LoadSources, AllFacesAreStreamsNamedAfterThem) {
   EXPECT_EQ(load_sources({both, taken}, options).error().kind, ErrorKind::Usage);
 }
 
+TEST(LoadSources, TheSummaryIsOfWhatMaxBitrateLeaves) {
+  const TempFolder folder;
+  std::string packets;
+  for (int i = 0; i < 400; ++i) packets += std::to_string(1 + i % 2) + ":" + "50;10\n";
+  EncodingOptions thin;
+  thin.max_kbits = 8;
+  const auto sources =
+      load_sources({folder.write("a.txt", "Beg_Stream\n" + packets + "End_Stream\n")}, {}, thin);
+  ASSERT_TRUE(sources) << sources.error().message;
+  const Source& source = sources->front();
+  EXPECT_LT(source.summary.keyframes, 200U);
+  EXPECT_EQ(source.summary.keyframes, source.stream->times.size());
+  EXPECT_EQ(source.summary.duration_ms, 4000U);
+}
+
 TEST(LoadSources, RateIsForStreamFilesToo) {
   const TempFolder folder;
   SourceOptions options;
