@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/files.h"
+#include "common/film_name.h"
 #include "common/number_of.h"
 #include "common/text.h"
 
@@ -111,6 +112,9 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
   auto opened = open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed,
                      options.patience, given_up);
   if (!opened && !std::filesystem::exists(status)) {
+    if (is_film(options.device)) {
+      if (const auto film = open_film(options.device); !film) return film.error();
+    }
     return Error{ErrorKind::Failed,
                  at_place(options.device,
                           "there is no such camera; plug it in, or name another one or a film")};

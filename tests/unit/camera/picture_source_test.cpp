@@ -65,6 +65,11 @@ TEST(PictureSource, SaysThatThereIsNoSuchCamera) {
   EXPECT_NE(missing.error().message.find("/dev/no_video: there is no such camera"),
             std::string::npos)
       << missing.error().message;
+  const auto film = PictureSource::open_camera({.device = "missing.mp4"});
+  ASSERT_FALSE(film.has_value());
+  EXPECT_EQ(film.error().kind, ErrorKind::Unreadable);
+  EXPECT_EQ(film.error().message,
+            "missing.mp4: cannot be read: No such file or directory; check the name");
   const auto broken = PictureSource::open_camera({.device = kDevice});
   ASSERT_FALSE(broken.has_value());
   EXPECT_NE(broken.error().message.find("ffmpeg says: Cannot open"), std::string::npos)
