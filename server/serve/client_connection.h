@@ -67,10 +67,10 @@ class ClientConnection final : public link::LinkUser,
   void on_voice();
   /// The server stops: {-2}, then the link drains.
   void stop();
+  /// Whether it has not been told that it ends.
+  [[nodiscard]] bool goes_on() const { return !finishing_ && !closed_; }
   /// Whether send_away() would have an effect.
-  [[nodiscard]] bool movable() const {
-    return !finishing_ && !closed_ && session_ && session_->movable();
-  }
+  [[nodiscard]] bool movable() const { return goes_on() && session_ && session_->movable(); }
   /// The server stops and another one takes over: closes without {-2}, see
   /// ServerSession::send_away(). False: this client cannot be sent away, and nothing was done.
   bool send_away();

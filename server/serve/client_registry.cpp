@@ -100,6 +100,13 @@ std::size_t ClientRegistry::count(Way way) const {
       [way](const auto& client) { return client.second.way == way && !client.second.refused; }));
 }
 
+std::size_t ClientRegistry::count_going_on() const {
+  return static_cast<std::size_t>(
+      std::count_if(clients_.begin(), clients_.end(), [](const auto& client) {
+        return client.second.way != Way::Dialled && client.second.connection->goes_on();
+      }));
+}
+
 std::size_t ClientRegistry::count_movable() const {
   return static_cast<std::size_t>(
       std::count_if(clients_.begin(), clients_.end(), [](const auto& client) {

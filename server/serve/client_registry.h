@@ -88,6 +88,8 @@ class ClientRegistry {
   /// How many connections came in: all except those to servers that we have dialled.
   [[nodiscard]] std::size_t came() const { return clients_.size() - dialled_; }
   [[nodiscard]] std::size_t count(Way way) const;
+  /// How many came in and were not sent away or ended yet.
+  [[nodiscard]] std::size_t count_going_on() const;
   /// How many send_away() could cut off.
   [[nodiscard]] std::size_t count_movable() const;
   /// Fills in everything about clients.

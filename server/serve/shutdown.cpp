@@ -59,7 +59,7 @@ void Shutdown::stop(const char* why) {
   if (phase_ == Phase::Stopping) return;
   phase_ = Phase::Stopping;
   departure_.stop();
-  spdlog::info("{}: ending the stream of {}", why, counted(clients_.size(), "client"));
+  spdlog::info("{}: ending the stream of {}", why, counted(clients_.count_going_on(), "client"));
   hooks_.on_stop();
   clients_.stop();
   if (clients_.empty()) {

@@ -95,6 +95,16 @@ TEST_F(ShutdownTest, WhoCannotGoOnElsewhereStaysUntilTheDrainIsOver) {
   EXPECT_NE(classic->heard().find("{-2}"), std::string::npos);
 }
 
+TEST_F(ShutdownTest, WhoWasSentAwayIsNotCountedAmongThoseWhoseStreamEnds) {
+  shutdown(1h);
+  const auto first = this->viewer();
+  const auto classic = this->classic();
+  EXPECT_EQ(clients_.count_going_on(), 2U);
+  clients_.send_away(1);
+  EXPECT_EQ(clients_.came(), 2U) << "its connection is still closing";
+  EXPECT_EQ(clients_.count_going_on(), 1U);
+}
+
 TEST_F(ShutdownTest, TheDrainIsOverWhenAllHaveGone) {
   shutdown(1h);
   const auto viewer = this->viewer();
