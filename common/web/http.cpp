@@ -160,8 +160,9 @@ HttpProgress read_http_request(std::string_view bytes, std::size_t head_bytes_ma
     return refused(400, "a request has no body here");
   }
   const auto host = fields->find("host");
-  const bool one_host = host == fields->end() ? line->version == "HTTP/1.0"
-                                              : host->second.find(',') == std::string::npos;
+  const bool one_host = host == fields->end()
+                            ? line->version == "HTTP/1.0"
+                            : !host->second.empty() && host->second.find(',') == std::string::npos;
   if (!one_host) return refused(400, "one Host field is needed");
   if (line->method != "GET" && line->method != "HEAD") {
     return refused(405, "only GET and HEAD are answered here");
