@@ -47,7 +47,9 @@ void add_the_rest(ManualPage& page) {
   page.section("EXIT STATUS");
   page.item("0", "Done; also when a signal ended it.");
   page.item("1", "Failed while running.");
-  page.item("2", "A mistake on the command line or in the environment.");
+  page.item("2",
+            "A mistake on the command line or in the environment; also a source whose name cannot "
+            "be a stream's, or is another one's.");
   page.item("3",
             "A source or the settings file is wrong; the message names file, line and column.");
   page.item("4", "A file cannot be read.");

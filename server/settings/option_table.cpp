@@ -72,8 +72,9 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "then. convert --mend repairs a recording that a power cut has truncated.",
        word(options.record)},
       {"skip-bad", "", "", "leave broken sources out",
-       "Without it, one broken source ends the start with code 3 or 4, and SIGHUP changes "
-       "nothing. If no source is left, the start fails all the same.",
+       "Without it, one broken source ends the start with code 3 or 4, or 2 if its name cannot be "
+       "a stream's, and SIGHUP changes nothing. If no source is left, the start fails all the "
+       "same.",
        flag(options.skip_bad)},
       {"check", "", "", "describe the sources, and serve nothing",
        "Prints what the sources hold (format, scale, people, duration, AUs with their "
