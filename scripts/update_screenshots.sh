@@ -126,11 +126,11 @@ xdotool key Escape
 settle
 # The View tab: wireframe and muscles.
 click 1173 54
-click 1118 211
-click 1118 273
+click 1118 485
+click 1118 547
 shot view
-click 1118 211  # kept for the next start
-click 1118 273
+click 1118 485  # kept for the next start
+click 1118 547
 # The Camera tab, with a film of another face in the place of a camera.
 if [ ! -e "$data/models/face_landmark_with_attention.tflite" ]; then
     echo "the picture of the camera is left: scripts/install_models.sh fetches what reads faces"

@@ -220,6 +220,7 @@ Result<Face> load_face_folder(const std::filesystem::path& folder) {
   static_cast<void>(reader.integer("format", 1, 1));
   Face face;
   face.name = reader.text("name");
+  face.copy_of = reader.text_or("copy_of", "");
   const std::string mesh_file = reader.text("mesh");
   const std::string muscles_file = reader.text("muscles");
   const std::string aus_file = reader.text("aus");

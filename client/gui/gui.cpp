@@ -187,7 +187,7 @@ struct Gui::State {
   NoticeForm notice;
   ComposerForm composer;
   MirrorForm mirror;
-  Thumbnails faces;
+  FaceForm faces;
   GalleryForm gallery;
   bool panel = true;
   bool bare = false;         ///< the user wants the face alone
@@ -302,7 +302,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   state_->focus.before_frame(model.browser.open);
   ImGui::NewFrame();
   state_->focus.begin();
-  state_->faces.seen.clear();
+  state_->faces.pictures.seen.clear();
   state_->composer.pictures.seen.clear();
   close_popup_by_escape();
   if (state_->hidden) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
@@ -318,6 +318,7 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   notices(state_->look, model, free, state_->notice, commands);
   gallery_dialog(state_->look, model, free, state_->gallery, commands);
   file_dialog(state_->look, model, state_->file, commands);
+  face_dialog(state_->look, model, state_->faces, commands);
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, model, commands);
   state_->focus.end();
@@ -329,7 +330,7 @@ void Gui::set_camera_texture(std::uintptr_t texture) {
 }
 
 Thumbnails& Gui::faces() {
-  return state_->faces;
+  return state_->faces.pictures;
 }
 
 Thumbnails& Gui::keyframes() {

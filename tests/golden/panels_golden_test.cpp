@@ -223,7 +223,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
 TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
-  replay("click 693 54\nclick 638 454\nclick 638 516\nclick 729 616\n");
+  replay("click 693 54\nclick 638 485\nclick 638 547\nclick 729 647\n");
   const gui::RenderingSettings rendering = session_->rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);

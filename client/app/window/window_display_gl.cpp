@@ -132,6 +132,9 @@ class GlDisplay : public WindowDisplay {
     const Instant deformed = steady_now();
     view_->draw(window_->viewpoint(), style, width, height);
     const Instant drawn = steady_now();
+    if (std::exchange(listed_, model.faces.entries) != model.faces.entries && listed_ != nullptr) {
+      face_thumbnails_.keep_listed(*listed_, overlay_.gui().faces());
+    }
     overlay_.draw(model, commands);
     window_->present();
     return {{}, deformed - before, drawn - deformed, steady_now() - drawn};
@@ -172,6 +175,7 @@ class GlDisplay : public WindowDisplay {
   WindowOverlay overlay_;
   /// The default viewpoint of the face.
   view::Viewpoint usual_ = viewpoint_preset(name_of(gui::Facing::Front), face_);
+  std::shared_ptr<const std::vector<gui::FaceEntry>> listed_;
   std::vector<float> pose_;  ///< of view_; empty: not posed yet
 };
 

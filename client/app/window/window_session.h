@@ -132,6 +132,10 @@ class WindowSession {
   [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
+  void apply_face(const gui::FaceCommand& command, Instant now);
+  [[nodiscard]] Result<std::string> copy_face(const gui::CopyFace& wanted, Instant now);
+  [[nodiscard]] Result<std::string> rename_face(const gui::RenameFace& wanted, Instant now);
+  [[nodiscard]] Result<std::string> delete_face(const gui::DeleteFace& wanted, Instant now);
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] Named named() const;

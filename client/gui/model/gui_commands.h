@@ -112,6 +112,24 @@ struct ChangeTable {
 struct ShowFace {
   std::string folder;
 };
+/// Makes a face of the user's own of the one in this folder, and shows it.
+struct CopyFace {
+  std::string folder;
+  std::string name;
+};
+/// Renames a face of the user's own.
+struct RenameFace {
+  std::string folder;
+  std::string name;
+};
+/// Deletes a face of the user's own. If it is shown, the shipped face of which it was made is shown
+/// instead.
+struct DeleteFace {
+  std::string folder;
+};
+/// About the faces to choose from.
+using FaceCommand = std::variant<ShowFace, CopyFace, RenameFace, DeleteFace>;
+
 struct CloseNotice {};
 /// Changes where pictures and videos go, and how large they are.
 struct ChangePictures {
@@ -155,8 +173,8 @@ using SettingsCommand =
 
 using GuiCommand =
     std::variant<PlaybackCommand, SoundCommand, EditorCommand, ComposerCommand, MirrorCommand,
-                 GalleryCommand, FileCommand, SettingsCommand, AskStreams, LookFrom, Leave,
-                 ShowFace, CloseNotice, CancelExport, EndOnsets, TakePicture, ToggleVideo>;
+                 GalleryCommand, FileCommand, SettingsCommand, FaceCommand, AskStreams, LookFrom,
+                 Leave, CloseNotice, CancelExport, EndOnsets, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
 /// The command if it is a `Wanted`, also within a group; else null.

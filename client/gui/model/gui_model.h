@@ -261,6 +261,7 @@ struct FaceEntry {
   std::string name;
   std::string folder;
   FaceKind kind = FaceKind::Shipped;
+  std::string target{};  ///< where the folder leads, if it is a link; empty: it is none
   friend bool operator==(const FaceEntry&, const FaceEntry&) = default;
 };
 

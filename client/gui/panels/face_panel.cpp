@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cfloat>
 #include <string>
+#include <vector>
 
+#include "client/gui/model/face_names.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/widgets/keyboard_focus.h"
@@ -38,9 +40,18 @@ void name_below(const Look& look, const std::string& name, ImVec2 at, float widt
   list.PopClipRect();
 }
 
+/// The name below its picture. A copy that was made for an edited face has the name of that face.
+std::string name_among(const std::vector<FaceEntry>& faces, const FaceEntry& face) {
+  const bool alike = face.kind == FaceKind::Own &&
+                     std::any_of(faces.begin(), faces.end(), [&](const FaceEntry& other) {
+                       return other.kind == FaceKind::Shipped && other.name == face.name;
+                     });
+  return alike ? tr("face.yours", face.name) : face.name;
+}
+
 /// A picture with its name; returns whether it was chosen.
-bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
-               Thumbnails& pictures) {
+bool face_tile(const Look& look, const FaceEntry& face, const std::string& name, bool shown,
+               float width, Thumbnails& pictures) {
   const float height = width * kShape;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 to(at.x + width, at.y + height);
@@ -55,17 +66,40 @@ bool face_tile(const Look& look, const FaceEntry& face, bool shown, float width,
     list.AddRect(at, to, ImGui::GetColorU32(frame), rounding, 0,
                  (shown ? 2.0F : 1.0F) * look.scale);
   }
-  // A copy has the name of the face that it was made of.
-  const std::string name = face.kind == FaceKind::Own ? tr("face.yours", face.name) : face.name;
   name_below(look, name, ImVec2(at.x, to.y + 2 * look.scale), width);
   if (face.kind != FaceKind::Shipped) tip(face.folder);
   return chosen;
 }
 
+/// What is done with the face that is shown.
+void own_face_buttons(const FacesView& faces, FaceForm& form) {
+  const FaceEntry* face = shown_face(faces);
+  const bool own = face != nullptr && face->kind == FaceKind::Own;
+  const auto button = [&](TextKey text, int share, bool enabled, const char* help,
+                          FaceForm::Asks asks) {
+    if (wide_button(tr(text), share, 3, enabled)) {
+      form.asks = asks;
+      form.folder = face->folder;
+      form.name = {};
+      const auto taken = [&](const std::string& name) {
+        return !wrong_face_name(name, faces).empty();
+      };
+      const std::string name =
+          asks == FaceForm::Asks::Copy ? name_for_copy(face->name, taken) : face->name;
+      name.copy(form.name.data(), form.name.size() - 1);
+    }
+    tip(help, true);
+  };
+  button("face.copy", 0, face != nullptr, tr("face.copy_tip"), FaceForm::Asks::Copy);
+  button("face.rename", 1, own, own ? tr("face.rename_tip") : tr("face.not_own_tip"),
+         FaceForm::Asks::Rename);
+  button("face.delete", 2, own, own ? tr("face.delete_tip") : tr("face.not_own_tip"),
+         FaceForm::Asks::Delete);
+}
+
 }  // namespace
 
-void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
-               GuiCommands& commands) {
+void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands) {
   heading(look, tr("face.title"));
   const FacesView& faces = model.faces;
   if (faces.entries == nullptr) return;
@@ -81,10 +115,12 @@ void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
     in_row = first ? 0 : (in_row + 1) % kFacesInARow;
     if (in_row > 0) ImGui::SameLine(0, gap);
     const bool shown = face.folder == faces.shown;
-    if (face_tile(look, face, shown, width, pictures) && !shown)
+    if (face_tile(look, face, name_among(*faces.entries, face), shown, width, form.pictures) &&
+        !shown)
       commands.push_back(ShowFace{face.folder});
     before = &face;
   }
+  own_face_buttons(faces, form);
   if (wide_button(tr("face.other"), 0, 1, true)) {
     commands.push_back(Browse{Purpose::LookForFaces});
   }

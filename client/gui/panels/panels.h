@@ -167,11 +167,21 @@ struct MirrorForm {
 /// The Camera tab: the user's own face, and who else may see it.
 void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form, GuiCommands& commands);
 
-/// The faces to choose from. `pictures`: by the faces' folders.
-void face_part(const Look& look, const GuiModel& model, Thumbnails& pictures,
-               GuiCommands& commands);
+/// What belongs to the faces to choose from.
+struct FaceForm {
+  enum class Asks : std::uint8_t { Nothing, Copy, Rename, Delete };
 
-void rendering_panel(const Look& look, const GuiModel& model, Thumbnails& pictures,
+  Thumbnails pictures;          ///< by the faces' folders
+  Asks asks = Asks::Nothing;    ///< what face_dialog() is about
+  std::string folder;           ///< of the face that it is about
+  std::array<char, 64> name{};  ///< typed there
+};
+/// The faces to choose from, and what is done with one's own.
+void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
+/// The question for a name, or whether to delete a face, while the form asks it.
+void face_dialog(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
+
+void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
                      GuiCommands& commands);
 
 }  // namespace aucast::gui

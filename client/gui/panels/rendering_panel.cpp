@@ -173,10 +173,10 @@ void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
 
 }  // namespace
 
-void rendering_panel(const Look& look, const GuiModel& model, Thumbnails& pictures,
+void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
                      GuiCommands& commands) {
   RenderingSettings settings = model.rendering.settings;
-  face_part(look, model, pictures, commands);
+  face_part(look, model, form, commands);
   viewpoint(look, commands);
   bool changed = layers(look, settings.layers);
   changed |= light(look, settings);

@@ -13,45 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error failed(const std::string& what, const fs::path& where, const std::error_code& cause) {
-  return {ErrorKind::Failed, what + " " + at_place(where.string(), cause.message())};
-}
-
 bool lies_in(const fs::path& inner, const fs::path& outer) {
   const fs::path a = fs::weakly_canonical(inner);
   const fs::path b = fs::weakly_canonical(outer);
   const auto [end_a, end_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
   return end_b == b.end();
-}
-
-/// A face may use files of another face, as the shipped people share their muscles. A copy of
-/// `from` has such files in its own folder.
-Result<void> make_whole(const fs::path& copy, const fs::path& from) {
-  const fs::path description = copy / face::kFaceFile;
-  if (!fs::exists(description)) return {};
-  const auto document = read_toml(description);
-  if (!document) return document.error();
-  auto text = read_file(description);
-  if (!text) return text.error();
-  for (const char* key : {"mesh", "muscles", "aus"}) {
-    const TomlValue* named = document->find(key);
-    if (named == nullptr) continue;
-    const fs::path file = fs::path(named->text).lexically_normal();
-    if (file.is_relative() && *file.begin() != "..") continue;
-    std::string name = file.filename().string();
-    if (fs::exists(copy / name)) name = file.parent_path().filename().string() + "_" + name;
-    fs::copy_file(from / file, copy / name);
-    std::size_t line = 0;
-    for (std::size_t i = 1; i < named->place.line; ++i) line = text->find('\n', line) + 1;
-    const std::size_t at = text->find(named->text, line);
-    if (at == std::string::npos) {
-      return Error{ErrorKind::BadData,
-                   at_place(description.string(), named->place.line, named->place.column,
-                            "is written with escapes; write the name as it is")};
-    }
-    text->replace(at, named->text.size(), name);
-  }
-  return write_file_atomically(description, *text);
 }
 
 /// The file name that face.toml gives for its AUs.
@@ -107,42 +73,17 @@ std::vector<FaceEntry> faces_in(const fs::path& folder) {
   std::vector<FaceEntry> faces;
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-    if (!is_face(at->path())) continue;
-    faces.push_back({at->path().filename().string(), at->path().string(), {}});
+    FaceEntry face{at->path().filename().string(), at->path().string()};
+    // A hidden one is a copy that is being made or deleted.
+    if (face.name.starts_with('.') || !is_face(at->path())) continue;
+    if (std::error_code no_link; at->is_symlink(no_link)) {
+      face.target = fs::read_symlink(at->path(), no_link).string();
+    }
+    faces.push_back(std::move(face));
   }
   std::sort(faces.begin(), faces.end(),
             [](const FaceEntry& a, const FaceEntry& b) { return a.name < b.name; });
   return faces;
-}
-
-Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user_faces) {
-  const fs::path from = face_folder.has_filename() ? face_folder : face_folder.parent_path();
-  fs::path unfinished;
-  try {
-    if (lies_in(from, user_faces)) return from;
-    const fs::path copy = user_faces / fs::weakly_canonical(from).filename();
-    if (fs::exists(copy)) return copy;
-    unfinished = copy.string() + ".unfinished";
-    fs::create_directories(user_faces);
-    fs::remove_all(unfinished);
-    fs::copy(from, unfinished, fs::copy_options::recursive);
-    const Result<void> whole = make_whole(unfinished, from);
-    // Shipped files may be read-only; a copy is there to be changed.
-    for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
-      fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
-    }
-    if (!whole) {
-      fs::remove_all(unfinished);
-      return whole.error();
-    }
-    fs::rename(unfinished, copy);
-    return copy;
-  } catch (const fs::filesystem_error& error) {
-    // Half a face is of no use, and the disk may be full.
-    std::error_code ignored;
-    if (!unfinished.empty()) fs::remove_all(unfinished, ignored);
-    return failed("this face cannot be copied to", user_faces, error.code());
-  }
 }
 
 bool is_own_face(const fs::path& face_folder, const fs::path& user_faces) {

@@ -10,19 +10,13 @@
 
 namespace aucast::gui {
 
-// Edited faces are copies in the user's own data folder, so that the shipped ones stay unchanged.
+// The folder of the user's own faces (face_copies.h makes them), and what is saved in one.
 
 /// The path $XDG_DATA_HOME/aucast/faces, else ~/.local/share/aucast/faces. The arguments are the
 /// values of XDG_DATA_HOME and HOME, null if unset. A relative XDG_DATA_HOME counts as unset, as
 /// its specification demands. Fails if both are unset.
 [[nodiscard]] Result<std::filesystem::path> user_faces_folder(const char* xdg_data_home,
                                                               const char* home);
-
-/// The folder to write to for the face in `face_folder`: that folder if it lies in `user_faces`,
-/// else user_faces/NAME. That is copied now if it does not exist. The copy appears whole or not at
-/// all, and contains what its face.toml uses from other folders.
-[[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
-                                                          const std::filesystem::path& user_faces);
 
 /// Whether this folder is a face, in our format or the classic one.
 [[nodiscard]] bool is_face(const std::filesystem::path& folder);

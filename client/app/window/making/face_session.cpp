@@ -8,7 +8,10 @@
 
 #include "client/app/window/making/own_faces.h"
 #include "client/face/face.h"
+#include "client/gui/model/face_names.h"
+#include "client/gui/storage/face_copies.h"
 #include "client/gui/storage/user_face.h"
+#include "client/gui/texts/texts.h"
 #include "common/files.h"
 #include "common/log.h"
 
@@ -89,6 +92,50 @@ void FaceSession::look_in(const fs::path& folder) {
   list();
 }
 
+Result<fs::path> FaceSession::copy(const fs::path& folder, const std::string& name) {
+  if (auto good = check_name(name); !good) return good.error();
+  auto own = folder_of_own_faces();
+  if (!own) return own.error();
+  auto copied = gui::copy_face(folder, *own, name);
+  list();
+  return copied;
+}
+
+Result<fs::path> FaceSession::rename(const fs::path& folder, const std::string& name) {
+  if (auto own = check_own(folder); !own) return own.error();
+  if (auto good = check_name(name); !good) return good.error();
+  auto renamed = gui::rename_face(folder, name);
+  list();
+  return renamed;
+}
+
+Result<void> FaceSession::remove(const fs::path& folder) {
+  if (auto own = check_own(folder); !own) return own;
+  auto removed = gui::delete_face(folder);
+  list();
+  return removed;
+}
+
+Result<fs::path> FaceSession::origin(const fs::path& folder) const {
+  if (auto own = check_own(folder); !own) return own.error();
+  const fs::path shipped = assets_.data_folder / "faces";
+  const fs::path origin = shipped / gui::origin_of(folder);
+  return gui::is_face(origin) ? origin : shipped / "default";
+}
+
+Result<void> FaceSession::check_own(const fs::path& folder) const {
+  const fs::path own = own_faces();
+  const bool apart = !same_folder(own, plain(assets_.data_folder / "faces"));
+  if (apart && !own.empty() && same_folder(plain(folder).parent_path(), own)) return {};
+  return Error{ErrorKind::Usage, gui::tr("said.face_not_own", folder.filename().string())};
+}
+
+Result<void> FaceSession::check_name(const std::string& name) const {
+  std::string wrong = gui::wrong_face_name(name, view_);
+  if (wrong.empty()) return {};
+  return Error{ErrorKind::Usage, std::move(wrong)};
+}
+
 /// For a face from elsewhere, the faces beside it are listed too.
 void FaceSession::shown_from(const fs::path& folder) {
   const fs::path whole = plain(folder);
@@ -121,7 +168,8 @@ void FaceSession::list() {
     }
   };
   add(shipped, gui::FaceKind::Shipped);
-  add(own_faces(), gui::FaceKind::Own);
+  // Who has the shipped ones in the place of one's own has none that may be deleted.
+  if (!same_folder(own_faces(), shipped)) add(own_faces(), gui::FaceKind::Own);
   const bool listed = same_folder(looked_in_, shipped) || same_folder(looked_in_, own_faces());
   if (!listed) add(looked_in_, gui::FaceKind::Elsewhere);
   view_.elsewhere = looked_in_.string();

@@ -30,6 +30,20 @@ class FaceSession {
   /// Adds the faces in this folder to the list.
   void look_in(const std::filesystem::path& folder);
 
+  // These change which faces there are, not the one that is shown.
+
+  /// Makes a face of the user's own of another one; returns its folder.
+  [[nodiscard]] Result<std::filesystem::path> copy(const std::filesystem::path& folder,
+                                                   const std::string& name);
+  /// Renames a face of the user's own; returns its new folder.
+  [[nodiscard]] Result<std::filesystem::path> rename(const std::filesystem::path& folder,
+                                                     const std::string& name);
+  /// Deletes a face of the user's own.
+  [[nodiscard]] Result<void> remove(const std::filesystem::path& folder);
+  /// The shipped face of which a face of the user's own was made, else the default one. Fails for
+  /// any other face.
+  [[nodiscard]] Result<std::filesystem::path> origin(const std::filesystem::path& folder) const;
+
   [[nodiscard]] const gui::FacesView& view() const { return view_; }
   /// How often the face has been replaced.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
@@ -37,6 +51,8 @@ class FaceSession {
  private:
   void shown_from(const std::filesystem::path& folder);
   void list();
+  [[nodiscard]] Result<void> check_own(const std::filesystem::path& folder) const;
+  [[nodiscard]] Result<void> check_name(const std::string& name) const;
 
   Assets& assets_;
   std::filesystem::path looked_in_;  ///< where faces are looked for besides the shipped and the

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "client/app/window/making/own_faces.h"
+#include "client/gui/storage/face_copies.h"
 #include "client/gui/storage/user_face.h"
 #include "client/gui/texts/texts.h"
 #include "common/action_unit.h"
@@ -25,7 +26,7 @@ void OwnAus::change_face() {
     }
   };
   if (!own_) return take(assets_.face);
-  const auto origin = assets_.data_folder / "faces" / assets_.face_folder.filename();
+  const auto origin = assets_.data_folder / "faces" / gui::origin_of(assets_.face_folder);
   if (!gui::is_face(origin)) return;
   if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
 }

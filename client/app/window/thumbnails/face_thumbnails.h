@@ -4,8 +4,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "client/face/face.h"
+#include "client/gui/model/gui_model.h"
 #include "client/gui/model/thumbnails.h"
 #include "client/render/picture_texture.h"
 #include "common/result.h"
@@ -24,6 +26,8 @@ class FaceThumbnails {
   FaceThumbnails(const FaceThumbnails&) = delete;
   FaceThumbnails& operator=(const FaceThumbnails&) = delete;
 
+  /// Forgets the pictures of faces that are not listed any more: another face may get their name.
+  void keep_listed(const std::vector<gui::FaceEntry>& faces, gui::Thumbnails& pictures);
   /// Goes on making pictures of the faces that are seen, named by their folders, one after the
   /// other. Returns true if a new picture was made; another framebuffer is bound then.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures);

@@ -14,6 +14,16 @@ FaceThumbnails::FaceThumbnails(std::filesystem::path data_folder, int width, int
 
 FaceThumbnails::~FaceThumbnails() = default;
 
+void FaceThumbnails::keep_listed(const std::vector<gui::FaceEntry>& faces,
+                                 gui::Thumbnails& pictures) {
+  const auto gone = [&](const auto& picture) {
+    return std::none_of(faces.begin(), faces.end(),
+                        [&](const gui::FaceEntry& face) { return face.folder == picture.first; });
+  };
+  std::erase_if(pictures.textures, gone);
+  std::erase_if(textures_, gone);
+}
+
 bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
   if (!reading_.running()) {
     const auto next = std::find_if(pictures.seen.begin(), pictures.seen.end(),

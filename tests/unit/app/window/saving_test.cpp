@@ -14,6 +14,7 @@
 
 #include "client/app/window/making/composition_file.h"
 #include "client/gui/editing/composer.h"
+#include "client/gui/storage/face_copies.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/gui/storage/user_face.h"
 #include "client/view/image.h"

@@ -38,6 +38,14 @@ class WindowSessionFaceTest : public SessionOnDefaultFace {
   fs::path small_ = home_.path() / "aucast" / "faces" / "small";
 };
 
+/// The entry of an AU in the editor's list; none: number 0.
+gui::AuEntry entry_of(const gui::GuiModel& model, int number) {
+  for (const gui::AuEntry& entry : *model.known_aus) {
+    if (entry.number == number) return entry;
+  }
+  return {};
+}
+
 TEST_F(WindowSessionFaceTest, ShippedOnesAndOnesOwnAreThereToChoose) {
   const gui::FacesView& faces = model().faces;
   const auto has = [&](const std::string& name, gui::FaceKind kind) {
@@ -129,6 +137,119 @@ TEST_F(WindowSessionFaceTest, AnUnchangedCopyOfOnesOwnIsOnesOwn) {
   EXPECT_EQ(std::count_if(model().faces.entries->begin(), model().faces.entries->end(),
                           [](const auto& one) { return one.name == "default"; }),
             2);
+}
+
+TEST_F(WindowSessionFaceTest, ACopyIsMadeOnPurposeAndShown) {
+  const std::string shipped = model().faces.shown;
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::CopyFace{shipped, "anna"});
+  const fs::path copy = home_.path() / "aucast" / "faces" / "anna";
+  EXPECT_FALSE(model().notice.bad) << model().notice.text;
+  EXPECT_NE(model().notice.text.find(copy.string()), std::string::npos) << model().notice.text;
+  EXPECT_EQ(model().faces.shown, copy.string());
+  EXPECT_EQ(session_->kept().face, copy.string()) << "the next start shows it";
+  EXPECT_EQ(assets_->face.name, "anna");
+  EXPECT_TRUE(model().editor.unsaved) << "what is edited stays";
+  ask(gui::SaveAu{12});
+  EXPECT_EQ(model().faces.shown, copy.string()) << "it is saved where one is";
+  EXPECT_TRUE(entry_of(model(), 12).own);
+  EXPECT_FALSE(entry_of(model(), 6).own) << "that one is as in the face that was copied";
+  ask(gui::RemoveAu{12});
+  EXPECT_FALSE(entry_of(model(), 12).own);
+  EXPECT_FALSE(fs::exists(home_.path() / "aucast" / "faces" / "default"));
+}
+
+TEST_F(WindowSessionFaceTest, ANameThatCannotBeTakenChangesNothing) {
+  const std::string shipped = model().faces.shown;
+  for (const char* name : {"", "small", "marek", "a/b", "..", "../small"}) {
+    ask(gui::CopyFace{shipped, name});
+    EXPECT_TRUE(model().notice.bad) << name;
+    ask(gui::RenameFace{small_.string(), name});
+    EXPECT_TRUE(model().notice.bad) << name;
+  }
+  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(std::distance(fs::directory_iterator(small_.parent_path()), {}), 1);
+}
+
+TEST_F(WindowSessionFaceTest, ARenamedFaceStaysTheOneThatIsShown) {
+  ask(gui::ShowFace{small_.string()});
+  ask(gui::RenameFace{small_.string(), "anna"});
+  const fs::path anna = small_.parent_path() / "anna";
+  EXPECT_FALSE(model().notice.bad) << model().notice.text;
+  EXPECT_EQ(model().faces.shown, anna.string());
+  EXPECT_EQ(session_->kept().face, anna.string());
+  EXPECT_EQ(assets_->face.name, "anna");
+  ask(gui::ShowFace{(assets_->data_folder / "faces" / "marek").string()});
+  ask(gui::RenameFace{anna.string(), "berta"});
+  EXPECT_EQ(assets_->face.name, "marek") << "another one is shown";
+  EXPECT_TRUE(fs::exists(small_.parent_path() / "berta"));
+}
+
+TEST_F(WindowSessionFaceTest, InPlaceOfADeletedFaceTheOneIsShownThatItWasMadeOf) {
+  ask(gui::CopyFace{(assets_->data_folder / "faces" / "marek").string(), "anna"});
+  ask(gui::DeleteFace{model().faces.shown});
+  EXPECT_FALSE(model().notice.bad) << model().notice.text;
+  EXPECT_EQ(assets_->face.name, "marek");
+  EXPECT_EQ(session_->kept().face, "marek") << "the next start finds it";
+  EXPECT_FALSE(fs::exists(small_.parent_path() / "anna"));
+  ask(gui::ShowFace{small_.string()});
+  ask(gui::DeleteFace{small_.string()});
+  EXPECT_EQ(assets_->face.name, "default") << "that one was made of no shipped face";
+}
+
+TEST_F(WindowSessionFaceTest, AFaceThatIsNotShownIsDeletedBehindIt) {
+  ask(gui::DeleteFace{small_.string()});
+  EXPECT_FALSE(fs::exists(small_));
+  EXPECT_EQ(session_->face_changes(), 0U);
+  const auto& faces = *model().faces.entries;
+  EXPECT_TRUE(std::none_of(faces.begin(), faces.end(),
+                           [](const auto& one) { return one.kind == gui::FaceKind::Own; }));
+}
+
+TEST_F(WindowSessionFaceTest, OnlyOnesOwnFacesAreRenamedAndDeleted) {
+  const fs::path marek = assets_->data_folder / "faces" / "marek";
+  for (const fs::path& folder : {marek, made_.path(), home_.path()}) {
+    ask(gui::RenameFace{folder.string(), "anna"});
+    EXPECT_NE(model().notice.text.find("is not one of your own faces"), std::string::npos)
+        << model().notice.text;
+    ask(gui::CloseNotice{});
+    ask(gui::DeleteFace{folder.string()});
+    EXPECT_NE(model().notice.text.find("is not one of your own faces"), std::string::npos)
+        << model().notice.text;
+    EXPECT_TRUE(fs::exists(folder));
+  }
+  EXPECT_EQ(session_->face_changes(), 0U);
+}
+
+TEST_F(WindowSessionFaceTest, AFaceThatAnotherProgramTookAwayIsNotDeleted) {
+  ask(gui::ShowFace{small_.string()});
+  fs::rename(small_, home_.path() / "elsewhere");
+  ask(gui::DeleteFace{small_.string()});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("cannot be deleted"), std::string::npos)
+      << model().notice.text;
+  EXPECT_EQ(assets_->face.name, "default") << "there is nothing to go back to";
+}
+
+TEST_F(WindowSessionFaceTest, ShippedFacesInThePlaceOfOnesOwnAreNotForDeleting) {
+  fs::remove_all(home_.path() / "aucast" / "faces");
+  fs::create_directory_symlink(fs::absolute(assets_->data_folder / "faces"),
+                               home_.path() / "aucast" / "faces");
+  session_.emplace(*assets_, options_, nullptr, stats_);
+  const auto& faces = *model().faces.entries;
+  EXPECT_TRUE(std::all_of(faces.begin(), faces.end(),
+                          [](const auto& one) { return one.kind == gui::FaceKind::Shipped; }));
+}
+
+TEST_F(WindowSessionFaceTest, ACopyThatCannotBeMadeIsSaidAndNothingIsLost) {
+  fs::remove_all(home_.path() / "aucast" / "faces");
+  home_.write("aucast/faces", "a file where a folder should be");
+  ask(gui::CopyFace{model().faces.shown, "anna"});
+  EXPECT_TRUE(model().notice.bad);
+  EXPECT_NE(model().notice.text.find("cannot be copied to"), std::string::npos)
+      << model().notice.text;
+  EXPECT_EQ(session_->face_changes(), 0U);
 }
 
 TEST_F(WindowSessionFaceTest, WhatIsEditedOrComposedStays) {
@@ -230,14 +351,6 @@ TEST_F(WindowSessionFaceTest, ACopyWithOtherChangesIsWhatIsShownAfterSaving) {
   ask(gui::SaveAu{6});
   ask(gui::LoadAu{12});
   EXPECT_FLOAT_EQ(shown("jaw"), 3.5F) << "as the next start would show it";
-}
-
-/// The entry of an AU in the editor's list; none: number 0.
-gui::AuEntry entry_of(const gui::GuiModel& model, int number) {
-  for (const gui::AuEntry& entry : *model.known_aus) {
-    if (entry.number == number) return entry;
-  }
-  return {};
 }
 
 TEST_F(WindowSessionFaceTest, AnAuOfOnesOwnIsNamedDeletedAndBroughtBack) {

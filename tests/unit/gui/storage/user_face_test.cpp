@@ -2,28 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/temp_folder.h"
-#include "tests/unit/face/small_face.h"
+#include "tests/unit/gui/storage/user_face_fixture.h"
 
 namespace aucast::gui {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A shipped face "plain" and a place for the user's own.
-class UserFace : public testing::Test {
- protected:
-  void SetUp() override {
-    fs::create_directories(shipped_);
-    test::TempFolder made;
-    face::test::write_small_face(made);
-    fs::copy(made.path(), shipped_, fs::copy_options::recursive);
-  }
-
-  test::TempFolder folder_;
-  fs::path shipped_ = folder_.path() / "shipped" / "plain";
-  fs::path mine_ = folder_.path() / "home" / "aucast" / "faces";
-};
+using UserFace = UserFaceTest;
 
 TEST_F(UserFace, TheFolderIsWhereTheDesktopSpecificationWantsIt) {
   EXPECT_EQ(*user_faces_folder("/data", "/home/a"), "/data/aucast/faces");
@@ -43,47 +29,21 @@ TEST_F(UserFace, FacesOfAFolderAreListedByName) {
   ASSERT_EQ(faces.size(), 2U);
   EXPECT_EQ(faces[0].name, "another");
   EXPECT_EQ(faces[1].folder, shipped_.string());
+  EXPECT_TRUE(faces[1].target.empty());
   EXPECT_TRUE(faces_in("/no/such/folder").empty());
 }
 
-TEST_F(UserFace, AShippedFaceIsCopiedOnce) {
-  const auto copy = writable_face(shipped_, mine_);
-  ASSERT_TRUE(copy) << copy.error().message;
-  EXPECT_EQ(*copy, mine_ / "plain");
-  EXPECT_TRUE(face::load_face(*copy, folder_.path()));
-  folder_.write("home/aucast/faces/plain/aus.toml", "mine");
-  EXPECT_EQ(*writable_face(shipped_ / "", mine_), *copy);
-  EXPECT_EQ(folder_.read("home/aucast/faces/plain/aus.toml"), "mine");
-  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 1);
+TEST_F(UserFace, AFaceThatIsBeingMadeIsNotListed) {
+  fs::create_directories(mine_);
+  fs::copy(shipped_, mine_ / ".plain.unfinished", fs::copy_options::recursive);
+  EXPECT_TRUE(faces_in(mine_).empty());
 }
 
-TEST_F(UserFace, ACopyHasWhatItsFaceTakesFromAnother) {
-  const fs::path other = shipped_.parent_path() / "other";
-  fs::create_directories(other);
-  fs::copy(shipped_ / "mesh.ply", other / "mesh.ply");
-  std::string text = folder_.read("shipped/plain/face.toml");
-  for (const std::string file : {"muscles.toml", "aus.toml"}) {
-    text.replace(text.find('"' + file), 1, "\"../plain/");
-  }
-  folder_.write("shipped/other/face.toml", text);
-  ASSERT_TRUE(face::load_face(other, folder_.path()));
-  const auto copy = writable_face(other, mine_);
-  ASSERT_TRUE(copy) << copy.error().message;
-  EXPECT_EQ(folder_.read("home/aucast/faces/other/face.toml"),
-            folder_.read("shipped/plain/face.toml"));
-  const auto file = save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}});
-  ASSERT_TRUE(file) << file.error().message;
-  EXPECT_EQ(*file, *copy / "aus.toml");
-  const auto face = face::load_face(*copy, folder_.path());
-  ASSERT_TRUE(face) << face.error().message;
-  EXPECT_TRUE(face->recordings.contains(77));
-  EXPECT_FALSE(face::load_face(other, folder_.path())->recordings.contains(77));
-}
-
-TEST_F(UserFace, TheUsersOwnFaceIsWrittenWhereItIs) {
-  const auto copy = writable_face(shipped_, mine_);
-  ASSERT_TRUE(copy);
-  EXPECT_EQ(*writable_face(*copy, mine_), *copy);
+TEST_F(UserFace, OfALinkItIsSaidWhereItLeads) {
+  fs::create_directories(mine_);
+  fs::create_directory_symlink(shipped_, mine_ / "linked");
+  ASSERT_EQ(faces_in(mine_).size(), 1U);
+  EXPECT_EQ(faces_in(mine_)[0].target, shipped_.string());
 }
 
 TEST_F(UserFace, SavingKeepsThePreviousVersionAndNothingElse) {
@@ -128,14 +88,6 @@ TEST_F(UserFace, AFailedSavingLeavesTheFileAsItWas) {
   EXPECT_EQ(file.error().kind, ErrorKind::Failed);
   EXPECT_NE(file.error().message.find("aus.toml~"), std::string::npos) << file.error().message;
   EXPECT_EQ(folder_.read("shipped/plain/aus.toml"), before);
-}
-
-TEST_F(UserFace, ACopyThatCannotBeMadeIsSaid) {
-  folder_.write("home", "a file where a folder should be");
-  const auto copy = writable_face(shipped_, mine_);
-  ASSERT_FALSE(copy);
-  EXPECT_EQ(copy.error().message.find("this face cannot be copied to " + mine_.string() + ": "), 0U)
-      << copy.error().message;
 }
 
 TEST_F(UserFace, AClassicFaceHasNoAusOfItsOwn) {

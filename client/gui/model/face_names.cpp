@@ -1,0 +1,41 @@
+#include "client/gui/model/face_names.h"
+
+#include <algorithm>
+
+#include "client/gui/texts/texts.h"
+#include "common/text.h"
+
+namespace aucast::gui {
+
+const FaceEntry* shown_face(const FacesView& faces) {
+  if (faces.entries == nullptr) return nullptr;
+  const auto found =
+      std::find_if(faces.entries->begin(), faces.entries->end(),
+                   [&](const FaceEntry& face) { return face.folder == faces.shown; });
+  return found == faces.entries->end() ? nullptr : &*found;
+}
+
+std::string wrong_face_name(const std::string& name, const FacesView& faces) {
+  if (name.find_first_not_of(' ') == std::string::npos) return tr("file.unnamed");
+  if (printable(name) != name) return tr("face.wrong_letters");
+  // Quotes and backslashes would need escapes in face.toml.
+  const std::size_t wrong = name.find_first_of("/\\\"");
+  if (wrong != std::string::npos) return tr("face.wrong_sign", name.substr(wrong, 1));
+  if (name.front() == '.') return tr("face.hidden");
+  if (faces.entries == nullptr) return {};
+  for (const FaceEntry& face : *faces.entries) {
+    if (face.name != name) continue;
+    if (face.kind == FaceKind::Shipped) return tr("face.is_shipped", name);
+    if (face.kind == FaceKind::Own) return tr("face.there", name);
+  }
+  return {};
+}
+
+std::string without_number(const std::string& name) {
+  const std::size_t end = name.find_last_not_of("0123456789");
+  const bool numbered =
+      end != std::string::npos && end > 0 && end + 1 < name.size() && name[end] == ' ';
+  return numbered ? name.substr(0, end) : name;
+}
+
+}  // namespace aucast::gui

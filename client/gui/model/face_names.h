@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "client/gui/model/gui_model.h"
+
+namespace aucast::gui {
+
+/// The face in the window, as it is listed; null: it is not.
+[[nodiscard]] const FaceEntry* shown_face(const FacesView& faces);
+
+/// What is wrong with a name for a face of the user's own, as a sentence; empty: nothing. Names of
+/// shipped faces are left to the copies that are made when such a face is edited.
+[[nodiscard]] std::string wrong_face_name(const std::string& name, const FacesView& faces);
+
+/// The name without a number at its end: "anna" for "anna 2".
+[[nodiscard]] std::string without_number(const std::string& name);
+
+/// A name for a copy of the face `of`: "anna 2", with the first number that is not taken.
+/// `taken`: whether a name is.
+template <typename Taken>
+[[nodiscard]] std::string name_for_copy(const std::string& of, const Taken& taken) {
+  const std::string begin = without_number(of) + " ";
+  int number = 2;
+  while (taken(begin + std::to_string(number))) ++number;
+  return begin + std::to_string(number);
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,180 @@
+#include "client/gui/storage/face_copies.h"
+
+#include <system_error>
+
+#include "client/face/face_folder.h"
+#include "client/gui/model/face_names.h"
+#include "client/gui/storage/user_face.h"
+#include "common/files.h"
+#include "common/text.h"
+#include "common/toml_document.h"
+#include "common/toml_writer.h"
+
+namespace aucast::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error failed(const std::string& what, const fs::path& where, const std::error_code& cause) {
+  return {ErrorKind::Failed, what + " " + at_place(where.string(), cause.message())};
+}
+
+/// Whether anything has this name, also a link that leads nowhere.
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+Error there_already(const fs::path& path) {
+  return {ErrorKind::Usage, at_place(path.string(), "is there already; choose another name")};
+}
+
+fs::path without_slash(const fs::path& folder) {
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Exchanges a value in the text of `file` for another one that needs no escapes.
+Result<void> put_text(std::string& toml, const TomlValue& value, const std::string& text,
+                      const fs::path& file) {
+  std::size_t line = 0;
+  for (std::size_t i = 1; i < value.place.line; ++i) line = toml.find('\n', line) + 1;
+  const std::size_t at = toml.find(value.text, line + value.place.column - 1);
+  if (at == std::string::npos) {
+    return Error{ErrorKind::BadData, at_place(file.string(), value.place.line, value.place.column,
+                                              "is written with escapes; write the name as it is")};
+  }
+  toml.replace(at, value.text.size(), text);
+  return {};
+}
+
+/// A face may use files of another face, as the shipped people share their muscles. A copy of
+/// `from` has such files in its own folder.
+Result<void> make_whole(const fs::path& copy, const fs::path& from) {
+  const fs::path description = copy / face::kFaceFile;
+  if (!fs::exists(description)) return {};
+  const auto document = read_toml(description);
+  if (!document) return document.error();
+  auto text = read_file(description);
+  if (!text) return text.error();
+  for (const char* key : {"mesh", "muscles", "aus"}) {
+    const TomlValue* named = document->find(key);
+    if (named == nullptr) continue;
+    const fs::path file = fs::path(named->text).lexically_normal();
+    if (file.is_relative() && *file.begin() != "..") continue;
+    std::string name = file.filename().string();
+    if (fs::exists(copy / name)) name = file.parent_path().filename().string() + "_" + name;
+    fs::copy_file(from / file, copy / name);
+    if (auto put = put_text(*text, *named, name, description); !put) return put;
+  }
+  return write_file_atomically(description, *text);
+}
+
+/// Gives a copy its name in its face.toml, where it also says of which face it is a copy. A classic
+/// face has no other name than its folder's.
+Result<void> name_copy(const fs::path& copy, const std::string& name, const std::string& origin) {
+  const fs::path description = copy / face::kFaceFile;
+  if (!is_there(description)) return {};
+  auto text = read_file(description);
+  if (!text) return text.error();
+  const auto document = parse_toml(*text, description.string());
+  if (!document) return document.error();
+  const TomlValue* named = document->find("name");
+  if (named == nullptr) return {};
+  if (auto put = put_text(*text, *named, name, description); !put) return put;
+  if (document->find("copy_of") == nullptr) {
+    std::size_t below = 0;
+    for (std::size_t i = 0; i < named->place.line; ++i) below = text->find('\n', below) + 1;
+    text->insert(below, toml_line("copy_of", toml_text(origin)));
+  }
+  if (auto still = parse_toml(*text, description.string()); !still) return still.error();
+  return write_file_atomically(description, *text);
+}
+
+}  // namespace
+
+std::string origin_of(const fs::path& face_folder) {
+  const auto document = read_toml(face_folder / face::kFaceFile);
+  const TomlValue* origin = document ? document->find("copy_of") : nullptr;
+  if (origin != nullptr && !origin->text.empty()) return origin->text;
+  std::error_code ignored;
+  return fs::weakly_canonical(without_slash(face_folder), ignored).filename().string();
+}
+
+Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user_faces) {
+  const fs::path from = without_slash(face_folder);
+  if (is_own_face(from, user_faces)) return from;
+  const std::string origin = origin_of(from);
+  std::error_code ignored;
+  std::string name = fs::weakly_canonical(from, ignored).filename().string();
+  const fs::path usual = user_faces / name;
+  if (is_there(usual) && origin_of(usual) == origin) return usual;
+  if (is_there(usual)) {
+    name = name_for_copy(name, [&](const std::string& one) { return is_there(user_faces / one); });
+  }
+  return copy_face(from, user_faces, name);
+}
+
+Result<fs::path> copy_face(const fs::path& face_folder, const fs::path& user_faces,
+                           const std::string& name) {
+  const fs::path from = without_slash(face_folder);
+  const fs::path copy = user_faces / name;
+  if (is_there(copy)) return there_already(copy);
+  const fs::path unfinished = user_faces / ("." + name + ".unfinished");
+  try {
+    fs::create_directories(user_faces);
+    fs::remove_all(unfinished);
+    fs::copy(from, unfinished, fs::copy_options::recursive);
+    Result<void> whole = make_whole(unfinished, from);
+    const bool renamed = name != fs::weakly_canonical(from).filename();
+    if (whole && renamed) whole = name_copy(unfinished, name, origin_of(from));
+    // Shipped files may be read-only; a copy is there to be changed.
+    for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
+      fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
+    }
+    if (!whole) {
+      fs::remove_all(unfinished);
+      return whole.error();
+    }
+    fs::rename(unfinished, copy);
+    return copy;
+  } catch (const fs::filesystem_error& error) {
+    // Half a face is of no use, and the disk may be full.
+    std::error_code ignored;
+    fs::remove_all(unfinished, ignored);
+    return failed("this face cannot be copied to", user_faces, error.code());
+  }
+}
+
+Result<fs::path> rename_face(const fs::path& own_face, const std::string& name) {
+  const fs::path to = own_face.parent_path() / name;
+  if (is_there(to)) return there_already(to);
+  const std::string origin = origin_of(own_face);
+  std::error_code cause;
+  fs::rename(own_face, to, cause);
+  if (cause) return failed("this face cannot be renamed to", to, cause);
+  if (fs::is_symlink(fs::symlink_status(to, cause))) return to;
+  if (auto named = name_copy(to, name, origin); !named) {
+    fs::rename(to, own_face, cause);
+    return named.error();
+  }
+  return to;
+}
+
+Result<void> delete_face(const fs::path& own_face) {
+  std::error_code cause;
+  if (fs::is_symlink(fs::symlink_status(own_face, cause))) {
+    fs::remove(own_face, cause);
+    if (cause) return failed("this face cannot be deleted:", own_face, cause);
+    return {};
+  }
+  // Under a hidden name first, so that no half of a face is left to choose.
+  const fs::path aside = own_face.parent_path() / ".deleted";
+  fs::remove_all(aside, cause);
+  if (!cause) fs::rename(own_face, aside, cause);
+  if (cause) return failed("this face cannot be deleted:", own_face, cause);
+  fs::remove_all(aside, cause);
+  if (cause) return failed("not all of this face could be deleted:", aside, cause);
+  return {};
+}
+
+}  // namespace aucast::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/result.h"
+
+namespace aucast::gui {
+
+// Edited faces are copies in the user's own data folder (user_face.h), so that the shipped ones
+// stay unchanged. A copy appears, is renamed and goes whole or not at all.
+
+/// The name of the face from which this one was copied, as its face.toml says, else that of its
+/// folder: a copy that was made for an edited face has the name of that face.
+[[nodiscard]] std::string origin_of(const std::filesystem::path& face_folder);
+
+/// The folder to write to for the face in `face_folder`: that folder if it lies in `user_faces`,
+/// else user_faces/NAME. That is copied now if it does not exist; if a copy of another face has
+/// that name, the next free one is taken.
+[[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
+                                                          const std::filesystem::path& user_faces);
+
+/// Copies a face to user_faces/NAME and returns that folder. The copy contains what its face.toml
+/// uses from other folders. Fails if there is anything of that name.
+[[nodiscard]] Result<std::filesystem::path> copy_face(const std::filesystem::path& face_folder,
+                                                      const std::filesystem::path& user_faces,
+                                                      const std::string& name);
+
+/// Renames a face of the user's own, its folder and in its face.toml, and returns the new folder.
+/// Of a link only the link is renamed. Fails if there is anything of that name.
+[[nodiscard]] Result<std::filesystem::path> rename_face(const std::filesystem::path& own_face,
+                                                        const std::string& name);
+
+/// Deletes a face of the user's own. Of a link only the link is deleted.
+[[nodiscard]] Result<void> delete_face(const std::filesystem::path& own_face);
+
+}  // namespace aucast::gui

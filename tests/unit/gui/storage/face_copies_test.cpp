@@ -1,0 +1,176 @@
+#include "client/gui/storage/face_copies.h"
+
+#include <gtest/gtest.h>
+
+#include "client/gui/storage/user_face.h"
+#include "tests/unit/gui/storage/user_face_fixture.h"
+
+namespace aucast::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+using FaceCopies = UserFaceTest;
+
+TEST_F(FaceCopies, AShippedFaceIsCopiedOnce) {
+  const auto copy = writable_face(shipped_, mine_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(*copy, mine_ / "plain");
+  EXPECT_TRUE(face::load_face(*copy, folder_.path()));
+  folder_.write("home/aucast/faces/plain/aus.toml", "mine");
+  EXPECT_EQ(*writable_face(shipped_ / "", mine_), *copy);
+  EXPECT_EQ(folder_.read("home/aucast/faces/plain/aus.toml"), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 1);
+}
+
+TEST_F(FaceCopies, ACopyHasWhatItsFaceTakesFromAnother) {
+  const fs::path other = shipped_.parent_path() / "other";
+  fs::create_directories(other);
+  fs::copy(shipped_ / "mesh.ply", other / "mesh.ply");
+  std::string text = folder_.read("shipped/plain/face.toml");
+  for (const std::string file : {"muscles.toml", "aus.toml"}) {
+    text.replace(text.find('"' + file), 1, "\"../plain/");
+  }
+  folder_.write("shipped/other/face.toml", text);
+  ASSERT_TRUE(face::load_face(other, folder_.path()));
+  const auto copy = writable_face(other, mine_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(folder_.read("home/aucast/faces/other/face.toml"),
+            folder_.read("shipped/plain/face.toml"));
+  const auto file = save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}});
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(*file, *copy / "aus.toml");
+  const auto face = face::load_face(*copy, folder_.path());
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_TRUE(face->recordings.contains(77));
+  EXPECT_FALSE(face::load_face(other, folder_.path())->recordings.contains(77));
+}
+
+TEST_F(FaceCopies, TheUsersOwnFaceIsWrittenWhereItIs) {
+  const auto copy = writable_face(shipped_, mine_);
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(*writable_face(*copy, mine_), *copy);
+}
+
+TEST_F(FaceCopies, ACopyThatCannotBeMadeIsSaid) {
+  folder_.write("home", "a file where a folder should be");
+  const auto copy = writable_face(shipped_, mine_);
+  ASSERT_FALSE(copy);
+  EXPECT_EQ(copy.error().message.find("this face cannot be copied to " + mine_.string() + ": "), 0U)
+      << copy.error().message;
+}
+
+TEST_F(FaceCopies, ACopyHasItsOwnNameAndSaysWhatItIsACopyOf) {
+  const auto copy = copy_face(shipped_, mine_, "Anna's é 2");
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(*copy, mine_ / "Anna's é 2");
+  auto face = face::load_face(*copy, folder_.path());
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_EQ(face->name, "Anna's é 2");
+  EXPECT_EQ(face->copy_of, "plain");
+  const auto again = copy_face(*copy, mine_, "berta");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(origin_of(*again), "plain") << "the copy of a copy";
+  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 2);
+  EXPECT_EQ(face::load_face(shipped_, folder_.path())->name, "small");
+}
+
+TEST_F(FaceCopies, NothingIsCopiedOrRenamedOverWhatIsThere) {
+  const auto copy = copy_face(shipped_, mine_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  folder_.write("home/aucast/faces/notes/list.txt", "mine");
+  fs::create_directory(mine_ / "empty");
+  fs::create_directory_symlink("/no/such/folder", mine_ / "dangling");
+  for (const char* name : {"anna", "notes", "empty", "dangling"}) {
+    const auto copied = copy_face(shipped_, mine_, name);
+    ASSERT_FALSE(copied) << name;
+    EXPECT_EQ(copied.error().message,
+              (mine_ / name).string() + ": is there already; choose another name");
+    EXPECT_FALSE(rename_face(*copy, name)) << name;
+  }
+  EXPECT_EQ(folder_.read("home/aucast/faces/notes/list.txt"), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 4);
+}
+
+TEST_F(FaceCopies, ARenamedFaceKeepsAllThatIsSavedInIt) {
+  const auto copy = writable_face(shipped_, mine_);
+  ASSERT_TRUE(copy);
+  ASSERT_TRUE(save_aus(*copy, {{77, {{"jaw", 1.5F}}, "yawn"}}));
+  const auto renamed = rename_face(*copy, "anna");
+  ASSERT_TRUE(renamed) << renamed.error().message;
+  EXPECT_FALSE(fs::exists(*copy));
+  const auto face = face::load_face(*renamed, folder_.path());
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_EQ(face->name, "anna");
+  EXPECT_EQ(face->copy_of, "plain");
+  EXPECT_TRUE(face->recordings.contains(77));
+  EXPECT_TRUE(fs::exists(*renamed / "aus.toml~"));
+  EXPECT_EQ(*writable_face(shipped_, mine_), mine_ / "plain") << "another copy";
+}
+
+TEST_F(FaceCopies, ARenamingThatFailsChangesNothing) {
+  const auto copy = copy_face(shipped_, mine_, "anna");
+  ASSERT_TRUE(copy);
+  folder_.write("home/aucast/faces/anna/face.toml", "nonsense");
+  const auto renamed = rename_face(*copy, "berta");
+  ASSERT_FALSE(renamed);
+  EXPECT_NE(renamed.error().message.find("face.toml:1:"), std::string::npos);
+  EXPECT_TRUE(fs::exists(*copy));
+  EXPECT_FALSE(fs::exists(mine_ / "berta"));
+  const auto gone = rename_face(mine_ / "gone", "berta");
+  ASSERT_FALSE(gone);
+  EXPECT_EQ(gone.error().message.find("this face cannot be renamed to " + mine_.string()), 0U);
+}
+
+TEST_F(FaceCopies, ADeletedFaceIsGoneWhole) {
+  const auto copy = copy_face(shipped_, mine_, "anna");
+  ASSERT_TRUE(copy);
+  ASSERT_TRUE(copy_face(shipped_, mine_, "berta"));
+  ASSERT_TRUE(delete_face(*copy));
+  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 1);
+  const auto again = delete_face(*copy);
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().message.find("this face cannot be deleted: " + copy->string()), 0U)
+      << again.error().message;
+}
+
+TEST_F(FaceCopies, OfALinkOnlyTheLinkIsRenamedAndDeleted) {
+  fs::create_directories(mine_);
+  fs::create_directory_symlink(shipped_, mine_ / "linked");
+  const std::string before = folder_.read("shipped/plain/face.toml");
+  const auto renamed = rename_face(mine_ / "linked", "anna");
+  ASSERT_TRUE(renamed) << renamed.error().message;
+  EXPECT_TRUE(fs::is_symlink(*renamed));
+  EXPECT_EQ(folder_.read("shipped/plain/face.toml"), before);
+  const auto copy = copy_face(*renamed, mine_, "berta");
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_FALSE(fs::is_symlink(*copy));
+  ASSERT_TRUE(delete_face(*renamed));
+  EXPECT_TRUE(fs::exists(shipped_ / "mesh.ply"));
+  EXPECT_TRUE(fs::exists(*copy / "mesh.ply"));
+}
+
+/// What is edited must not get into a copy of another face that happens to have its name.
+TEST_F(FaceCopies, AnEditedFaceIsNotSavedInACopyOfAnother) {
+  ASSERT_TRUE(copy_face(shipped_, mine_, "anna"));
+  const fs::path other = folder_.path() / "others" / "anna";
+  fs::create_directories(other.parent_path());
+  fs::copy(shipped_, other, fs::copy_options::recursive);
+  const auto copy = writable_face(other, mine_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(*copy, mine_ / "anna 2");
+  EXPECT_EQ(origin_of(*copy), "anna");
+}
+
+TEST_F(FaceCopies, AClassicFaceIsCopiedAndRenamedByItsFolder) {
+  fs::remove(shipped_ / "face.toml");
+  folder_.write("shipped/plain/faceline.dat", "0\n");
+  const auto copy = copy_face(shipped_, mine_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  const auto renamed = rename_face(*copy, "berta");
+  ASSERT_TRUE(renamed) << renamed.error().message;
+  EXPECT_TRUE(is_face(*renamed));
+}
+
+}  // namespace
+}  // namespace aucast::gui
