@@ -31,7 +31,7 @@ struct OcclusionOptions {
   int smoothing = 2;      ///< passes over neighbours
 };
 
-/// Stage 6: how much ambient light arrives at each vertex of the part in the rest pose.
+/// Stage 6: how much ambient light arrives at each vertex of the part in the neutral face.
 void bake_occlusion(Part& part, const RayScene& occluders, const OcclusionOptions& options);
 
 }  // namespace aucast::facegen

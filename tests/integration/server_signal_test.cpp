@@ -111,7 +111,7 @@ TEST(ServerSignal, MistakesEndWithTheirExitCodes) {
   EXPECT_FALSE(std::filesystem::exists(saved));
 }
 
-TEST(ServerSignal, ALiveFaceThatIsNotAtRestWhileItIsMeasuredIsWarnedOf) {
+TEST(ServerSignal, ALiveFaceThatIsNotNeutralWhileItIsMeasuredIsWarnedOf) {
   const TempFolder folder;
   const auto path = folder.write("webcam.csv", kColumns);
   RunningTransmitter server(

@@ -219,9 +219,9 @@ TEST(NeutralFace, HasTheBrowsOfTheWeakerHalf) {
 TEST(NeutralFace, HasTheNodOfAllPictures) {
   std::vector<Measures> film(100);
   for (std::size_t picture = 0; picture < film.size(); ++picture) {
-    const bool at_rest = picture < film.size() / 4;
-    middle_of(film[picture], MiddleMeasure::StillTipUp) = at_rest ? -0.3 : -0.2;
-    middle_of(film[picture], MiddleMeasure::ChinUp) = at_rest ? 0 : -0.1;
+    const bool is_neutral = picture < film.size() / 4;
+    middle_of(film[picture], MiddleMeasure::StillTipUp) = is_neutral ? -0.3 : -0.2;
+    middle_of(film[picture], MiddleMeasure::ChinUp) = is_neutral ? 0 : -0.1;
   }
   Measures neutral = find_neutral_face(film, weights());
   EXPECT_NEAR(middle_of(neutral, MiddleMeasure::StillTipUp), -0.2, kTolerance);

@@ -34,7 +34,7 @@ Found found_with(const std::string& text, double neutral_s, bool turns_only = fa
   return {};
 }
 
-TEST(LoudAus, NamesTheStrongestAusThatNoFaceAtRestHas) {
+TEST(LoudAus, NamesTheStrongestAusThatNoNeutralFaceHas) {
   Signals neutral = no_signals();
   const auto set = [&](std::size_t number, float left, float right) {
     neutral[channel_of(number, false)] = left;
