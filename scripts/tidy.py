@@ -3,10 +3,10 @@
 
     scripts/tidy.py [ROOT]        one line per finding, exit 1 when there is one
 
-It checks which folder includes what, what pure folders touch, that view models know no file, that a file's own header
-comes first, the lengths of lines, functions and files, leftovers, names that only a unity build would find twice, texts
-that are translated but never said, and that READMEs name every file. It reads what git tracks; outside a git
-repository, everything below ROOT but build/.
+It checks which folder includes and links what, what pure folders touch, that view models know no file, that a file's
+own header comes first, the lengths of lines, functions and files, leftovers, names that only a unity build would find
+twice, texts that are translated but never said, and that READMEs name every file. It reads what git tracks; outside a
+git repository, everything below ROOT but build/.
 """
 
 import pathlib
@@ -14,6 +14,7 @@ import re
 import subprocess
 import sys
 
+import library_links
 import readmes
 import said_texts
 import unity_names
@@ -282,6 +283,8 @@ def findings(root: pathlib.Path):
     all_paths = tracked_files(root)
     if not all_paths:
         yield ".", 1, "no source here"
+    lists = tracked_files(root, ("CMakeLists.txt",))
+    yield from library_links.findings(root, lists, folder_of, MAY_INCLUDE)
     yield from unity_names.collisions(root, all_paths)
     yield from said_texts.findings(root, all_paths)
     yield from readmes.findings(root, all_paths, tracked_files(root, ("README.md",)))

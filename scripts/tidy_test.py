@@ -220,6 +220,18 @@ class TidyTest(unittest.TestCase):
             else:
                 self.assert_clean(tree)
 
+    def test_a_library_links_only_folders_that_its_own_may_include(self):
+        def linked(by, library):
+            lists = {f"server/{room}/CMakeLists.txt": f"aucast_library(x_{room} SOURCES a.cpp)\n"
+                     for room in ("settings", "live")}
+            lists[f"server/{by}/CMakeLists.txt"] = (
+                f"# A room.\naucast_library(x_{by}\n  SOURCES a.cpp\n  LINK aucast_toml {library})\n")
+            return lists | {"server/a.cpp": "int x;\n"}
+
+        self.assert_clean(linked("serve", "x_live"))
+        self.assert_found(linked("settings", "x_live"), "server/settings/CMakeLists.txt:2: server/settings may not "
+                                                        "link x_live, which is of server/live")
+
     def test_names_that_collide_where_a_unity_build_joins_two_sources(self):
         def two(first, second, form="namespace {{\n\n{}\n\n}}  // namespace\n"):
             return {"server/live/a.cpp": form.format(first), "server/b.cpp": form.format(second),
