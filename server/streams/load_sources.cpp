@@ -132,9 +132,16 @@ Result<void> complete(const EncodingOptions& options, Source& source) {
                                                     " ms that the protocol can tell; divide it")};
   }
   if (!source.voice) return {};
+  const Milliseconds end = source.voice->begin + source.voice->duration;
+  if (end <= Milliseconds::zero()) {
+    return Error{ErrorKind::Usage,
+                 at_place(source.voice->path.string(),
+                          "--voice-delay " + std::to_string(options.voice.delay.count()) +
+                              " leaves nothing of a sound of " +
+                              std::to_string(source.voice->duration.count()) + " ms")};
+  }
   source.voiced =
-      protocol::voiced_stream(*source.stream, source.voice->begin + source.voice->duration,
-                              options.keyframe_ms, options.classic_min);
+      protocol::voiced_stream(*source.stream, end, options.keyframe_ms, options.classic_min);
   return {};
 }
 

@@ -72,6 +72,22 @@ TEST_F(VoicedSources, IsAlignedWithTheRowsOfARecording) {
       << "the first row is reached when the first keyframe is over";
 }
 
+TEST_F(VoicedSources, ADelayThatLeavesNothingOfTheSoundIsRefused) {
+  const auto face = write_face("talk.txt", 3);
+  write_wav("talk.wav", voice::test::speech_like(2));
+  EncodingOptions early;
+  early.voice.delay = -1900ms;
+  EXPECT_TRUE(load_sources({face}, {}, early));
+  early.voice.delay = -2000ms;
+  const auto refused = load_sources({face}, {}, early);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
+  EXPECT_NE(refused.error().message.find(
+                "talk.wav: --voice-delay -2000 leaves nothing of a sound of 2000 ms"),
+            std::string::npos)
+      << refused.error().message;
+}
+
 TEST_F(VoicedSources, TheVoicedStreamHoldsTheFaceUntilTheVoiceIsOver) {
   const auto face = write_face("talk.txt", 2);
   write_wav("talk.wav", voice::test::speech_like(6));
