@@ -17,6 +17,7 @@ inline constexpr int kKeyframeHeight = 44;
 /// the thumbnail maker puts their textures here.
 struct Thumbnails {
   std::map<std::string, std::uintptr_t> textures;  ///< ImGui's texture IDs
+  std::map<std::string, std::string> wrong;        ///< why there is no picture, a sentence
   std::vector<std::string> seen;                   ///< names of those seen in the last frame
 };
 

@@ -7,6 +7,7 @@
 
 #include "client/gui/model/face_names.h"
 #include "client/gui/panels/panels.h"
+#include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
@@ -61,13 +62,22 @@ bool face_tile(const Look& look, const FaceEntry& face, const std::string& name,
   mark_focus();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemVisible()) draw_thumbnail(pictures, face.folder, at, to);
+  const auto wrong = pictures.wrong.find(face.folder);
+  const bool unreadable = wrong != pictures.wrong.end();
+  if (unreadable) {
+    const char* text = tr("face.unreadable");
+    const float left = std::max(0.0F, (width - ImGui::CalcTextSize(text).x) / 2);
+    list.AddText(ImVec2(at.x + left, at.y + height / 2), colour_of(Tone::Bad), text);
+  }
   const ImGuiCol frame = shown ? ImGuiCol_PlotLinesHovered : ImGuiCol_Border;
   if (shown || ImGui::IsItemHovered()) {
     list.AddRect(at, to, ImGui::GetColorU32(frame), rounding, 0,
                  (shown ? 2.0F : 1.0F) * look.scale);
   }
   name_below(look, name, ImVec2(at.x, to.y + 2 * look.scale), width);
-  if (face.kind != FaceKind::Shipped) tip(face.folder);
+  if (unreadable || face.kind != FaceKind::Shipped) {
+    tip(face.folder + (unreadable ? "\n" + in_used_language(wrong->second) : ""));
+  }
   return chosen;
 }
 

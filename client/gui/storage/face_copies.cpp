@@ -90,6 +90,17 @@ Result<void> name_copy(const fs::path& copy, const std::string& name, const std:
   return write_file_atomically(description, *text);
 }
 
+/// Keeps the AUs of a new copy as they are now, unless they are kept from an earlier copying.
+Result<void> keep_original_aus(const fs::path& copy) {
+  const auto document = read_toml(copy / face::kFaceFile);
+  const TomlValue* aus = document ? document->find("aus") : nullptr;
+  const fs::path kept = copy / kOriginalAusFile;
+  if (aus == nullptr || is_there(kept)) return {};
+  const auto bytes = read_file(copy / aus->text);
+  if (!bytes) return bytes.error();
+  return write_file_atomically(kept, *bytes);
+}
+
 }  // namespace
 
 std::string origin_of(const fs::path& face_folder) {
@@ -125,8 +136,10 @@ Result<fs::path> copy_face(const fs::path& face_folder, const fs::path& user_fac
     fs::remove_all(unfinished);
     fs::copy(from, unfinished, fs::copy_options::recursive);
     Result<void> whole = make_whole(unfinished, from);
-    const bool renamed = name != fs::weakly_canonical(from).filename();
-    if (whole && renamed) whole = name_copy(unfinished, name, origin_of(from));
+    // Pictures of it must not bear the name of the face that it was made of.
+    const bool alike = name == fs::weakly_canonical(from).filename();
+    if (whole) whole = name_copy(unfinished, alike ? "own_" + name : name, origin_of(from));
+    if (whole) whole = keep_original_aus(unfinished);
     // Shipped files may be read-only; a copy is there to be changed.
     for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
       fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);

@@ -7,6 +7,9 @@
 
 namespace aucast::gui {
 
+/// The file in a copy that has its AUs as they were when it was copied.
+inline constexpr const char* kOriginalAusFile = "original_aus.toml";
+
 // Edited faces are copies in the user's own data folder (user_face.h), so that the shipped ones
 // stay unchanged. A copy appears, is renamed and goes whole or not at all.
 

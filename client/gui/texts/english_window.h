@@ -108,6 +108,7 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"leave.stream", "The stream in the composer is not saved."},
     {"leave.stay", "Stay"},
     {"leave.leave", "Leave without saving"},
+    {"face.unreadable", "cannot be read"},
     {"face.shipped", "Shipped"},
     {"face.own", "Your own copies"},
     {"face.yours", "{face} (yours)"},

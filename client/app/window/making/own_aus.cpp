@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "client/app/window/making/own_faces.h"
+#include "client/face/face_folder.h"
 #include "client/gui/storage/face_copies.h"
 #include "client/gui/storage/user_face.h"
 #include "client/gui/texts/texts.h"
@@ -27,8 +28,16 @@ void OwnAus::change_face() {
   };
   if (!own_) return take(assets_.face);
   const auto origin = assets_.data_folder / "faces" / gui::origin_of(assets_.face_folder);
-  if (!gui::is_face(origin)) return;
-  if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
+  if (gui::is_face(origin)) {
+    if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
+    return;
+  }
+  // A copy of a face from elsewhere has with it how its AUs came.
+  const auto came = face::load_aus(assets_.face_folder / gui::kOriginalAusFile, assets_.face);
+  if (!came) return;
+  for (const auto& [number, recording] : *came) {
+    shipped_[number] = gui::drive_of(assets_.face, recording.activation);
+  }
 }
 
 bool OwnAus::differs_from_shipped(int number) const {

@@ -24,7 +24,7 @@ class OwnAus {
   /// Whether the user's copy of the face has this AU and the shipped face does not, or has another
   /// version.
   [[nodiscard]] bool differs_from_shipped(int number) const;
-  /// Whether the shipped face has this AU.
+  /// Whether the face that was copied, mostly a shipped one, has this AU.
   [[nodiscard]] bool shipped(int number) const { return shipped_.contains(number); }
 
   /// The AUs of the face, with what they drive and look like.

@@ -29,7 +29,7 @@ class FaceThumbnails {
   /// Forgets the pictures of faces that are not listed any more: another face may get their name.
   void keep_listed(const std::vector<gui::FaceEntry>& faces, gui::Thumbnails& pictures);
   /// Goes on making pictures of the faces that are seen, named by their folders, one after the
-  /// other. Returns true if a new picture was made; another framebuffer is bound then.
+  /// other. Returns true if there is something new to see; another framebuffer may be bound then.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures);
   /// Whether a face is being read.
   [[nodiscard]] bool busy() const { return reading_.running(); }

@@ -21,6 +21,7 @@ void FaceThumbnails::keep_listed(const std::vector<gui::FaceEntry>& faces,
                         [&](const gui::FaceEntry& face) { return face.folder == picture.first; });
   };
   std::erase_if(pictures.textures, gone);
+  std::erase_if(pictures.wrong, gone);
   std::erase_if(textures_, gone);
 }
 
@@ -38,7 +39,8 @@ bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
   const std::optional<Result<face::Face>> face = reading_.take();
   if (!face) return false;
   auto& texture = textures_[folder_] = *face ? draw(**face) : nullptr;
-  if (texture == nullptr) return false;
+  if (!*face) pictures.wrong[folder_] = face->error().message;
+  if (texture == nullptr) return !face->has_value();
   pictures.textures[folder_] = texture->id();
   return true;
 }

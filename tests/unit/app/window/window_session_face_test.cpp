@@ -160,6 +160,20 @@ TEST_F(WindowSessionFaceTest, ACopyIsMadeOnPurposeAndShown) {
   EXPECT_FALSE(fs::exists(home_.path() / "aucast" / "faces" / "default"));
 }
 
+TEST_F(WindowSessionFaceTest, InACopyOfAFaceFromElsewhereOnlyWhatWasChangedIsOnesOwn) {
+  ask(gui::CopyFace{made_.path().string(), "anna"});
+  for (const gui::AuEntry& entry : *model().known_aus) EXPECT_FALSE(entry.own) << entry.number;
+  ask(gui::LoadAu{26});
+  const float jaw = shown("jaw");
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  ask(gui::SaveAu{26});
+  EXPECT_TRUE(entry_of(model(), 26).own);
+  ask(gui::RemoveAu{26});
+  EXPECT_FALSE(entry_of(model(), 26).own);
+  EXPECT_EQ(entry_of(model(), 26).number, 26) << "it is as it came";
+  EXPECT_FLOAT_EQ(shown("jaw"), jaw);
+}
+
 TEST_F(WindowSessionFaceTest, ANameThatCannotBeTakenChangesNothing) {
   const std::string shipped = model().faces.shown;
   for (const char* name : {"", "small", "marek", "a/b", "..", "../small"}) {
@@ -335,6 +349,7 @@ TEST_F(WindowSessionFaceTest, AfterSavingTheFaceIsOnesOwnCopy) {
   const fs::path copy = home_.path() / "aucast" / "faces" / "default";
   EXPECT_EQ(model().faces.shown, copy.string());
   EXPECT_EQ(session_->kept().face, copy.string());
+  EXPECT_EQ(assets_->face.name, "own_default") << "pictures of it are not the shipped face's";
   ask(gui::ShowFace{(assets_->data_folder / "faces" / "default").string()});
   ask(gui::ShowFace{copy.string()});
   ask(gui::LoadAu{12});

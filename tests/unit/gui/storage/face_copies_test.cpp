@@ -35,8 +35,8 @@ TEST_F(FaceCopies, ACopyHasWhatItsFaceTakesFromAnother) {
   ASSERT_TRUE(face::load_face(other, folder_.path()));
   const auto copy = writable_face(other, mine_);
   ASSERT_TRUE(copy) << copy.error().message;
-  EXPECT_EQ(folder_.read("home/aucast/faces/other/face.toml"),
-            folder_.read("shipped/plain/face.toml"));
+  const std::string whole = folder_.read("home/aucast/faces/other/face.toml");
+  EXPECT_EQ(whole.find(".."), std::string::npos) << whole;
   const auto file = save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}});
   ASSERT_TRUE(file) << file.error().message;
   EXPECT_EQ(*file, *copy / "aus.toml");
@@ -73,6 +73,26 @@ TEST_F(FaceCopies, ACopyHasItsOwnNameAndSaysWhatItIsACopyOf) {
   EXPECT_EQ(origin_of(*again), "plain") << "the copy of a copy";
   EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 2);
   EXPECT_EQ(face::load_face(shipped_, folder_.path())->name, "small");
+}
+
+TEST_F(FaceCopies, ACopyOfItsFacesNameIsCalledOnesOwnInPictures) {
+  const auto copy = writable_face(shipped_, mine_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  const auto face = face::load_face(*copy, folder_.path());
+  ASSERT_TRUE(face) << face.error().message;
+  EXPECT_EQ(face->name, "own_plain");
+  EXPECT_EQ(face->copy_of, "plain");
+}
+
+TEST_F(FaceCopies, ACopyKeepsHowItsAusCame) {
+  const auto copy = copy_face(shipped_, mine_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  const std::string came = folder_.read("shipped/plain/aus.toml");
+  ASSERT_TRUE(save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}}));
+  EXPECT_EQ(folder_.read("home/aucast/faces/anna/original_aus.toml"), came);
+  const auto again = copy_face(*copy, mine_, "berta");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(folder_.read("home/aucast/faces/berta/original_aus.toml"), came);
 }
 
 TEST_F(FaceCopies, NothingIsCopiedOrRenamedOverWhatIsThere) {

@@ -1,5 +1,7 @@
 #include "client/app/window/thumbnails/face_thumbnails.h"
 
+#include <thread>
+
 #include <gtest/gtest.h>
 
 namespace aucast::app {
@@ -12,6 +14,22 @@ TEST(FaceThumbnails, AFaceThatIsNotListedAnyMoreLeavesNoPictureToTheNextOfItsNam
   thumbnails.keep_listed({{"berta", "/own/berta", gui::FaceKind::Own}}, pictures);
   EXPECT_FALSE(pictures.textures.contains("/own/anna"));
   EXPECT_TRUE(pictures.textures.contains("/own/berta"));
+}
+
+TEST(FaceThumbnails, WhyAFaceHasNoPictureIsSaid) {
+  FaceThumbnails thumbnails({}, 8, 8);
+  gui::Thumbnails pictures;
+  pictures.seen = {"/no/such/face"};
+  bool news = false;
+  while (pictures.wrong.empty()) {
+    news = thumbnails.advance(pictures);
+    std::this_thread::yield();
+  }
+  EXPECT_TRUE(news) << "or it would not be drawn";
+  EXPECT_NE(pictures.wrong["/no/such/face"].find("/no/such/face"), std::string::npos);
+  EXPECT_FALSE(thumbnails.advance(pictures)) << "it is not tried again";
+  thumbnails.keep_listed({}, pictures);
+  EXPECT_TRUE(pictures.wrong.empty());
 }
 
 }  // namespace
