@@ -6,6 +6,7 @@
 
 #include "client/app/film/glb_export.h"
 #include "client/app/gallery/gallery_command.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/net/stream_list.h"
@@ -411,6 +412,14 @@ Result<std::filesystem::path> WindowSession::picture_file(const std::string& end
 
 // === What the panels show.
 
+/// The AUs of the editor's or the composer's face, as they were asked for and as it shows them.
+std::vector<gui::AuRow> WindowSession::au_rows_of_made() const {
+  const std::optional<AuFrame> aus = aus_shown();
+  if (!aus) return {};  // made of muscles
+  const AuFrame asked = shown_ == Shown::Composer ? composer_.aus() : *aus;
+  return gui::au_rows(asked, *aus, {}, mapping_.recordings);
+}
+
 gui::GuiModel WindowSession::model() const {
   gui::GuiModel model;
   model.remote_settings = playback_.servers().settings();
@@ -438,6 +447,11 @@ gui::GuiModel WindowSession::model() const {
   model.editor = editor_.view(shown_ == Shown::Editor);
   model.composer = composer_.view();
   model.composer.active = shown_ == Shown::Composer;
+  if (shown_ != Shown::Playback) {
+    model.playing.aus = model.editor.active && !model.editor.compound.empty()
+                            ? model.editor.compound
+                            : au_rows_of_made();
+  }
   model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();
   model.known_aus = editor_.known_aus();
   model.video = video_;

@@ -139,6 +139,7 @@ class WindowSession {
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] Named named() const;
+  [[nodiscard]] std::vector<gui::AuRow> au_rows_of_made() const;
   [[nodiscard]] SettingsSession::Events settings_events();
   [[nodiscard]] WindowFiles::Hooks file_hooks();
 

@@ -87,7 +87,7 @@ struct PlayingView {
   std::string protocol;                 ///< "level 2", "classic"
   std::string delay;                    ///< "42 ms (at most 57, wanted 41)"; empty: not live
   std::string keyframe;                 ///< "keyframe 3"; empty before the first
-  std::vector<AuRow> aus;
+  std::vector<AuRow> aus;               ///< of the face that is shown, whoever made it
   friend bool operator==(const PlayingView&, const PlayingView&) = default;
 };
 

@@ -318,14 +318,18 @@ void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (std::exchange(form.to_aus, false)) ImGui::SetScrollHereY(0);
   heading(look, tr("play.aus"), tr("tip.au"));
   intensities(look, model.playing, form.large_chart);
+  const bool made = model.editor.active || model.composer.active;
   if (model.playing.aus.empty()) {
-    quiet_text(model.playing.keyframe.empty() ? tr("play.none_yet") : tr("play.neutral_face"));
+    quiet_text(made                             ? tr("play.made_without")
+               : model.playing.keyframe.empty() ? tr("play.none_yet")
+                                                : tr("play.neutral_face"));
     return;
   }
-  au_table(
-      look,
-      {tr("play.au_received"), tr("tip.au_received"), tr("play.au_legend"), tr("tip.au_shown")},
-      model.playing.aus);
+  const AuTableWords of_stream{tr("play.au_received"), tr("tip.au_received"), tr("play.au_legend"),
+                               tr("tip.au_shown")};
+  const AuTableWords of_made{tr("expression.asked"), tr("tip.au_asked"), tr("expression.legend"),
+                             tr("tip.au_blended")};
+  au_table(look, made ? of_made : of_stream, model.playing.aus);
 }
 
 /// Opens stream files, also those that were opened before.

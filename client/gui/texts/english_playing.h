@@ -160,6 +160,7 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"play.aus", "Action Units"},
     {"play.to_aus_tip", "down to the chart and the table of the AUs"},
     {"play.none_yet", "None yet."},
+    {"play.made_without", "The face that is shown is neutral, or made of muscles."},
     {"play.neutral_face", "The neutral face."},
     {"play.au_received", "received"},
     {"play.behind", "Behind"},

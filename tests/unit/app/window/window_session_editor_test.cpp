@@ -65,6 +65,27 @@ TEST_F(EditedSessionTest, AnExpressionIsShownAsStronglyAsAsked) {
   EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), whole * 0.4F) << "a drag is one step";
 }
 
+TEST_F(EditedSessionTest, TheTableOfAusIsOfTheFaceThatIsShown) {
+  open({frame({{4, Side::Both, 100}}), frame({{26, Side::Both, 100}})});
+  go_on(Milliseconds(0));
+  const auto numbers = [this] {
+    std::vector<std::string> labels;
+    for (const gui::AuRow& row : model().playing.aus) labels.push_back(row.label);
+    return labels;
+  };
+  EXPECT_EQ(numbers(), std::vector<std::string>{"4"});
+  ask(gui::ShowExpression{expression("happiness")});
+  EXPECT_EQ(numbers(), (std::vector<std::string>{"6", "12"}));
+  ask(gui::ShowExpression{expression("waters-happiness")});
+  EXPECT_TRUE(numbers().empty()) << "muscles are no AUs";
+  ask(gui::LoadAu{12});
+  EXPECT_EQ(numbers(), std::vector<std::string>{"12"});
+  ask(gui::ComposeAu{26, 50, 50, false});
+  EXPECT_EQ(numbers(), std::vector<std::string>{"26"});
+  ask(gui::Resume{});
+  EXPECT_EQ(numbers(), std::vector<std::string>{"4"});
+}
+
 TEST_F(EditedSessionTest, AMacroIsShownAsStronglyAsAsked) {
   open_nothing();
   ask(gui::ChangeStrength{50, false});
