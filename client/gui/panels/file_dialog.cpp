@@ -65,6 +65,8 @@ void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiC
     commands.push_back(ChooseFile{form.folder.data()});
     form.entered = true;
   }
+  // The one that was typed last counts.
+  if (ImGui::IsItemEdited() && !is_saving(view.purpose)) form.name[0] = 0;
   ImGui::SameLine();
   const auto parent = std::filesystem::path(view.folder).parent_path();
   if (ImGui::Button(tr("file.up"), ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
@@ -86,14 +88,17 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
                                                         : ImGui::GetColorU32(ImGuiCol_Text));
       const bool clicked = list_item(shown, chosen, ImGuiSelectableFlags_AllowDoubleClick);
       if (std::exchange(form.to_first, false)) focus_here(false);
-      // What was gone or typed to is chosen, so that the button below opens it.
-      if (!saving && !entry.folder && focus_is_here()) set_text(form.name, entry.name);
+      // What was gone or typed to is chosen, so that the button below opens it; not on the way
+      // there from a path that was typed.
+      const bool path = form.folder.data() != view.folder;
+      if (!saving && !path && !entry.folder && focus_is_here()) set_text(form.name, entry.name);
       ImGui::PopStyleColor();
       if (!clicked) continue;
       if (entry.folder) {
         commands.push_back(EnterFolder{entry.name});
       } else {
         set_text(form.name, entry.name);
+        set_text(form.folder, view.folder);
         const bool takes = ImGui::IsMouseDoubleClicked(0) || (used_by_keys() && !saving);
         if (takes) commands.push_back(ChooseFile{entry.name});
       }
@@ -212,11 +217,13 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
                        : !saving               ? tr("button.open")
                        : view.replaces.empty() ? tr("button.save")
                                                : tr("file.replace");
-  const bool named = folder || form.name[0] != 0;
+  // A path that was typed above is opened by the button too, if none is chosen in the list.
+  const bool typed = !saving && !folder && form.name[0] == 0 && form.folder.data() != view.folder;
+  const bool named = folder || typed || form.name[0] != 0;
   if (wide_button(tr("button.cancel"), 0, 2, true)) commands.push_back(CloseBrowser{});
   const bool pressed = wide_button(action, 1, 2, named, named);
   if (named && (pressed || entered)) {
-    commands.push_back(ChooseFile{folder ? "." : form.name.data()});
+    commands.push_back(ChooseFile{folder ? "." : typed ? form.folder.data() : form.name.data()});
   }
 }
 

@@ -26,6 +26,8 @@ class FileBrowser {
   [[nodiscard]] bool choose(const std::filesystem::path& file, std::filesystem::path& chosen);
   /// Call it if the chosen file could not be used: the dialog stays open and says so.
   void refuse(std::string problem);
+  /// What was wrong is not said any more, since the user has changed something.
+  void forget_problem() { view_.problem.clear(); }
   [[nodiscard]] const BrowserView& view() const { return view_; }
 
  private:

@@ -45,7 +45,8 @@ std::string FileSession::choose(const std::string& name, const Use& use) {
     return {};
   }
   browser_.close();
-  if (purpose != gui::Purpose::LookForFaces) {
+  // Where faces lie is no place for streams, nor for what the user exports.
+  if (purpose != gui::Purpose::LookForFaces && !gui::is_face_file(file)) {
     folder_for(purpose) = gui::is_folder(purpose) ? file : folder_of(file);
     if (gui::is_saving(purpose)) saved_in_ = whole_path(folder_of(file));
   }

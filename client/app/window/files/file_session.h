@@ -42,6 +42,8 @@ class FileSession {
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
   /// Says in the dialog why a file cannot be used. Returns false if the dialog is not open.
   [[nodiscard]] bool refuse(std::string problem);
+  /// Call it when the user has changed how a file is used.
+  void forget_problem() { browser_.forget_problem(); }
   /// Closes the dialog. The next one begins in the folder that this one has shown.
   void close();
   [[nodiscard]] const gui::BrowserView& view() const { return browser_.view(); }

@@ -57,7 +57,10 @@ void WindowFiles::apply(const gui::FileCommand& command, Instant now) {
                              },
                              [&](const gui::CloseBrowser&) { files_.close(); },
                              [&](const gui::OpenStream& one) { open_recent(one.file, now); },
-                             [&](const gui::ChangeTable& one) { tables_.asked = one.settings; }};
+                             [&](const gui::ChangeTable& one) {
+                               tables_.asked = one.settings;
+                               files_.forget_problem();
+                             }};
   std::visit(carry_out, command);
 }
 

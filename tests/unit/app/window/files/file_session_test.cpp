@@ -44,16 +44,6 @@ TEST_F(FileSessionTest, ComesAgainInTheFolderThatWasLeft) {
   EXPECT_EQ(view().folder, in("lectures")) << "streams are looked for in one place";
 }
 
-TEST_F(FileSessionTest, ALookForFacesMovesNoOtherDialog) {
-  session_.set_own_folder(in("made"));
-  session_.look_for_faces(in("lectures"));
-  session_.close();
-  session_.look_for_faces(in("lectures"));
-  EXPECT_EQ(choose("one.txt"), "used");
-  session_.browse(Purpose::ExportTable, "two.csv");
-  EXPECT_EQ(view().folder, in("made"));
-}
-
 TEST_F(FileSessionTest, TheFolderOfWhatWasSavedIsKeptForTheNextStart) {
   session_.browse(Purpose::ExportTable, "two.csv");
   session_.enter(in("lectures"));
@@ -71,6 +61,22 @@ TEST_F(FileSessionTest, TheFolderOfWhatWasSavedIsKeptForTheNextStart) {
   later.set_own_folder(in("gone"));
   later.browse(Purpose::ExportMesh, "two.obj");
   EXPECT_NE(later.view().folder, in("gone"));
+}
+
+TEST_F(FileSessionTest, WhereFacesLieIsNoPlaceForStreamsAndExports) {
+  folder_.write("faces/anna/face.toml", "");
+  session_.browse(Purpose::ExportAu, "au12.toml");
+  session_.enter(in("made"));
+  session_.close();
+  session_.look_for_faces(in("faces"));
+  session_.close();
+  session_.browse(Purpose::ExportAu, "au12.toml");
+  EXPECT_EQ(view().folder, in("made"));
+  session_.close();
+  session_.browse(Purpose::PlayStream, "");
+  EXPECT_EQ(choose(in("faces") + "/anna/face.toml"), "used");
+  session_.browse(Purpose::PlayStream, "");
+  EXPECT_EQ(view().folder, in("streams"));
 }
 
 TEST_F(FileSessionTest, WhatTheUserMakesHasAFolderOfItsOwn) {

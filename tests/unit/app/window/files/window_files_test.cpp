@@ -127,6 +127,15 @@ TEST_F(WindowFilesTest, HowATableIsReadIsAskedAnewForEachDialog) {
   EXPECT_FALSE(files_->tables().asked.has_value());
 }
 
+TEST_F(WindowFilesTest, WhatIsWrongWithATableIsOverWhenItIsReadInAnotherWay) {
+  ask(gui::Browse{Purpose::PlayStream});
+  ask(gui::ChooseFile{folder_.write("empty.csv", "").string()});
+  EXPECT_NE(files_->browser().problem, "");
+  ask(gui::ChangeTable{{.fps = 30}});
+  EXPECT_EQ(files_->browser().problem, "");
+  EXPECT_TRUE(files_->browser().open);
+}
+
 TEST_F(WindowFilesTest, AStreamIsComposedFromAFileAndSavedThereAgain) {
   choose(Purpose::ComposeStream, stream());
   EXPECT_EQ(shown_, Shown::Composer);

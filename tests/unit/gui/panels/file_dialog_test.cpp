@@ -1,0 +1,61 @@
+// The file dialog by keyboard.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "tests/unit/gui/gui_by_hand.h"
+
+namespace aucast::gui {
+namespace {
+
+class FileDialog : public GuiByHand {
+ protected:
+  static ImGuiWindow* dialog() { return ImGui::FindWindowByID(ImHashStr("###files")); }
+  bool tab_to(const char* label) {
+    for (int i = 0; i < 30; ++i) {
+      if (focus() == dialog()->GetID(label)) return true;
+      press(ImGuiKey_Tab);
+    }
+    return false;
+  }
+};
+
+TEST_F(FileDialog, APathThatWasTypedIsOpenedByTheButtonToo) {
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::PlayStream;
+  model_.browser.folder = "/tmp";
+  frames(5);
+  ASSERT_NE(dialog(), nullptr);
+  EXPECT_FALSE(tab_to("Open")) << "nothing is chosen";
+  ASSERT_TRUE(tab_to("##folder"));
+  type("/data/table.csv");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "/data/table.csv");
+  commands_.clear();
+  model_.browser.problem = "say how many pictures a second there are";
+  frames(3);
+  model_.browser.problem.clear();
+  ASSERT_TRUE(tab_to("Open"));
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "/data/table.csv");
+}
+
+TEST_F(FileDialog, APathThatWasTypedIsNotLostOnTheWayToTheButton) {
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::PlayStream;
+  model_.browser.folder = "/tmp";
+  model_.browser.entries = {{"anger.txt", false}, {"fear.txt", false}};
+  frames(5);
+  ASSERT_TRUE(tab_to("##folder"));
+  type("/data/table.csv");
+  ASSERT_TRUE(tab_to("Open"));  // through the list
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "/data/table.csv");
+}
+
+}  // namespace
+}  // namespace aucast::gui
