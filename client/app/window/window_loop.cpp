@@ -37,6 +37,7 @@ void WindowLoop::tick(bool stopped_from_outside) {
     changed();
   }
   draw();
+  if (picture_due_) take_picture();
   pictures_.advance(now());
   handle_keys();
   for (const gui::GuiCommand& command : commands_) carry_out(command);
@@ -54,6 +55,10 @@ Result<void> WindowLoop::outcome() const {
 
 void WindowLoop::finish() {
   keep_settings();
+  if (picture_due_ && !failed_) {
+    draw();
+    take_picture();
+  }
   pictures_.finish(now());
 }
 
@@ -90,10 +95,17 @@ void WindowLoop::carry_out(const gui::GuiCommand& command) {
   if (failed_) return;
   changed();
   if (const auto* look = std::get_if<gui::LookFrom>(&command)) display_.look_from(look->view);
-  if (std::holds_alternative<gui::TakePicture>(command)) pictures_.save(shown_activations_, now());
+  picture_due_ |= std::holds_alternative<gui::TakePicture>(command);
   if (std::holds_alternative<gui::ToggleVideo>(command)) pictures_.toggle_video(now());
   session_.apply(command, now());
   show_new_face();
+}
+
+/// A key may have changed what is shown since it was drawn: a picture is taken when face, AUs and
+/// name are of one moment.
+void WindowLoop::take_picture() {
+  picture_due_ = false;
+  pictures_.save(shown_activations_, now());
 }
 
 /// What was made of the last face cannot show another one.

@@ -57,6 +57,7 @@ class WindowLoop {
   void keep_recent();
   void keep_settings();
   void show_title();
+  void take_picture();
   void draw();
   void count_frame(const FrameTimes& times, bool moved, Instant end);
   /// Something has happened that the next pictures must show.
@@ -77,6 +78,7 @@ class WindowLoop {
   std::vector<std::string> kept_files_;
   std::uint64_t kept_face_;
   int frames_due_ = gui::kFramesAfterChange;
+  bool picture_due_ = false;  ///< of what is drawn next
   bool leaving_ = false;
   std::optional<Error> failed_;
 };

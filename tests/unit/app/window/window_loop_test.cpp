@@ -64,6 +64,7 @@ class FakeDisplay : public WindowDisplay {
   }
   Result<view::Image> picture(int width, int height, Sharpness, const view::Style&) override {
     if (problem) return *problem;
+    pictured = pose;
     return view::make_image(width, height);
   }
   void free_size(int& width, int& height) const override {
@@ -91,6 +92,7 @@ class FakeDisplay : public WindowDisplay {
   int faces = 0;
   int closed = 0;
   std::vector<float> pose;
+  std::vector<float> pictured;  ///< the pose in the last picture
   gui::GuiModel shown;
   std::vector<std::string> titles;
   std::vector<gui::Facing> looked_from;
@@ -353,6 +355,7 @@ TEST_F(WindowLoopTest, APictureIsAsLargeAsTheFaceInTheWindowOrAsTheSettingsSay) 
   pictures.pattern = "it-{number}";
   ask(gui::ChangePictures{pictures});
   press(Key::S);
+  tick();
   const auto first = view::read_png(folder_.path() / "it-1.png");
   ASSERT_TRUE(first) << first.error().message;
   EXPECT_EQ(first->width, 40);
@@ -363,15 +366,50 @@ TEST_F(WindowLoopTest, APictureIsAsLargeAsTheFaceInTheWindowOrAsTheSettingsSay) 
   pictures.height = 48;
   ask(gui::ChangePictures{pictures});
   press(Key::S);
+  tick();
   const auto second = view::read_png(folder_.path() / "it-2.png");
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_EQ(second->width, 64);
+}
+
+TEST_F(WindowLoopTest, APictureHasFaceAndNameOfOneMoment) {
+  gui::PictureSettings pictures;
+  pictures.folder = folder_.path();
+  pictures.pattern = "{aus}";
+  ask(gui::ChangePictures{pictures});
+  ask(gui::OpenStream{stream().string()});
+  tick();
+  clock_.advance(Milliseconds(50));
+  tick();
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 2, false});
+  settle();
+  const std::vector<float> edited = display_.pose;
+  display_.keys = {Key::Space, Key::S};
+  tick(2);
+  EXPECT_FALSE(model().editor.active);
+  EXPECT_NE(display_.pictured, edited) << "the file plays again";
+  EXPECT_EQ(display_.pictured, session_->activations(clock_.now()));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "au12_edited.png"));
+}
+
+TEST_F(WindowLoopTest, APictureIsTakenAlthoughOneLeavesAtOnce) {
+  gui::PictureSettings pictures;
+  pictures.folder = folder_.path();
+  pictures.pattern = "last";
+  ask(gui::ChangePictures{pictures});
+  display_.keys = {Key::S, Key::Quit};
+  tick();
+  ASSERT_TRUE(loop().done());
+  loop().finish();
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "last.png"));
 }
 
 TEST_F(WindowLoopTest, APictureThatCannotBeMadeIsSaid) {
   settle();
   display_.problem = Error{ErrorKind::Failed, "too large for this driver"};
   press(Key::S);
+  tick();
   EXPECT_TRUE(session_->model().notice.bad);
   EXPECT_EQ(session_->model().notice.text, "too large for this driver");
   EXPECT_FALSE(loop().done());
