@@ -53,13 +53,18 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
   }
   const std::string before = form.name.data();
   label(look, tr("editor.name"));
-  ImGui::BeginDisabled(!unnamed);
+  if (!unnamed) {
+    // No field, which one would try to type into.
+    fitted_text(name, ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x,
+                colour_of(Tone::Quiet));
+    if (number > 0) tip(tr("editor.name_of_facs"));
+    return false;
+  }
   if (std::exchange(form.to_name, false)) ImGui::SetKeyboardFocusHere();
-  const char* hint = number > 0 ? tr("editor.name_hint") : "";
-  const bool entered = ImGui::InputTextWithHint(
-      "##auname", hint, form.name.data(), form.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##auname", tr("editor.name_hint"), form.name.data(),
+                               form.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   stay_in_field();
-  ImGui::EndDisabled();
   if (before != form.name.data()) commands.push_back(NameAu{number, form.name.data()});
   return entered;
 }

@@ -30,6 +30,7 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"curves.help", "Percent at the playing position, or at the pointer; a click seeks."},
     {"editor.yours", "{au}  (yours)"},
     {"editor.name", "Name"},
+    {"editor.name_of_facs", "the name that FACS gives it; a number without one can be named"},
     {"editor.name_hint", "what it shows"},
     {"editor.as_it_came", "As shipped"},
     {"editor.import_tip",
