@@ -313,9 +313,10 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
     transport_bar(state_->look, model, free, commands);
     welcome(state_->look, model, free, commands);
   }
-  captions(state_->look, model, free);
+  const float bar = state_->shows_bar() ? transport_height(state_->look, model, free) : 0;
+  captions(state_->look, model, free, bar);
   state_->notice.other_server |= std::exchange(state_->remote.renamed, false);
-  notices(state_->look, model, free, state_->notice, commands);
+  notices(state_->look, model, free, bar, state_->notice, commands);
   gallery_dialog(state_->look, model, free, state_->gallery, commands);
   file_dialog(state_->look, model, state_->file, commands);
   face_dialog(state_->look, model, state_->faces, commands);

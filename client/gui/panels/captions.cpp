@@ -39,7 +39,7 @@ void written(const Look& look, const char* id, const std::string& text, float x,
 
 }  // namespace
 
-void captions(const Look& look, const GuiModel& model, float width) {
+void captions(const Look& look, const GuiModel& model, float width, float bar) {
   const SpokenView& spoken = model.spoken;
   if (!spoken.shown || model.editor.active || model.composer.active) return;
   // Nothing is said any more.
@@ -50,8 +50,7 @@ void captions(const Look& look, const GuiModel& model, float width) {
     written(look, "title", spoken.title, width / 2, margin, 0, room);
   }
   if (spoken.caption.empty()) return;
-  const float above = transport_height(look, model, width);
-  written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - above - margin,
+  written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - bar - margin,
           1, room);
 }
 

@@ -58,10 +58,9 @@ std::string again(const RemoteSettings& tried, int in_s) {
 
 }  // namespace
 
-void notices(const Look& look, const GuiModel& model, float width, NoticeForm& form,
+void notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
              GuiCommands& commands) {
-  const float above = transport_height(look, model, width);
-  float bottom = ImGui::GetIO().DisplaySize.y - above - 14 * look.scale;
+  float bottom = ImGui::GetIO().DisplaySize.y - bar - 14 * look.scale;
   if (!model.notice.text.empty() && sentence(look, "notice", model.notice, width, bottom)) {
     commands.push_back(CloseNotice{});
   }

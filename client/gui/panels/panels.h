@@ -122,8 +122,9 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
 /// The part of the remote player's panel about sound: volume, level, device. Draws nothing if there
 /// is no device.
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands);
-/// Draws the stream's title and the caption over the face, at its top and its bottom.
-void captions(const Look& look, const GuiModel& model, float width);
+/// Draws the stream's title and the caption over the face, at its top and its bottom. `bar`: the
+/// height that the transport bar takes there.
+void captions(const Look& look, const GuiModel& model, float width, float bar);
 
 /// The notice about the connection.
 struct NoticeForm {
@@ -133,7 +134,8 @@ struct NoticeForm {
 };
 
 /// Shows over the face what is wrong with the connection and, for a while, what was just done.
-void notices(const Look& look, const GuiModel& model, float width, NoticeForm& form,
+/// `bar`: as for captions().
+void notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
              GuiCommands& commands);
 
 /// What is being typed in the file dialog.

@@ -46,6 +46,20 @@ TEST_F(OverFace, WhatIsSaidOfAServerThatWasGivenUpGoesWhenAnotherOneIsNamed) {
   EXPECT_FALSE(gui_->close_notice());
 }
 
+TEST_F(OverFace, WithoutTheBarItsPlaceIsFree) {
+  play_something();
+  model_.spoken.caption = "Yes.";
+  model_.playing.activity = Activity::Playing;
+  model_.notice.text = "saved";
+  frames(3);
+  const float caption = rect_of("caption").Max.y;
+  const float notice = rect_of("notice").Max.y;
+  gui_->toggle_bare();
+  frames(3);
+  EXPECT_GT(rect_of("caption").Max.y, caption + 20);
+  EXPECT_GT(rect_of("notice").Max.y, notice + 20);
+}
+
 TEST_F(OverFace, ANoticeIsWholeInItsFirstPicture) {
   model_.notice.text = "saved";
   frames(3);
