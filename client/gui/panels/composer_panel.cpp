@@ -162,6 +162,26 @@ void step_on_pad(const ComposerView& composer, const ArrowSteps& arrows, GuiComm
   ask(commands, ComposeMood{x, y, arrows.continued});
 }
 
+/// Draws the prototypes. Returns the one whose word the pointer is on; null: none.
+const PadPoint* prototypes(const Look& look, const ComposerView& composer, ImVec2 middle,
+                           ImVec2 reach) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float row = ImGui::GetTextLineHeight();
+  const PadPoint* pointed = nullptr;
+  for (const PadPoint& point : *composer.pad) {
+    const ImVec2 at(middle.x + point.x * reach.x, middle.y - point.y * reach.y);
+    list.AddCircleFilled(at, 3 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLines), 16);
+    const std::string label = data_word(point.label);
+    const float width = ImGui::CalcTextSize(label.c_str()).x;
+    // Beside the dot, towards the middle, where there is room.
+    const float x = point.x > 0.3F ? at.x - width - 6 * look.scale : at.x + 6 * look.scale;
+    const ImVec2 from(x, at.y - row / 2);
+    list.AddText(from, ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
+    if (ImGui::IsMouseHoveringRect(from, ImVec2(x + width, from.y + row))) pointed = &point;
+  }
+  return pointed;
+}
+
 /// The two emotional axes of thesis figure 3.3, with the prototypes where they lie.
 void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -195,15 +215,7 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
        from.y + gap / 2);
   word(tr("compose.calm"), middle.x - ImGui::CalcTextSize(tr("compose.calm")).x - gap,
        to.y - row - gap / 2);
-  for (const PadPoint& point : *composer.pad) {
-    const ImVec2 at(middle.x + point.x * reach.x, middle.y - point.y * reach.y);
-    list.AddCircleFilled(at, 3 * look.scale, ImGui::GetColorU32(ImGuiCol_PlotLines), 16);
-    const std::string label = data_word(point.label);
-    const float width = ImGui::CalcTextSize(label.c_str()).x;
-    // Beside the dot, towards the middle, where there is room.
-    const float x = point.x > 0.3F ? at.x - width - 6 * look.scale : at.x + 6 * look.scale;
-    list.AddText(ImVec2(x, at.y - row / 2), ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
-  }
+  const PadPoint* const word_of = prototypes(look, composer, middle, reach);
   if (composer.pad_at) {
     const ImVec2 at(middle.x + (*composer.pad_at)[0] * reach.x,
                     middle.y - (*composer.pad_at)[1] * reach.y);
@@ -212,9 +224,13 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
   if (!active) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float near = kSnap * look.scale;
-  const std::array<float, 2> wanted = snapped(
-      composer, std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F),
-      std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F), near / reach.x, near / reach.y);
+  // Who clicks on a word means it, not the place where it is written.
+  const bool named = word_of != nullptr && !ImGui::IsMouseDragging(0);
+  const std::array<float, 2> wanted =
+      named ? std::array<float, 2>{word_of->x, word_of->y}
+            : snapped(composer, std::clamp((mouse.x - middle.x) / reach.x, -1.0F, 1.0F),
+                      std::clamp((middle.y - mouse.y) / reach.y, -1.0F, 1.0F), near / reach.x,
+                      near / reach.y);
   if (composer.pad_at == wanted) return;
   ask(commands, ComposeMood{wanted[0], wanted[1], continued});
 }
