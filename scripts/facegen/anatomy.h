@@ -36,13 +36,13 @@ inline constexpr double kMouthCorner = 1.70;
 [[nodiscard]] double upper_lip_border(const Identity& who, double x);
 [[nodiscard]] double lower_lip_border(const Identity& who, double x);
 
-/// The furrow from the wing of the nose to beside the corner of the mouth: x, y and how deep it is
+/// The furrow from the wing of the nose past the corner of the mouth: x, y and how deep it is
 /// there, 1 at its deepest. Years engrave it (`Form::furrow`), smiles deepen and draw it.
 inline constexpr std::array<Vec3, 5> kFurrow{{{1.16, -0.28, 0.3},
-                                              {1.47, -0.78, 1.0},
-                                              {1.90, -1.30, 1.0},
-                                              {2.27, -1.82, 0.7},
-                                              {2.44, -2.30, 0.0}}};
+                                              {1.46, -0.85, 0.9},
+                                              {1.83, -1.46, 1.0},
+                                              {2.22, -2.10, 0.75},
+                                              {2.46, -2.85, 0.0}}};
 
 /// The spine of the brow in the front plane (z = 0) from t = 0 at the nose to 1 at the temple, and
 /// half of its width there.

@@ -7,7 +7,7 @@ namespace aucast::facegen {
 namespace {
 
 constexpr int kEyeSectors = 60;
-constexpr double kPupilRadius = 0.205;
+constexpr double kPupilRadius = 0.22;
 
 /// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
 Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, double nasal) {
@@ -24,7 +24,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
     return t < 0.08 ? c * 0.35 : c;
   }
   // Faint: all of it comes into view when the eye looks aside.
-  const double corner = smooth_step(0.60, 1.25, radius);
+  const double corner = smooth_step(0.55, 1.10, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
   c = mix(c, kCaruncle, 0.45 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.06 ? mix(kLimbus, c, 0.35) : c;

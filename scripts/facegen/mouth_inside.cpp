@@ -217,7 +217,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
       vertex.colour *= kLightOnLowerTeeth;
       // The end of the row seen past the tongue would be a grey block.
       vertex.colour *=
-          mix(Vec3{0.22, 0.16, 0.15}, Vec3{1}, smooth_step(5.0, 7.0, vertex.position.z));
+          mix(Vec3{0.50, 0.29, 0.24}, Vec3{1}, smooth_step(5.0, 7.0, vertex.position.z));
       vertex.occlusion *= 0.5;
     }
     vertex.gloss *= mix(0.2, 1.0, light);
@@ -231,9 +231,9 @@ void shade_tongue(Part& tongue) {
     const Vec3& p = vertex.position;
     vertex.occlusion = mix(0.12, 0.74, smooth_step(5.0, 7.0, p.z));
     vertex.gloss = mix(0.1, 1.6, smooth_step(5.9, 7.0, p.z));
-    vertex.colour *= mix(0.20, 1.75, smooth_step(4.4, 6.9, p.z)) *
-                     mix(0.45, 1.0, smooth_step(1.30, 0.55, std::abs(p.x))) *
-                     (1 - 0.10 * bell(p.x, 0.20) * smooth_step(7.2, 6.4, p.z));
+    vertex.colour *= mix(0.26, 1.40, smooth_step(4.2, 6.9, p.z)) *
+                     mix(0.60, 1.0, smooth_step(1.40, 0.60, std::abs(p.x))) *
+                     (1 - 0.24 * bell(p.x, 0.18) * smooth_step(7.2, 6.4, p.z));
   }
 }
 
@@ -318,7 +318,7 @@ Part make_tongue() {
   for (int j = 0; j <= kAlong; ++j) {
     const double b = kPi * j / kAlong;  // tip to root
     const double z = 5.40 + 1.95 * std::cos(b);
-    const double width = 1.34 * power(std::sin(b), 0.62) * (1 - 0.16 * std::cos(b));
+    const double width = 1.34 * power(std::sin(b), 0.62) * (1 - 0.24 * std::cos(b));
     // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
     const double height = power(std::sin(b), 0.6) * mix(0.55, 0.24, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
@@ -373,14 +373,14 @@ Part make_mouth_bag(const Skin& skin) {
       if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront * mix(0.7, 0.9, place.corner), kMouthBack,
+      const Vec3 colour = mix(kMouthFront * mix(0.8, 1.3, place.corner), kMouthBack,
                               smooth_step(0.05, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // A trace, that the walls of the open mouth are red and not black; more, and the lights from
       // behind would draw them.
-      vertex.occlusion = 0.14 * smooth_step(0.9, 0.3, shape.back);
+      vertex.occlusion = 0.42 * smooth_step(1.0, 0.25, shape.back);
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;

@@ -76,9 +76,9 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
-    c = mix(kLipInside * 0.95, kMouthFront * 0.5, inwards * mix(0.7, 0.5, to_corner));
+    c = mix(kLipInside * 0.95, kMouthFront * 0.5, inwards * mix(0.7, 0.4, to_corner));
     // Lit, the corners' insides would hang as curtains before the dark.
-    c *= 1 - 0.55 * smooth_step(0.75, 0.95, to_corner);
+    c *= 1 - 0.10 * smooth_step(0.75, 0.95, to_corner);
   }
   vertex.colour = c;
   vertex.gloss = border ? 1.0 : 1.8;
@@ -165,7 +165,7 @@ void shade_inner_lips(Skin& skin) {
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
     const double to_corner = saturate(v.position.x / kMouthCorner);
-    skin.part.vertices[i].occlusion *= mix(0.65, 0.05, inwards) * (1 - 0.8 * to_corner);
+    skin.part.vertices[i].occlusion *= mix(0.75, 0.30, inwards) * (1 - 0.5 * to_corner);
     skin.part.vertices[i].gloss *= 0.3;
   }
 }

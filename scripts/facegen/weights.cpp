@@ -1,5 +1,7 @@
 #include "scripts/facegen/weights.h"
 
+#include <limits>
+
 #include "scripts/facegen/anatomy.h"
 
 namespace aucast::facegen {
@@ -12,7 +14,7 @@ double smile_field(const Vec3& p) {
   const double x = std::abs(p.x);
   const double nose = smooth_step(-1.15, -0.35, p.y) * smooth_step(2.0, 1.05, x);
   const double from_attachment = glm::length(Vec3{x, p.y, p.z} - Vec3{3.805, 0.868, 6.6});
-  const double outer = mix(0.20, 1.0, smooth_step(2.0, 4.1, from_attachment));
+  const double outer = mix(0.20, 1.0, smooth_step(2.6, 4.2, from_attachment));
   return (1 - nose) * outer * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
 }
 
@@ -38,10 +40,27 @@ double nose_wing_field(const Vec3& p) {
          smooth_step(6.0, 7.0, p.z);
 }
 
-/// 1 on the furrow from the wing of the nose to beside the corner of the mouth.
+/// 1 on the furrow from the wing of the nose past the corner of the mouth; below 0 on the cheek
+/// along it, which swells as the furrow gets deeper. A groove alone is a scratch.
 double nasolabial_field(const Vec3& p) {
   if (p.z < 5) return 0;
-  return near_line(kFurrow, {std::abs(p.x), p.y}, 0.26);
+  const glm::dvec2 place{std::abs(p.x), p.y};
+  double nearest = std::numeric_limits<double>::max();
+  double swell = 0;
+  for (std::size_t i = 0; i + 1 < kFurrow.size(); ++i) {
+    const glm::dvec2 edge = glm::dvec2{kFurrow[i + 1]} - glm::dvec2{kFurrow[i]};
+    const glm::dvec2 from_begin = place - glm::dvec2{kFurrow[i]};
+    const double t = saturate(glm::dot(from_begin, edge) / glm::dot(edge, edge));
+    const double away = glm::length(from_begin - edge * t);
+    if (away >= nearest) continue;
+    nearest = away;
+    const double outwards = glm::dot(from_begin, glm::dvec2{-edge.y, edge.x}) / glm::length(edge);
+    // Beside the wing of the nose it would be a muzzle, beside the corner of the mouth a jowl.
+    const double along = static_cast<double>(i) + t;
+    swell = smooth_step(0.2, 2.2, along) * smooth_step(3.9, 2.5, along) *
+            smooth_step(0.08, 0.50, outwards) * smooth_step(1.55, 0.55, away);
+  }
+  return near_line(kFurrow, place, 0.24) - 0.9 * swell;
 }
 
 double glabella_field(const Vec3& p) {
@@ -85,11 +104,14 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   vertex[Map::LidAngle] = share * (own - target);
 }
 
-/// From 0 in the middle of a lip to 1 in the corner of the mouth along an ellipse, so that the jaw
-/// opens an oval: powers gave a box or a rhombus.
+/// From 0 in the middle of a lip to 1 where the lips stay together, along an ellipse, so that the
+/// jaw opens an oval: powers gave a box or a rhombus. That is before the corner of the mouth, or
+/// the opening is a lens with pointed ends.
 double towards_corner(double t) {
-  constexpr double kFull = 0.89;  // 1 would tear the corner
-  return (1 - std::sqrt(1 - kFull * t * t)) / (1 - std::sqrt(1 - kFull));
+  constexpr double kTogether = 0.93;
+  constexpr double kFull = 0.94;  // 1 would tear the skin there
+  const double way = std::min(1.0, t / kTogether);
+  return (1 - std::sqrt(1 - kFull * way * way)) / (1 - std::sqrt(1 - kFull));
 }
 
 void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
@@ -100,7 +122,8 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
       upper ? 0.48 * towards_corner(to_corner) : 1 - 0.52 * towards_corner(to_corner);
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
-  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], lower, blend);
+  // Near the corner the lower lip stays with the upper one.
+  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], smooth_step(12.5, 15.6, v.spoke), blend);
   // The levators lift the ends of the lip less than the rest, or it opens as a box, and the middle,
   // which the septum holds, less than beside it, or it becomes a beak.
   const double from_middle = upper ? v.spoke : 24 - v.spoke;

@@ -72,7 +72,8 @@ TEST_F(DefaultFaceMesh, IsFiniteAndWithinItsRanges) {
     for (const float value : values) {
       ASSERT_TRUE(std::isfinite(value)) << name;
       if (name == "lid_angle") continue;
-      ASSERT_GE(value, 0) << name;
+      // Beside the furrow the cheek swells.
+      ASSERT_GE(value, name == "nasolabial" ? -1 : 0) << name;
       ASSERT_LE(value, 1) << name;
     }
   }
@@ -205,6 +206,39 @@ TEST_F(DefaultFaceMesh, PartsAndSealsTheLipsAlongTheWholeMouth) {
     EXPECT_GT(lip_gap(dropped, spoke), lip_gap(open, spoke)) << spoke;
   }
   EXPECT_GT(lip_gap(posed(27), 0), 1.5F);
+}
+
+TEST_F(DefaultFaceMesh, OpensTheMouthAsAnOvalThatEndsBeforeItsCorners) {
+  // A lens gets evenly lower up to its points.
+  for (const int number : {26, 27}) {
+    const auto positions = posed(number);
+    EXPECT_LT(lip_gap(positions, 11), 0.08F * lip_gap(positions, 0)) << "AU" << number;
+    EXPECT_GT(lip_gap(positions, 9), 0.40F * lip_gap(positions, 0)) << "AU" << number;
+  }
+}
+
+TEST_F(DefaultFaceMesh, SwellsTheCheekBesideAFurrowThatGetsDeeper) {
+  const std::vector<glm::vec3>& rest = face().mesh.positions;
+  const auto deeper = driven("nasolabial_furrow", 1);
+  const auto forward = [&](const glm::vec2& place) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      const auto away = [&](std::size_t k) { return glm::distance(glm::vec2{rest[k]}, place); };
+      if (rest[i].z > 5 && away(i) < away(at)) at = i;
+    }
+    return deeper[at].z - rest[at].z;
+  };
+  const glm::vec2 furrow{facegen::kFurrow[2]};
+  EXPECT_LT(forward(furrow), -0.05F);
+  EXPECT_GT(forward(furrow + glm::vec2{0.5F, 0.4F}), 0.03F);
+}
+
+TEST_F(DefaultFaceMesh, CoversTheTopOfTheIrisWithTheLidAtRest) {
+  // An iris that shows whole stares.
+  const std::uint32_t lid = skin_vertex(Patch::Eye, facegen::kLidInnerRing, 4);
+  const float above = face().mesh.positions[lid].y - face().eyes[0].centre.y;
+  EXPECT_LT(above, 0.85F * static_cast<float>(facegen::kIrisRadius));
+  EXPECT_GT(above, 0.55F * static_cast<float>(facegen::kIrisRadius)) << "sleepy";
 }
 
 TEST_F(DefaultFaceMesh, KeepsTheLipsShutWhereNoActionUnitPartsThem) {

@@ -190,7 +190,7 @@ void main() {
 
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
-  result *= mix(1.0, 0.36, smoothstep(-0.05, 0.50, from_centre.y));
+  result *= mix(1.0, 0.34, smoothstep(-0.22, 0.44, from_centre.y));
   // The lower lid meets it in shade, or the ball is a wedge with a cut end.
   result *= mix(0.62, 1.0, smoothstep(-0.50, -0.12, from_centre.y));
   result = with_reflections(result, view, normal);
