@@ -22,7 +22,7 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"compose.calm", "calm"},
     {"compose.keyframe", "Keyframe {number}"},
     {"compose.new_keyframe", "New keyframe"},
-    {"compose.double", "Add copy"},
+    {"compose.double", "Copy"},
     {"compose.add", "Add it"},
     {"compose.take", "Take"},
     {"compose.take_tip", "the AUs that the face shows now, playing or as an expression"},
