@@ -87,6 +87,14 @@ std::string unsaved_in_words(const GuiModel& model) {
   return text;
 }
 
+/// Whether nothing in the editor is unsaved when the AU is saved that is edited. An expression that
+/// is no AU has no place to go to, and a name is saved with its AU.
+bool can_save(const EditorView& editor) {
+  const bool others = std::any_of(editor.names.begin(), editor.names.end(),
+                                  [&](const auto& name) { return name.first != editor.au; });
+  return !editor.unsaved || (editor.au > 0 && !others);
+}
+
 void leave_question(const Look& look, const GuiModel& model, GuiCommands& commands) {
   const std::string whole_title = with_id(tr("leave.title"), "leave");
   const char* const title = whole_title.c_str();
@@ -103,9 +111,9 @@ void leave_question(const Look& look, const GuiModel& model, GuiCommands& comman
   ImGui::TextUnformatted(why.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  const float buttons = ImGui::CalcTextSize(tr("leave.stay")).x +
-                        ImGui::CalcTextSize(tr("leave.leave")).x + 4 * style.FramePadding.x +
-                        style.ItemSpacing.x;
+  const float buttons =
+      ImGui::CalcTextSize(tr("leave.stay")).x + ImGui::CalcTextSize(tr("button.save")).x +
+      ImGui::CalcTextSize(tr("leave.leave")).x + 6 * style.FramePadding.x + 2 * style.ItemSpacing.x;
   // The key that asked is not an answer.
   const bool escaped = !ImGui::IsWindowAppearing() &&
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
@@ -113,6 +121,14 @@ void leave_question(const Look& look, const GuiModel& model, GuiCommands& comman
     commands.push_back(Leave{false});
     ImGui::CloseCurrentPopup();
   }
+  const bool saves = can_save(model.editor);
+  if (buttons <= room) ImGui::SameLine();
+  ImGui::BeginDisabled(!saves);
+  if (ImGui::Button(tr("button.save"))) {
+    commands.push_back(Leave{.really = false, .saves = true});
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndDisabled();
   if (buttons <= room) ImGui::SameLine();
   if (ImGui::Button(tr("leave.leave"))) {
     commands.push_back(Leave{true});
@@ -318,8 +334,11 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   state_->notice.other_server |= std::exchange(state_->remote.renamed, false);
   notices(state_->look, model, free, bar, state_->notice, commands);
   gallery_dialog(state_->look, model, free, state_->gallery, commands);
-  file_dialog(state_->look, model, state_->file, commands);
-  face_dialog(state_->look, model, state_->faces, commands);
+  // Of two questions side by side ImGui would show none.
+  if (!model.asks_to_leave) {
+    file_dialog(state_->look, model, state_->file, commands);
+    face_dialog(state_->look, model, state_->faces, commands);
+  }
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, model, commands);
   state_->focus.end();

@@ -245,7 +245,8 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::SettingsCommand& one) { settings_.apply(one, now); },
       [&](const gui::Leave& one) {
         asks_to_leave_ = false;
-        leaving_ = one.really;
+        if (one.saves) save_all(now);
+        leaving_ = one.really || (one.saves && !unsaved());
       },
       [&](const gui::FaceCommand& one) { apply_face(one, now); },
       [&](const gui::CloseNotice&) { notices_.clear(); },
@@ -380,9 +381,18 @@ void WindowSession::save(Instant now) {
   if (shown_ == Shown::Composer) apply(gui::SaveComposition{}, now);
 }
 
+/// A stream without a file opens the dialog.
+void WindowSession::save_all(Instant now) {
+  if (editor_.unsaved() && editor_.au()) {
+    apply(gui::SaveAu{*editor_.au()}, now);
+    if (editor_.unsaved()) return;  // why is said
+  }
+  if (composer_.unsaved()) apply(gui::SaveComposition{}, now);
+}
+
 void WindowSession::ask_to_leave() {
   // Asking twice is an answer.
-  leaving_ = asks_to_leave_ || !(editor_.unsaved() || composer_.unsaved());
+  leaving_ = asks_to_leave_ || !unsaved();
   asks_to_leave_ = !leaving_;
 }
 

@@ -136,6 +136,8 @@ class WindowSession {
   [[nodiscard]] Result<std::string> copy_face(const gui::CopyFace& wanted, Instant now);
   [[nodiscard]] Result<std::string> rename_face(const gui::RenameFace& wanted, Instant now);
   [[nodiscard]] Result<std::string> delete_face(const gui::DeleteFace& wanted, Instant now);
+  void save_all(Instant now);
+  [[nodiscard]] bool unsaved() const { return editor_.unsaved() || composer_.unsaved(); }
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] Named named() const;

@@ -86,6 +86,7 @@ struct LookFrom {
 /// The user's answer to the question whether to leave with unsaved changes.
 struct Leave {
   bool really = false;
+  bool saves = false;  ///< saves what is unsaved, and leaves if that works
 };
 
 /// Opens the file dialog.

@@ -240,7 +240,6 @@ TEST_F(WindowSessionFaceTest, AFaceThatAnotherProgramTookAwayIsNotDeleted) {
   ask(gui::ShowFace{small_.string()});
   fs::rename(small_, home_.path() / "elsewhere");
   ask(gui::DeleteFace{small_.string()});
-  EXPECT_TRUE(model().notice.bad);
   EXPECT_NE(model().notice.text.find("cannot be deleted"), std::string::npos)
       << model().notice.text;
   EXPECT_EQ(assets_->face.name, "default") << "there is nothing to go back to";
@@ -260,7 +259,6 @@ TEST_F(WindowSessionFaceTest, ACopyThatCannotBeMadeIsSaidAndNothingIsLost) {
   fs::remove_all(home_.path() / "aucast" / "faces");
   home_.write("aucast/faces", "a file where a folder should be");
   ask(gui::CopyFace{model().faces.shown, "anna"});
-  EXPECT_TRUE(model().notice.bad);
   EXPECT_NE(model().notice.text.find("cannot be copied to"), std::string::npos)
       << model().notice.text;
   EXPECT_EQ(session_->face_changes(), 0U);
@@ -418,6 +416,33 @@ TEST_F(WindowSessionFaceTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
   ask(gui::NameAu{77, "big yawn"});
   ask(gui::RevertAu{});
   EXPECT_FALSE(model().editor.unsaved);
+}
+
+TEST_F(WindowSessionFaceTest, WhoLeavesSavesAndThenLeaves) {
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  session_->ask_to_leave();
+  ask(gui::Leave{.really = false, .saves = true});
+  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(entry_of(model(), 12).own);
+}
+
+TEST_F(WindowSessionFaceTest, NobodyLeavesWhenSavingFailsOrAsksForAName) {
+  fs::remove_all(home_.path() / "aucast" / "faces");
+  home_.write("aucast/faces", "a file where a folder should be");
+  ask(gui::LoadAu{12});
+  ask(gui::SetChannel{channel("jaw"), 3.5F, false});
+  session_->ask_to_leave();
+  ask(gui::Leave{.really = false, .saves = true});
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().notice.bad) << "why is said";
+  ask(gui::RevertAu{});
+  ask(gui::ComposeAu{26, 50, 50, false});
+  ask(gui::AddKeyframe{});
+  session_->ask_to_leave();
+  ask(gui::Leave{.really = false, .saves = true});
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().browser.open) << "the stream has no file yet";
 }
 
 TEST_F(WindowSessionFaceTest, WhatIsSaidOfAusIsSaidInTheNewLanguage) {

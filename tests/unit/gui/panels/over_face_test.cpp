@@ -91,5 +91,42 @@ TEST_F(OverFace, TheQuestionOnLeavingFitsWithLargeLetters) {
   EXPECT_GT(question()->Size.y, before) << "the stream is named too";
 }
 
+TEST_F(OverFace, TheQuestionOnLeavingStandsAloneOverAnOpenDialog) {
+  model_.browser.open = true;
+  model_.browser.folder = "/streams";
+  frames(4);
+  model_.asks_to_leave = true;
+  frames(4);
+  const ImGuiWindow* const question = ImGui::FindWindowByID(ImHashStr("###leave"));
+  ASSERT_NE(question, nullptr);
+  EXPECT_TRUE(question->Active);
+  EXPECT_FALSE(question->Appearing) << "it can be answered";
+  model_.asks_to_leave = false;
+  frames(4);
+  const ImGuiWindow* const dialog = ImGui::FindWindowByID(ImHashStr("###files"));
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->Active) << "it was not closed by the question";
+}
+
+TEST_F(OverFace, SavingIsNotOfferedWhenSomethingStaysUnsaved) {
+  const auto saves = [this] {
+    frames(4);
+    const ImGuiWindow* const question = ImGui::FindWindowByID(ImHashStr("###leave"));
+    commands_.clear();
+    for (int i = 0; i < 6 && !asked<Leave>(); ++i) {
+      press(ImGuiKey_Tab);
+      if (focus() == ImHashStr("Save", 0, question->ID)) press(ImGuiKey_Enter);
+    }
+    return asked<Leave>() && asked<Leave>()->saves;
+  };
+  model_.asks_to_leave = true;
+  model_.editor.unsaved = true;
+  model_.editor.au = 2;
+  model_.editor.names = {{77, "yawn"}};
+  EXPECT_FALSE(saves()) << "the name is another AU's";
+  model_.editor.au = 77;
+  EXPECT_TRUE(saves());
+}
+
 }  // namespace
 }  // namespace aucast::gui
