@@ -1,5 +1,7 @@
 #include <mpg123.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +14,8 @@ namespace aucast::voice {
 namespace {
 
 constexpr std::size_t kTagHeader = 10;
+/// More tags than this before the sound are no MP3 file; each takes a read.
+constexpr int kTagsMax = 16;
 /// As far into the first frame as a Xing header can begin.
 constexpr std::size_t kLookBytes = 64;
 /// What writers of Xing headers disagree about: whether the frame that has it counts.
@@ -25,13 +29,14 @@ unsigned byte_of(std::string_view bytes, std::size_t at) {
 /// times seven bits.
 std::int64_t after_tags(int descriptor) {
   std::int64_t at = 0;
-  while (true) {
+  for (int tags = 0; tags < kTagsMax; ++tags) {
     const std::string tag = bytes_at(descriptor, at, kTagHeader);
-    if (tag.size() < kTagHeader || !tag.starts_with("ID3")) return at;
+    if (tag.size() < kTagHeader || !tag.starts_with("ID3")) break;
     std::int64_t length = 0;
     for (std::size_t i = 6; i < kTagHeader; ++i) length = length * 128 + (byte_of(tag, i) & 127U);
     at += static_cast<std::int64_t>(kTagHeader) + length;
   }
+  return at;
 }
 
 /// Whether a frame of MPEG audio begins there.
@@ -99,7 +104,9 @@ class Mp3Reader final : public SoundReader {
     if (count_ < 1 || channels != 1 || encoding != MPG123_ENC_FLOAT_32) return "it has no samples";
     const std::string first = bytes_at(file_.number(), after_tags(file_.number()), kLookBytes);
     const std::int64_t there = mpg123_framelength(decoder);
-    if (const auto told = frames_told(first); told && *told > there + kOwnFrame) {
+    const auto told = frames_told(first);
+    all_there_ = told && *told <= there + kOwnFrame;
+    if (told && !all_there_) {
       missing_ = "of " + counted(static_cast<std::uint64_t>(*told), "frame") + " it has " +
                  std::to_string(there);
     }
@@ -118,8 +125,11 @@ class Mp3Reader final : public SoundReader {
       done += got;
       ended_ = state != MPG123_OK || got == 0;
       if (state == MPG123_NEW_FORMAT) complaint_ = "its sample rate changes";
-      if (state == MPG123_ERR) complaint_ = mpg123_strerror(decoder_.get());
       if (state == MPG123_DONE) complaint_ = missing_;
+      if (state == MPG123_ERR) {
+        const std::string why = mpg123_strerror(decoder_.get());
+        complaint_ = only_tags_follow() ? missing_ : why;
+      }
     }
     return done / sizeof(float);
   }
@@ -127,10 +137,30 @@ class Mp3Reader final : public SoundReader {
   [[nodiscard]] std::string complaint() const override { return complaint_; }
 
  private:
+  [[nodiscard]] bool found_no_frame() const {
+    return mpg123_errcode(decoder_.get()) == MPG123_RESYNC_FAIL;
+  }
+
+  /// After an error: whether the sound is over, and libmpg123 stumbles over what some programs put
+  /// behind it, such as tags of APE and Lyrics3. It looks for a frame in the next 1024 bytes, and
+  /// goes on behind them when it is asked again.
+  [[nodiscard]] bool only_tags_follow() {
+    if (!found_no_frame()) return false;
+    if (all_there_) return true;
+    std::array<std::byte, 4096> sound{};
+    std::size_t got = 0;
+    int state = MPG123_ERR;
+    while (state == MPG123_ERR && got == 0 && found_no_frame()) {
+      state = mpg123_read(decoder_.get(), sound.data(), sound.size(), &got);
+    }
+    return state == MPG123_DONE && got == 0;
+  }
+
   Descriptor file_;
   std::unique_ptr<mpg123_handle, DeleteDecoder> decoder_;
   long rate_ = 0;
   std::int64_t count_ = 0;
+  bool all_there_ = false;  ///< all frames that the Xing header tells of
   std::string missing_;
   std::string complaint_;
   bool ended_ = false;  ///< after an error libmpg123 would go on behind what is broken
@@ -141,8 +171,13 @@ class Mp3Reader final : public SoundReader {
 bool is_mp3(int descriptor) {
   const std::int64_t begin = after_tags(descriptor);
   const std::string first = bytes_at(descriptor, begin, 4);
-  // Before a FLAC file such tags are rare, elsewhere unknown.
-  return is_frame(first) || (begin > 0 && first != "fLaC");
+  if (is_frame(first)) return true;
+  // Such tags are rare before other kinds. Behind them in an MP3 file there may be padding first.
+  constexpr std::array<std::string_view, 5> kOthers{"fLaC", "FORM", "RIFF", "OggS", "ID3"};
+  const bool other = std::any_of(kOthers.begin(), kOthers.end(), [&first](std::string_view kind) {
+    return first.starts_with(kind);
+  });
+  return begin > 0 && !other;
 }
 
 Result<std::unique_ptr<SoundReader>> open_mp3(int descriptor) {

@@ -4,6 +4,8 @@
 #include <sndfile.h>
 #include <sys/stat.h>
 
+#include "common/files.h"
+#include "common/voice/sound_reader.h"
 #include "common/voice/voice_encoder.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/voice/speech_like.h"
@@ -161,6 +163,57 @@ TEST(SoundFile, AnMp3FileIsReadWithoutAWordOfTheLibrarys) {
     testing::internal::CaptureStderr();
     static_cast<void>(complaint_of(path));
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  }
+}
+
+TEST(SoundFile, AnMp3FileIsWholeWhateverIsBehindItsLastFrame) {
+  const TempFolder folder;
+  const int format = SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III;
+  const auto path = write_sound(folder, "a.mp3", format, 44100, 1, 4);
+  const std::string whole = folder.read("a.mp3");
+  const std::string tags = std::string(4096, '\0') + "LYRICSBEGIN" + std::string(4096, 'a');
+  std::string untold = whole;
+  const std::size_t header = std::min(whole.find("Xing"), whole.find("Info"));
+  ASSERT_NE(header, std::string::npos);
+  untold.replace(header, 4, 4, '\0');
+  for (const std::string& sound : {whole, untold}) {
+    folder.write("a.mp3", sound);
+    auto plain = SoundFile::open(path);
+    ASSERT_TRUE(plain);
+    const std::size_t count = read_all(*plain).size();
+    folder.write("a.mp3", sound + tags);
+    auto tagged = SoundFile::open(path);
+    ASSERT_TRUE(tagged) << tagged.error().message;
+    EXPECT_EQ(read_all(*tagged).size(), count);
+    EXPECT_EQ(tagged->complaint(), "");
+    const std::size_t half = sound.size() / 2;
+    folder.write("a.mp3", sound.substr(0, half) + tags + sound.substr(half));
+    EXPECT_NE(complaint_of(path), "") << "there is sound behind it";
+  }
+  folder.write("a.mp3", whole.substr(0, whole.size() / 2) + tags);
+  EXPECT_NE(complaint_of(path).find(" frames it has "), std::string::npos) << complaint_of(path);
+}
+
+TEST(SoundFile, ATagBeforeTheSoundDoesNotMakeItMp3) {
+  const TempFolder folder;
+  for (const int format : {SF_FORMAT_AIFF, SF_FORMAT_WAV, SF_FORMAT_FLAC}) {
+    const auto path = write_sound(folder, "a", format | SF_FORMAT_PCM_16, 16000, 1, 1);
+    folder.write("a", std::string("ID3\x04\0\0\0\0\0\x05junk\0", 15) + folder.read("a"));
+    auto file = SoundFile::open(path);
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_NEAR(static_cast<double>(read_all(*file).size()), kEncoderRate, 10);
+  }
+}
+
+TEST(SoundFile, TagsWithoutAnEndAreNotFollowed) {
+  const TempFolder folder;
+  std::string tags;
+  for (const bool mp3 : {true, false}) {
+    for (int i = 0; i < 16; ++i) tags.append("ID3\x04\0\0\0\0\0\0", 10);
+    const auto descriptor = open_file(folder.write("a.mp3", tags + "\xff\xfb\x90\x64"));
+    ASSERT_TRUE(descriptor);
+    EXPECT_EQ(is_mp3(*descriptor), mp3);
+    close_file(*descriptor);
   }
 }
 
