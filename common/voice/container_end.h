@@ -7,7 +7,7 @@ namespace aucast::voice {
 /// How the end of a sound file shows that it was cut off, which decoders do not tell.
 struct ContainerEnd {
   std::string missing;  ///< what is missing, in words; empty: it is whole, as far as one can see
-  bool within_page = false;  ///< of Ogg: it ends within a page, and so its length is unknown
+  bool within_page = false;  ///< of Ogg: no whole page is at its end, and so its length is unknown
 };
 
 /// Looks at WAV (and RF64) and Ogg. A WAV file that was written to a pipe does not know how much

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kChannelsMax = 64;
 constexpr std::size_t kFramesAtOnce = 4096;
-/// What libsndfile says of an Ogg file whose end it cannot find.
+/// What libsndfile says of an Ogg file whose end it cannot find, and of FLAC from a pipe.
 constexpr sf_count_t kUnknownLength = std::numeric_limits<sf_count_t>::max();
 
 struct CloseFile {
@@ -93,10 +93,13 @@ Result<std::unique_ptr<SoundReader>> open_sndfile(int descriptor) {
   if (info.channels < 1 || info.channels > kChannelsMax || info.frames < 1) {
     return wrong("it has no samples");
   }
-  if (end.within_page || info.frames == kUnknownLength) {
+  if (end.within_page) {
     return wrong(
-        "it was cut off, for it ends within a page of Ogg, and does not say how long it "
-        "is; ffmpeg -i OLD -c copy NEW mends it");
+        "its end is no whole page of Ogg: it was cut off, or something follows; "
+        "ffmpeg -i OLD -c copy NEW mends it");
+  }
+  if (info.frames == kUnknownLength) {
+    return wrong("it does not say how long it is; ffmpeg -i OLD NEW mends it");
   }
   return std::unique_ptr<SoundReader>(
       std::make_unique<SndfileReader>(std::move(file), info, end.missing));

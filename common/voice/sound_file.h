@@ -17,8 +17,8 @@ namespace aucast::voice {
 class SoundFile {
  public:
   /// Unreadable when the file is missing or no regular file, BadData when there is no sound in it,
-  /// its header tells of a day or more, or its length is unknown since it ends within a page of
-  /// Ogg.
+  /// its header tells of a day or more, or its length is unknown: Ogg whose end is no whole page,
+  /// FLAC from a pipe.
   [[nodiscard]] static Result<SoundFile> open(const std::filesystem::path& path);
   ~SoundFile();
   SoundFile(SoundFile&&) noexcept;

@@ -248,6 +248,29 @@ TEST(SoundFile, AHeaderThatTellsOfDaysIsNotBelieved) {
       << file.error().message;
 }
 
+TEST(SoundFile, AFlacFileFromAPipeIsNotCalledOgg) {
+  const TempFolder folder;
+  const auto path = write_sound(folder, "a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 16000, 1, 1);
+  std::string bytes = folder.read("a.flac");
+  // STREAMINFO, as in the test above: 0 is an unknown number.
+  bytes[21] = static_cast<char>(bytes[21] & 0xf0);
+  bytes.replace(22, 4, 4, '\0');
+  folder.write("a.flac", bytes);
+  const std::string why = complaint_of(path);
+  EXPECT_NE(why.find("it does not say how long it is; ffmpeg -i OLD NEW mends it"),
+            std::string::npos)
+      << why;
+}
+
+TEST(SoundFile, AnOggFileWithSomethingBehindItIsNotSaidToBeCutOff) {
+  const TempFolder folder;
+  const int format = SF_FORMAT_OGG | SF_FORMAT_VORBIS;
+  const auto path = write_sound(folder, "a.ogg", format, 48000, 1, 1);
+  folder.write("a.ogg", folder.read("a.ogg") + "something else");
+  const std::string why = complaint_of(path);
+  EXPECT_NE(why.find("it was cut off, or something follows; ffmpeg"), std::string::npos) << why;
+}
+
 TEST(SoundFile, AFifoIsRefusedAtOnce) {
   const TempFolder folder;
   const auto path = folder.path() / "fifo.wav";
