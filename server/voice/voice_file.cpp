@@ -27,6 +27,10 @@ Error with_remedy(Error error) {
 Result<VoiceFile> find_voice_file(const std::filesystem::path& path, Milliseconds begin) {
   const auto sound = voice::SoundFile::open(path);
   if (!sound) return with_remedy(sound.error());
+  if (sound->duration() == Milliseconds::zero()) {
+    return with_remedy(
+        {ErrorKind::BadData, at_place(path.string(), "it has less than a millisecond of sound")});
+  }
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     return with_remedy({ErrorKind::Unreadable,

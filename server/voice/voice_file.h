@@ -25,7 +25,7 @@ struct VoiceFile {
 };
 
 /// Checks a sound file without reading its sound. Unreadable or BadData, with the remedy, when it
-/// is none.
+/// is none, or has less than a millisecond.
 [[nodiscard]] Result<VoiceFile> find_voice_file(const std::filesystem::path& path,
                                                 Milliseconds begin);
 

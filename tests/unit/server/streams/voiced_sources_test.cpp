@@ -88,6 +88,19 @@ TEST_F(VoicedSources, ADelayThatLeavesNothingOfTheSoundIsRefused) {
       << refused.error().message;
 }
 
+TEST_F(VoicedSources, ASoundThatIsTooShortIsNotBlamedOnTheDelay) {
+  const auto face = write_face("talk.txt", 3);
+  write_wav("talk.wav", std::vector<float>(voice::kEncoderSamplesPerMs - 1));
+  const auto refused = load_sources({face});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::BadData);
+  EXPECT_NE(refused.error().message.find("talk.wav: it has less than a millisecond of sound (--no"),
+            std::string::npos)
+      << refused.error().message;
+  write_wav("talk.wav", std::vector<float>(voice::kEncoderSamplesPerMs));
+  EXPECT_TRUE(load_sources({face}));
+}
+
 TEST_F(VoicedSources, TheVoicedStreamHoldsTheFaceUntilTheVoiceIsOver) {
   const auto face = write_face("talk.txt", 2);
   write_wav("talk.wav", voice::test::speech_like(6));
