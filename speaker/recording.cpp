@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "common/text.h"
 #include "common/voice/sound_file.h"
@@ -21,8 +22,8 @@ std::string whole_seconds(Milliseconds time) {
 
 }  // namespace
 
-Result<std::vector<float>> read_recording(const std::filesystem::path& path, Milliseconds said,
-                                          Milliseconds longest) {
+Result<Recording> read_recording(const std::filesystem::path& path, Milliseconds said,
+                                 Milliseconds longest) {
   const auto wrong = [&path](const std::string& why) {
     return Error{ErrorKind::BadData, at_place(path.string(), why)};
   };
@@ -43,8 +44,9 @@ Result<std::vector<float>> read_recording(const std::filesystem::path& path, Mil
     read = file->read(std::span(samples).subspan(before));
     samples.resize(before + read);
   }
-  if (std::string broken = file->complaint(); !broken.empty()) {
-    return Error{ErrorKind::BadData, std::move(broken)};
+  std::string complaint = file->complaint();
+  if (file->damaged()) {
+    return Error{ErrorKind::BadData, complaint + " (ffmpeg -i OLD NEW keeps what can be decoded)"};
   }
   if (samples.size() > samples_max) {
     if (most < longest) return no_reading("more than " + whole_seconds(most));
@@ -52,8 +54,11 @@ Result<std::vector<float>> read_recording(const std::filesystem::path& path, Mil
                  ", the longest that is read; cut it and its text into parts");
   }
   const Milliseconds length(samples.size() / voice::kEncoderSamplesPerMs);
-  if (length < said / kOffMax) return no_reading(whole_seconds(length));
-  return samples;
+  if (length < said / kOffMax) {
+    if (!complaint.empty()) return Error{ErrorKind::BadData, std::move(complaint)};
+    return no_reading(whole_seconds(length));
+  }
+  return Recording{std::move(samples), std::move(complaint)};
 }
 
 }  // namespace aucast::speaker

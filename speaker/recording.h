@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "common/result.h"
@@ -12,11 +13,15 @@ namespace aucast::speaker {
 /// The longest recording that is read. It is held in memory, 230 MB for each hour.
 inline constexpr Milliseconds kRecordingMax = std::chrono::hours(3);
 
-/// Reads the recording of a text that takes the synthesiser `said`, as mono samples in [-1,1] at
-/// voice::kEncoderRate. Unreadable as SoundFile::open(); BadData when it is no sound, breaks off,
-/// lasts longer than `longest`, or less than a quarter of `said` or more than four times that.
-[[nodiscard]] Result<std::vector<float>> read_recording(const std::filesystem::path& path,
-                                                        Milliseconds said,
-                                                        Milliseconds longest = kRecordingMax);
+struct Recording {
+  std::vector<float> samples;  ///< mono, in [-1,1], at voice::kEncoderRate
+  std::string complaint;       ///< as SoundFile::complaint()
+};
+
+/// Reads the recording of a text that takes the synthesiser `said`. Unreadable as
+/// SoundFile::open(); BadData when it is no sound, is damaged, lasts longer than `longest`, or less
+/// than a quarter of `said` or more than four times that.
+[[nodiscard]] Result<Recording> read_recording(const std::filesystem::path& path, Milliseconds said,
+                                               Milliseconds longest = kRecordingMax);
 
 }  // namespace aucast::speaker

@@ -164,6 +164,10 @@ void fill_last_packet(Speech& speech) {
   speech.samples.resize((speech.samples.size() + packet - 1) / packet * packet);
 }
 
+void say(const std::string& message) {
+  std::fprintf(stderr, "au-speaker: %s\n", printable(message).c_str());
+}
+
 Result<Speech> speech_of(const Script& script, const Options& options) {
   auto spoken = speak(script.text, options.voice);
   if (!spoken) return spoken;
@@ -171,9 +175,12 @@ Result<Speech> speech_of(const Script& script, const Options& options) {
     fill_last_packet(*spoken);
     return spoken;
   }
-  auto samples = read_recording(options.recording, spoken->length());
-  if (!samples) return samples.error();
-  return carried_over(*spoken, *std::move(samples), voice::kEncoderRate);
+  auto recording = read_recording(options.recording, spoken->length());
+  if (!recording) return recording.error();
+  if (!recording->complaint.empty()) {
+    say(recording->complaint + "; the face is made for what there is");
+  }
+  return carried_over(*spoken, std::move(recording->samples), voice::kEncoderRate);
 }
 
 Result<Expressions> expressions_of(const Options& options) {
@@ -283,7 +290,7 @@ Result<void> obey(std::vector<std::string> arguments, Options& options) {
 }
 
 int report(const Error& error) {
-  std::fprintf(stderr, "au-speaker: %s\n", printable(error.message).c_str());
+  say(error.message);
   return exit_code(error);
 }
 

@@ -124,19 +124,23 @@ class Mp3Reader final : public SoundReader {
       const int state = mpg123_read(decoder_.get(), bytes.data() + done, bytes.size() - done, &got);
       done += got;
       ended_ = state != MPG123_OK || got == 0;
-      if (state == MPG123_NEW_FORMAT) complaint_ = "its sample rate changes";
-      if (state == MPG123_DONE) complaint_ = missing_;
-      if (state == MPG123_ERR) {
-        const std::string why = mpg123_strerror(decoder_.get());
-        complaint_ = only_tags_follow() ? missing_ : why;
-      }
+      if (ended_) end(state);
     }
     return done / sizeof(float);
   }
 
   [[nodiscard]] std::string complaint() const override { return complaint_; }
+  [[nodiscard]] bool damaged() const override { return damaged_; }
 
  private:
+  void end(int state) {
+    const std::string error = mpg123_strerror(decoder_.get());
+    const bool changes = state == MPG123_NEW_FORMAT;
+    damaged_ = changes || (state == MPG123_ERR && !only_tags_follow());
+    complaint_ = missing_;
+    if (damaged_) complaint_ = changes ? "its sample rate changes" : error;
+  }
+
   [[nodiscard]] bool found_no_frame() const {
     return mpg123_errcode(decoder_.get()) == MPG123_RESYNC_FAIL;
   }
@@ -163,6 +167,7 @@ class Mp3Reader final : public SoundReader {
   bool all_there_ = false;  ///< all frames that the Xing header tells of
   std::string missing_;
   std::string complaint_;
+  bool damaged_ = false;
   bool ended_ = false;  ///< after an error libmpg123 would go on behind what is broken
 };
 

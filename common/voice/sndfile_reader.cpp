@@ -51,6 +51,7 @@ class SndfileReader final : public SoundReader {
   }
 
   [[nodiscard]] std::string complaint() const override { return complaint_; }
+  [[nodiscard]] bool damaged() const override { return damaged_; }
 
  private:
   void average(std::span<float> samples) const {
@@ -66,7 +67,10 @@ class SndfileReader final : public SoundReader {
   /// At the end. libsndfile tells an error only once, and of a FLAC file that was cut between two
   /// of its frames not at all.
   void complain() {
-    if (sf_error(file_.get()) != 0) complaint_ = sf_strerror(file_.get());
+    if (sf_error(file_.get()) != 0) {
+      complaint_ = sf_strerror(file_.get());
+      damaged_ = true;
+    }
     if (complaint_.empty()) complaint_ = missing_;
     if (complaint_.empty() && done_ < info_.frames) {
       complaint_ = "of " + counted(static_cast<std::uint64_t>(info_.frames), "sample") +
@@ -78,6 +82,7 @@ class SndfileReader final : public SoundReader {
   SF_INFO info_;
   std::string missing_;
   std::string complaint_;
+  bool damaged_ = false;
   std::int64_t done_ = 0;  ///< how many samples were read
   std::vector<float> frames_;
 };

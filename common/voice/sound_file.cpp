@@ -27,6 +27,7 @@ struct DeleteConverter {
 struct SoundFile::State {
   std::string name;
   std::string complaint;
+  bool damaged = false;
   std::unique_ptr<SoundReader> reader;
   std::unique_ptr<SRC_STATE, DeleteConverter> converter;
   std::array<float, kSamplesAtOnce> samples{};
@@ -35,7 +36,10 @@ struct SoundFile::State {
   static long next_block(void* self, float** block) {
     auto& state = *static_cast<State*>(self);
     const std::size_t count = state.reader->read(state.samples);
-    if (count < kSamplesAtOnce) state.complaint = state.reader->complaint();
+    if (count < kSamplesAtOnce) {
+      state.complaint = state.reader->complaint();
+      state.damaged = state.reader->damaged();
+    }
     *block = state.samples.data();
     return static_cast<long>(count);
   }
@@ -83,7 +87,10 @@ std::size_t SoundFile::read(std::span<float> samples) {
     const long count =
         src_callback_read(state_->converter.get(), ratio, static_cast<long>(samples.size() - done),
                           samples.data() + done);
-    if (count < 0) state_->complaint = src_strerror(src_error(state_->converter.get()));
+    if (count < 0) {
+      state_->complaint = src_strerror(src_error(state_->converter.get()));
+      state_->damaged = true;
+    }
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
   }
@@ -93,6 +100,10 @@ std::size_t SoundFile::read(std::span<float> samples) {
 std::string SoundFile::complaint() const {
   if (state_->complaint.empty()) return {};
   return at_place(state_->name, "the sound breaks off before its end: " + state_->complaint);
+}
+
+bool SoundFile::damaged() const {
+  return state_->damaged;
 }
 
 Milliseconds SoundFile::duration() const {

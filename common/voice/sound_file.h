@@ -30,6 +30,9 @@ class SoundFile {
   /// its name; empty: it is whole. Of MP3 without a Xing header, and of WAV from a pipe, nobody can
   /// see it.
   [[nodiscard]] std::string complaint() const;
+  /// Whether the complaint is that the sound itself is damaged, and could not be decoded further.
+  /// Otherwise all was decoded that there is, and the file says that there was more.
+  [[nodiscard]] bool damaged() const;
   /// The length that the file's header gives, less than a day.
   [[nodiscard]] Milliseconds duration() const;
 

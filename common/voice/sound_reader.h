@@ -27,6 +27,9 @@ class SoundReader {
   /// Why there is less sound than there should be, known after the last read(); empty: all is
   /// there.
   [[nodiscard]] virtual std::string complaint() const = 0;
+  /// Whether the complaint is the decoder's, which met an error. Otherwise all was decoded that
+  /// there is.
+  [[nodiscard]] virtual bool damaged() const = 0;
 };
 
 /// Whether the file is what open_mp3() reads.

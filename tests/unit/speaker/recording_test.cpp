@@ -17,11 +17,11 @@ using namespace std::chrono_literals;
 
 class RecordingTest : public ::testing::Test {
  protected:
-  void write(Milliseconds length) const {
+  void write(Milliseconds length, int format = SF_FORMAT_WAV | SF_FORMAT_PCM_16) const {
     SF_INFO info{};
     info.samplerate = voice::kEncoderRate;
     info.channels = 1;
-    info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+    info.format = format;
     SNDFILE* const file = sf_open(path_.c_str(), SFM_WRITE, &info);
     const std::vector<float> samples(
         static_cast<std::size_t>(length.count()) * voice::kEncoderSamplesPerMs, 0.25F);
@@ -42,9 +42,34 @@ class RecordingTest : public ::testing::Test {
 
 TEST_F(RecordingTest, IsReadWhole) {
   write(62s);  // more than is read at a time
-  const auto samples = read_recording(path_, 50s);
-  ASSERT_TRUE(samples) << samples.error().message;
-  EXPECT_NEAR(static_cast<double>(samples->size()), 62.0 * voice::kEncoderRate, 200);
+  const auto recording = read_recording(path_, 50s);
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_NEAR(static_cast<double>(recording->samples.size()), 62.0 * voice::kEncoderRate, 200);
+  EXPECT_EQ(recording->complaint, "");
+}
+
+TEST_F(RecordingTest, OneThatIsShorterThanItSaysIsReadAndToldOf) {
+  write(10s);
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 100);
+  const std::string why = path_.string() +
+                          ": the sound breaks off before its end: of 320000 bytes of sound it "
+                          "has 319900";
+  const auto recording = read_recording(path_, 10s);
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_NEAR(static_cast<double>(recording->samples.size()), 10.0 * voice::kEncoderRate, 200);
+  EXPECT_EQ(recording->complaint, why);
+  EXPECT_EQ(refusal(41s), (Error{ErrorKind::BadData, why})) << "why it cannot be the text";
+}
+
+TEST_F(RecordingTest, OneThatIsDamagedIsRefused) {
+  write(10s, SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III);
+  std::string bytes = folder_.read("talk.wav");
+  bytes.insert(bytes.size() / 2, 5000, 'U');
+  folder_.write("talk.wav", bytes);
+  const Error error = refusal(10s);
+  EXPECT_EQ(error.kind, ErrorKind::BadData);
+  EXPECT_NE(error.message.find("the sound breaks off"), std::string::npos) << error.message;
+  EXPECT_NE(error.message.find("(ffmpeg -i OLD NEW keeps"), std::string::npos) << error.message;
 }
 
 TEST_F(RecordingTest, OneThatIsTooLongIsRefusedAndNotCut) {

@@ -41,6 +41,21 @@ TEST(SpeakerApp, GivesARecordedVoiceAFace) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "again/talk.wav"));
 }
 
+TEST(SpeakerApp, ARecordingThatWasCutOffIsToldOfAndGetsItsFace) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning, everybody.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({text, "-o", out}), 0);
+  const std::string voice = (folder.path() / "out/talk.wav").string();
+  std::filesystem::resize_file(voice, std::filesystem::file_size(voice) - 100);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", (folder.path() / "again").string(), "--voice", voice}), 0);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(said.starts_with("au-speaker: " + voice + ": the sound breaks off before its end: "))
+      << said;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "again/talk.txt"));
+}
+
 TEST(SpeakerApp, TellsWhenEachSoundIsHeard) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Pea.\n").string();

@@ -93,12 +93,13 @@ TEST(SoundFile, SaysThatItBreaksOff) {
     const char* name;
     int format;
     const char* why;
+    bool damaged;
   };
   const Row rows[] = {
-      {"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, "of 192000 bytes of sound it has "},
-      {"b.wav", SF_FORMAT_RF64 | SF_FORMAT_PCM_16, "of 192000 bytes of sound it has "},
-      {"c.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, ""},
-      {"d.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, " frames it has "},
+      {"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, "of 192000 bytes of sound it has ", false},
+      {"b.wav", SF_FORMAT_RF64 | SF_FORMAT_PCM_16, "of 192000 bytes of sound it has ", false},
+      {"c.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, "", true},
+      {"d.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, " frames it has ", false},
   };
   for (const Row& row : rows) {
     const auto path = write_sound(folder, row.name, row.format, 48000, 1, 2);
@@ -113,6 +114,7 @@ TEST(SoundFile, SaysThatItBreaksOff) {
     EXPECT_TRUE(why.starts_with(path.string() + ": the sound breaks off"))
         << row.name << ": " << why;
     EXPECT_NE(why.find(row.why), std::string::npos) << why;
+    EXPECT_EQ(half->damaged(), row.damaged) << why;
   }
 }
 
@@ -125,8 +127,12 @@ TEST(SoundFile, SaysThatTheLastPageOfAnOggFileIsMissing) {
     const std::size_t last_page = whole.rfind("OggS");
 
     folder.write("a.ogg", whole.substr(0, last_page));
-    EXPECT_NE(complaint_of(path).find("the sound breaks off before its end: its last page"),
+    auto short_of_a_page = SoundFile::open(path);
+    ASSERT_TRUE(short_of_a_page);
+    EXPECT_GT(read_all(*short_of_a_page).size(), 0U);
+    EXPECT_NE(short_of_a_page->complaint().find("breaks off before its end: its last page"),
               std::string::npos);
+    EXPECT_FALSE(short_of_a_page->damaged());
 
     folder.write("a.ogg", whole.substr(0, last_page + 100));
     const std::string why = complaint_of(path);
