@@ -18,11 +18,10 @@ class SpareCodes {
 
   /// One more such code has come. Returns whether there was a credit for it.
   [[nodiscard]] bool spend(Instant now) {
-    const auto earned = std::chrono::duration_cast<std::chrono::milliseconds>(now - counted_) *
-                        kSpareCodesPerSecond / 1000;
-    if (earned.count() > 0) {
-      counted_ = now;
-      left_ = std::min(left_ + static_cast<std::size_t>(earned.count()), kSpareCodesMax);
+    constexpr std::chrono::milliseconds kEach{1000 / kSpareCodesPerSecond};
+    if (const auto earned = (now - counted_) / kEach; earned > 0) {
+      counted_ += earned * kEach;  // what is left of the time counts for the next one
+      left_ = std::min(left_ + static_cast<std::size_t>(earned), kSpareCodesMax);
     }
     if (left_ == 0) return false;
     --left_;

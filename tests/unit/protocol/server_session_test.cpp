@@ -4,6 +4,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/secret.h"
+#include "protocol/spare_codes.h"
 #include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {
@@ -391,6 +392,15 @@ TEST_F(Server, AFloodOfSpareCodesEndsTheConnection) {
   std::string pauses;
   for (std::size_t i = 0; i < kSpareCodesMax + 100; ++i) pauses += "-1";
   EXPECT_EQ(get(pauses), "close protocol error");
+}
+
+TEST(SpareCodes, NoTimeBetweenTwoCodesIsLost) {
+  Instant now{};
+  SpareCodes codes(now);
+  for (int i = 0; i < 20'000; ++i) {
+    now += std::chrono::microseconds(9900);  // 101 a second; 100 are earned
+    ASSERT_TRUE(codes.spend(now)) << i;
+  }
 }
 
 TEST_F(Server, SpareCodesAreEarnedByTimeAndByPackets) {
