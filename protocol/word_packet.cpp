@@ -206,13 +206,16 @@ std::optional<FieldFault> take_field(const Field& field, const Key<Hello> (&keys
 
 template <typename Hello, std::size_t N>
 std::variant<Hello, FieldFault> parse_fields(std::string_view text, const Key<Hello> (&keys)[N]) {
+  std::vector<Field> fields;
+  for (const Piece& piece : pieces_after_word(text)) {
+    const auto read = field_of(piece);
+    if (const auto* const fault = std::get_if<FieldFault>(&read)) return *fault;
+    fields.push_back(std::get<Field>(read));
+  }
   Hello hello;
   // First the version: in another one the other fields may mean something else.
   for (const bool version : {true, false}) {
-    for (const Piece& piece : pieces_after_word(text)) {
-      const auto read = field_of(piece);
-      if (const auto* const fault = std::get_if<FieldFault>(&read)) return *fault;
-      const Field& field = std::get<Field>(read);
+    for (const Field& field : fields) {
       if (version != (field.key == "v")) continue;
       if (auto fault = take_field(field, keys, hello)) return *std::move(fault);
     }

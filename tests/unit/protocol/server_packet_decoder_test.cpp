@@ -108,6 +108,7 @@ TEST(ServerPacketDecoder, NamesEachFaultAndItsPlace) {
       {"{hello window}", DecodeFault::BadField, 7},
       {"{hello =3}", DecodeFault::BadField, 7},
       {"{hello v=x window=1}", DecodeFault::BadField, 9},
+      {"{hello v=x window}", DecodeFault::BadField, 11},  // the form of all comes first
       {"{hello live=2}", DecodeFault::BadField, 12},
       {"{hello stream=a/b}", DecodeFault::BadField, 14},
       {"{1}{hello keyframe=9999999999999999999999}", DecodeFault::BadField, 19},
