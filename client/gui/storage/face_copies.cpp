@@ -118,7 +118,9 @@ Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user
   std::error_code ignored;
   std::string name = fs::weakly_canonical(from, ignored).filename().string();
   const fs::path usual = user_faces / name;
-  if (is_there(usual) && origin_of(usual) == origin) return usual;
+  // A link may lead to a shipped face.
+  const bool may = is_there(usual) && is_own_face(usual, user_faces);
+  if (may && origin_of(usual) == origin) return usual;
   if (is_there(usual)) {
     name = name_for_copy(name, [&](const std::string& one) { return is_there(user_faces / one); });
   }

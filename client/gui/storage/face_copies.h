@@ -18,8 +18,8 @@ inline constexpr const char* kOriginalAusFile = "original_aus.toml";
 [[nodiscard]] std::string origin_of(const std::filesystem::path& face_folder);
 
 /// The folder to write to for the face in `face_folder`: that folder if it lies in `user_faces`,
-/// else user_faces/NAME. That is copied now if it does not exist; if a copy of another face has
-/// that name, the next free one is taken.
+/// else user_faces/NAME. That is copied now if it does not exist; if a copy of another face or
+/// a link to elsewhere has that name, the next free one is taken.
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const std::filesystem::path& user_faces);
 

@@ -217,6 +217,9 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"said.face_copied", "{face} is a face of your own, in {folder}"},
     {"said.face_renamed", "the face is called {face} now, in {folder}"},
     {"said.face_deleted", "{face} is deleted"},
+    {"said.own_are_shipped",
+     "{folder} leads to the shipped faces, which stay as they are; set XDG_DATA_HOME to another "
+     "folder for your own"},
     {"said.face_not_own", "{face} is not one of your own faces: it stays as it is"},
     {"said.no_face", "no face in this folder: a face is a folder with face.toml"},
     {"said.pace_rate", "Frames a second"},

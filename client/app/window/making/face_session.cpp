@@ -94,7 +94,7 @@ void FaceSession::look_in(const fs::path& folder) {
 
 Result<fs::path> FaceSession::copy(const fs::path& folder, const std::string& name) {
   if (auto good = check_name(name); !good) return good.error();
-  auto own = folder_of_own_faces();
+  auto own = writable_own_faces(assets_.data_folder);
   if (!own) return own.error();
   auto copied = gui::copy_face(folder, *own, name);
   list();

@@ -19,7 +19,7 @@ OwnAus::OwnAus(const Assets& assets, pipeline::AuMapping& mapping)
 
 void OwnAus::change_face() {
   shipped_.clear();
-  const auto own = folder_of_own_faces();
+  const auto own = writable_own_faces(assets_.data_folder);
   own_ = own && gui::is_own_face(assets_.face_folder, *own);
   const auto take = [this](const face::Face& face) {
     for (const auto& [number, recording] : face.recordings) {
@@ -76,7 +76,7 @@ Result<std::filesystem::path> OwnAus::save(int number, const std::vector<float>&
 }
 
 Result<std::filesystem::path> OwnAus::take(const face::AuRecordings& recordings) {
-  auto faces = folder_of_own_faces();
+  auto faces = writable_own_faces(assets_.data_folder);
   if (!faces) return faces.error();
   auto folder = gui::writable_face(assets_.face_folder, *faces);
   if (!folder) return folder.error();

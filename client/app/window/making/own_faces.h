@@ -10,4 +10,9 @@ namespace aucast::app {
 /// XDG_DATA_HOME nor HOME.
 [[nodiscard]] Result<std::filesystem::path> folder_of_own_faces();
 
+/// The same for writing to. Fails also if it is that of the shipped faces, by a link or a setting:
+/// those stay as they are.
+[[nodiscard]] Result<std::filesystem::path> writable_own_faces(
+    const std::filesystem::path& data_folder);
+
 }  // namespace aucast::app

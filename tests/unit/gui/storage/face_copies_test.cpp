@@ -182,6 +182,16 @@ TEST_F(FaceCopies, AnEditedFaceIsNotSavedInACopyOfAnother) {
   EXPECT_EQ(origin_of(*copy), "anna");
 }
 
+TEST_F(FaceCopies, AShippedFaceIsNotWrittenToThroughALink) {
+  fs::create_directories(mine_);
+  fs::create_directory_symlink(shipped_, mine_ / "plain");
+  const auto copy = writable_face(shipped_, mine_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(*copy, mine_ / "plain 2");
+  EXPECT_FALSE(fs::equivalent(*copy, shipped_));
+  EXPECT_EQ(*writable_face(mine_ / "plain", mine_), mine_ / "plain 3");
+}
+
 TEST_F(FaceCopies, AClassicFaceIsCopiedAndRenamedByItsFolder) {
   fs::remove(shipped_ / "face.toml");
   folder_.write("shipped/plain/faceline.dat", "0\n");

@@ -195,6 +195,21 @@ TEST_F(EditorSessionTest, AnAuIsSavedIntoACopyOfTheFace) {
   EXPECT_FLOAT_EQ(saved->recordings.at(26).activation[channel("jaw")], 1);
 }
 
+TEST_F(EditorSessionTest, ShippedFacesInThePlaceOfOnesOwnAreNotSavedTo) {
+  std::filesystem::create_directories(home_.path() / "aucast");
+  std::filesystem::create_directory_symlink(data_.path() / "faces",
+                                            home_.path() / "aucast" / "faces");
+  const std::string before = data_.read("faces/small/aus.toml");
+  editor_->change_face(names_of_channels());
+  ask(gui::LoadAu{26});
+  set("jaw", 3.5F);
+  ask(gui::SaveAu{26});
+  EXPECT_TRUE(editor_->save_failed());
+  EXPECT_NE(notices_.view().text.find("leads to the shipped faces"), std::string::npos)
+      << notices_.view().text;
+  EXPECT_EQ(data_.read("faces/small/aus.toml"), before);
+}
+
 TEST_F(EditorSessionTest, AnAuWithoutANameIsNotSavedAndItsNameIsKeptUntilThen) {
   set("jaw", 3);
   ask(gui::SaveAu{77});

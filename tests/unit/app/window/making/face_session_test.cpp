@@ -125,5 +125,15 @@ TEST_F(FaceSessionTest, AnUnchangedCopyOfAShippedFaceIsThatFace) {
   EXPECT_EQ(listed(), "S default, S other, O mine, E other");
 }
 
+TEST_F(FaceSessionTest, ShippedFacesInThePlaceOfOnesOwnAreNotAddedTo) {
+  fs::remove_all(mine_.parent_path());
+  fs::create_directory_symlink(data_.path() / "faces", mine_.parent_path());
+  const auto copy = faces_->copy(shipped("default"), "anna");
+  ASSERT_FALSE(copy.has_value());
+  EXPECT_NE(copy.error().message.find("leads to the shipped faces"), std::string::npos)
+      << copy.error().message;
+  EXPECT_FALSE(fs::exists(shipped("anna")));
+}
+
 }  // namespace
 }  // namespace aucast::app
