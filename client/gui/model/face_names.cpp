@@ -31,6 +31,13 @@ std::string wrong_face_name(const std::string& name, const FacesView& faces) {
   return {};
 }
 
+bool is_face_name(const std::string& name, const FacesView& faces) {
+  return faces.entries != nullptr &&
+         std::any_of(faces.entries->begin(), faces.entries->end(), [&](const FaceEntry& face) {
+           return face.kind != FaceKind::Elsewhere && face.name == name;
+         });
+}
+
 std::string without_number(const std::string& name) {
   const std::size_t end = name.find_last_not_of("0123456789");
   const bool numbered =

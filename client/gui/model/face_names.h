@@ -13,6 +13,9 @@ namespace aucast::gui {
 /// shipped faces are left to the copies that are made when such a face is edited.
 [[nodiscard]] std::string wrong_face_name(const std::string& name, const FacesView& faces);
 
+/// Whether a shipped face or one of the user's own has this name.
+[[nodiscard]] bool is_face_name(const std::string& name, const FacesView& faces);
+
 /// The name without a number at its end: "anna" for "anna 2".
 [[nodiscard]] std::string without_number(const std::string& name);
 

@@ -91,9 +91,7 @@ void own_face_buttons(const FacesView& faces, FaceForm& form) {
       form.asks = asks;
       form.folder = face->folder;
       form.name = {};
-      const auto taken = [&](const std::string& name) {
-        return !wrong_face_name(name, faces).empty();
-      };
+      const auto taken = [&](const std::string& name) { return is_face_name(name, faces); };
       const std::string name =
           asks == FaceForm::Asks::Copy ? name_for_copy(face->name, taken) : face->name;
       name.copy(form.name.data(), form.name.size() - 1);

@@ -44,6 +44,15 @@ TEST(FaceNames, ACopyGetsTheFirstNumberThatIsFree) {
   EXPECT_EQ(name_for_copy("2", upto(0)), "2 2");
 }
 
+TEST(FaceNames, ANameIsTakenByShippedFacesAndOnesOwn) {
+  const FacesView faces = three_faces();
+  EXPECT_TRUE(is_face_name("default", faces));
+  EXPECT_TRUE(is_face_name("anna", faces));
+  EXPECT_FALSE(is_face_name("berta", faces)) << "that one lies elsewhere";
+  EXPECT_FALSE(is_face_name("a\nb 2", faces)) << "wrong, but free";
+  EXPECT_FALSE(is_face_name("anna", {})) << "before there is a list";
+}
+
 TEST(FaceNames, TheFaceThatIsShownIsFoundInTheList) {
   FacesView faces = three_faces();
   ASSERT_NE(shown_face(faces), nullptr);

@@ -102,6 +102,21 @@ TEST_F(FaceQuestions, ANameThatCannotBeTakenIsNotTaken) {
   EXPECT_EQ(asked<RenameFace>()->name, "berta");
 }
 
+TEST_F(FaceQuestions, AFaceWhoseNameIsWrongForACopyIsCopiedByAnotherName) {
+  model_.faces.entries = std::make_shared<const std::vector<FaceEntry>>(
+      std::vector<FaceEntry>{{"a\nb", "/own/odd", FaceKind::Own}});
+  model_.faces.shown = "/own/odd";
+  frames(3);
+  use("Copy...");
+  ASSERT_NE(question(), nullptr);
+  press(ImGuiKey_Enter);
+  EXPECT_FALSE(asked<CopyFace>()) << "what was offered has its letters";
+  type("berta");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<CopyFace>());
+  EXPECT_EQ(asked<CopyFace>()->name, "berta");
+}
+
 TEST_F(FaceQuestions, AShippedFaceIsCopiedOnly) {
   show("/shipped/default");
   EXPECT_FALSE(go_to("Rename..."));
