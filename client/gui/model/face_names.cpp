@@ -18,9 +18,7 @@ const FaceEntry* shown_face(const FacesView& faces) {
 std::string wrong_face_name(const std::string& name, const FacesView& faces) {
   if (name.find_first_not_of(' ') == std::string::npos) return tr("file.unnamed");
   if (printable(name) != name) return tr("face.wrong_letters");
-  // Quotes and backslashes would need escapes in face.toml.
-  const std::size_t wrong = name.find_first_of("/\\\"");
-  if (wrong != std::string::npos) return tr("face.wrong_sign", name.substr(wrong, 1));
+  if (name.find('/') != std::string::npos) return tr("face.wrong_sign", "/");
   if (name.front() == '.') return tr("face.hidden");
   if (faces.entries == nullptr) return {};
   for (const FaceEntry& face : *faces.entries) {

@@ -1,5 +1,9 @@
 #include "client/gui/storage/face_copies.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <string_view>
 #include <system_error>
 
 #include "client/face/face_folder.h"
@@ -33,18 +37,47 @@ fs::path without_slash(const fs::path& folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Exchanges a value in the text of `file` for another one that needs no escapes.
-Result<void> put_text(std::string& toml, const TomlValue& value, const std::string& text,
-                      const fs::path& file) {
-  std::size_t line = 0;
-  for (std::size_t i = 1; i < value.place.line; ++i) line = toml.find('\n', line) + 1;
-  const std::size_t at = toml.find(value.text, line + value.place.column - 1);
-  if (at == std::string::npos) {
-    return Error{ErrorKind::BadData, at_place(file.string(), value.place.line, value.place.column,
-                                              "is written with escapes; write the name as it is")};
+/// Where a text of a TOML file ends, behind its quotes; `at` is that of the first quote.
+std::size_t end_of_text(std::string_view toml, std::size_t at) {
+  const char quote = toml[at];
+  const bool three = toml.substr(at).starts_with(std::string(3, quote));
+  const std::string closing(three ? 3 : 1, quote);
+  std::size_t end = at + closing.size();
+  while (end < toml.size() && !toml.substr(end).starts_with(closing)) {
+    end += quote == '"' && toml[end] == '\\' ? 2U : 1U;
   }
-  toml.replace(at, value.text.size(), text);
+  end += closing.size();
+  // The text itself may end with quotes.
+  while (three && end < toml.size() && toml[end] == quote) ++end;
+  return std::min(end, toml.size());
+}
+
+/// Gives a key of `file`, which has this text, another text as its value, if it has the key.
+Result<void> put_text(std::string& toml, const char* key, const std::string& text,
+                      const fs::path& file) {
+  const auto document = parse_toml(toml, file.string());
+  if (!document) return document.error();
+  const TomlValue* value = document->find(key);
+  if (value == nullptr || value->kind != TomlValue::Kind::Text) return {};
+  std::size_t line = 0;
+  for (std::size_t i = 1; i < value->place.line; ++i) line = toml.find('\n', line) + 1;
+  const std::size_t at = toml.find_first_of("\"'", line + value->place.column - 1);
+  toml.replace(at, end_of_text(toml, at) - at, toml_text(text));
   return {};
+}
+
+/// Copies a folder and what is in it. Shipped folders may be read-only, which fs::copy would make
+/// of the new ones before there is anything in them.
+void copy_files(const fs::path& from, const fs::path& to) {
+  fs::create_directory(to);
+  for (const auto& entry : fs::directory_iterator(from)) {
+    const fs::path copy = to / entry.path().filename();
+    if (entry.is_directory()) {
+      copy_files(entry.path(), copy);
+    } else {
+      fs::copy_file(entry.path(), copy);
+    }
+  }
 }
 
 /// A face may use files of another face, as the shipped people share their muscles. A copy of
@@ -52,10 +85,10 @@ Result<void> put_text(std::string& toml, const TomlValue& value, const std::stri
 Result<void> make_whole(const fs::path& copy, const fs::path& from) {
   const fs::path description = copy / face::kFaceFile;
   if (!fs::exists(description)) return {};
-  const auto document = read_toml(description);
-  if (!document) return document.error();
   auto text = read_file(description);
   if (!text) return text.error();
+  const auto document = parse_toml(*text, description.string());
+  if (!document) return document.error();
   for (const char* key : {"mesh", "muscles", "aus"}) {
     const TomlValue* named = document->find(key);
     if (named == nullptr) continue;
@@ -64,7 +97,7 @@ Result<void> make_whole(const fs::path& copy, const fs::path& from) {
     std::string name = file.filename().string();
     if (fs::exists(copy / name)) name = file.parent_path().filename().string() + "_" + name;
     fs::copy_file(from / file, copy / name);
-    if (auto put = put_text(*text, *named, name, description); !put) return put;
+    if (auto put = put_text(*text, key, name, description); !put) return put;
   }
   return write_file_atomically(description, *text);
 }
@@ -76,17 +109,15 @@ Result<void> name_copy(const fs::path& copy, const std::string& name, const std:
   if (!is_there(description)) return {};
   auto text = read_file(description);
   if (!text) return text.error();
+  if (auto put = put_text(*text, "name", name, description); !put) return put;
   const auto document = parse_toml(*text, description.string());
   if (!document) return document.error();
   const TomlValue* named = document->find("name");
-  if (named == nullptr) return {};
-  if (auto put = put_text(*text, *named, name, description); !put) return put;
-  if (document->find("copy_of") == nullptr) {
+  if (named != nullptr && document->find("copy_of") == nullptr) {
     std::size_t below = 0;
     for (std::size_t i = 0; i < named->place.line; ++i) below = text->find('\n', below) + 1;
     text->insert(below, toml_line("copy_of", toml_text(origin)));
   }
-  if (auto still = parse_toml(*text, description.string()); !still) return still.error();
   return write_file_atomically(description, *text);
 }
 
@@ -132,11 +163,12 @@ Result<fs::path> copy_face(const fs::path& face_folder, const fs::path& user_fac
   const fs::path from = without_slash(face_folder);
   const fs::path copy = user_faces / name;
   if (is_there(copy)) return there_already(copy);
-  const fs::path unfinished = user_faces / ("." + name + ".unfinished");
+  // Another program may be copying at the same time.
+  const fs::path unfinished = user_faces / (".unfinished " + std::to_string(::getpid()));
   try {
     fs::create_directories(user_faces);
     fs::remove_all(unfinished);
-    fs::copy(from, unfinished, fs::copy_options::recursive);
+    copy_files(from, unfinished);
     Result<void> whole = make_whole(unfinished, from);
     // Pictures of it must not bear the name of the face that it was made of.
     const bool alike = name == fs::weakly_canonical(from).filename();
@@ -182,10 +214,14 @@ Result<void> delete_face(const fs::path& own_face) {
     if (cause) return failed("this face cannot be deleted:", own_face, cause);
     return {};
   }
-  // Under a hidden name first, so that no half of a face is left to choose.
-  const fs::path aside = own_face.parent_path() / ".deleted";
-  fs::remove_all(aside, cause);
-  if (!cause) fs::rename(own_face, aside, cause);
+  // Under a hidden name first, so that no half of a face is left to choose. What could not be
+  // deleted of an earlier one must not be in the way.
+  fs::path aside;
+  for (int number = 1; aside.empty() || is_there(aside); ++number) {
+    aside = own_face.parent_path() / (".deleted " + std::to_string(number));
+    fs::remove_all(aside, cause);
+  }
+  fs::rename(own_face, aside, cause);
   if (cause) return failed("this face cannot be deleted:", own_face, cause);
   fs::remove_all(aside, cause);
   if (cause) return failed("not all of this face could be deleted:", aside, cause);

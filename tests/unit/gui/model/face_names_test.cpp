@@ -24,7 +24,7 @@ TEST(FaceNames, ANameThatCannotBeTakenIsSaid) {
   EXPECT_EQ(wrong_face_name("", faces), "Give it a name first.");
   EXPECT_EQ(wrong_face_name("  ", faces), "Give it a name first.");
   EXPECT_EQ(wrong_face_name("a/b", faces), "There can be no / in a name.");
-  EXPECT_EQ(wrong_face_name("a\"b", faces), "There can be no \" in a name.");
+  EXPECT_EQ(wrong_face_name("a\"b\\c", faces), "");
   EXPECT_EQ(wrong_face_name("..", faces), "A folder that begins with a dot is hidden.");
   EXPECT_EQ(wrong_face_name("anna", faces), "anna is there already.");
   EXPECT_EQ(wrong_face_name("default", faces), "default is the name of a shipped face.");

@@ -1,5 +1,10 @@
 #include "client/gui/storage/face_copies.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "client/gui/storage/user_face.h"
@@ -10,7 +15,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using FaceCopies = UserFaceTest;
+constexpr fs::perms kWrite =
+    fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+
+class FaceCopies : public UserFaceTest {
+ protected:
+  /// Does it in another process, which is nobody if this is root: root may write everywhere.
+  [[nodiscard]] bool works_for_a_user(const std::function<bool()>& work) const {
+    constexpr uid_t kNobody = 65534;
+    const bool root = ::geteuid() == 0;
+    if (root) {
+      fs::create_directories(mine_);
+      EXPECT_EQ(::chown(folder_.path().c_str(), kNobody, kNobody), 0);
+      for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+        EXPECT_EQ(::chown(entry.path().c_str(), kNobody, kNobody), 0) << entry.path();
+      }
+    }
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (root && ::setuid(kNobody) != 0) ::_exit(2);
+      ::_exit(work() ? 0 : 1);
+    }
+    int status = 1;
+    return child > 0 && ::waitpid(child, &status, 0) == child && status == 0;
+  }
+};
 
 TEST_F(FaceCopies, AShippedFaceIsCopiedOnce) {
   const auto copy = writable_face(shipped_, mine_);
@@ -190,6 +219,81 @@ TEST_F(FaceCopies, AShippedFaceIsNotWrittenToThroughALink) {
   EXPECT_EQ(*copy, mine_ / "plain 2");
   EXPECT_FALSE(fs::equivalent(*copy, shipped_));
   EXPECT_EQ(*writable_face(mine_ / "plain", mine_), mine_ / "plain 3");
+}
+
+/// TOML has many ways to write a text.
+TEST_F(FaceCopies, AFaceIsCopiedAndRenamedHoweverItsNameIsWritten) {
+  const std::string text = folder_.read("shipped/plain/face.toml");
+  int number = 0;
+  for (const std::string written :
+       {"''", "'x'", "'it\"s'", R"("")", R"("it\"s")", R"("\\")", R"("\u00e9")", R"("""it"s""")",
+        "\"\"\"\nx\ny\"\"\"\"\"", "'''x\ny'''", R"("""\"""")"}) {
+    std::string other = text;
+    const std::size_t at = other.find("\"small\"");
+    ASSERT_NE(at, std::string::npos);
+    folder_.write("shipped/plain/face.toml", other.replace(at, 7, written));
+    ASSERT_TRUE(face::load_face(shipped_, folder_.path())) << written;
+    const std::string name = "anna " + std::to_string(++number);
+    const auto copy = copy_face(shipped_, mine_, name);
+    ASSERT_TRUE(copy) << written << ": " << copy.error().message;
+    const auto face = face::load_face(*copy, folder_.path());
+    ASSERT_TRUE(face) << written << ": " << face.error().message;
+    EXPECT_EQ(face->name, name);
+    EXPECT_EQ(face->copy_of, "plain");
+  }
+}
+
+TEST_F(FaceCopies, AFaceOfAnyNameIsSavedAndRenamed) {
+  int number = 0;
+  for (const char* name : {"it\"s", "a\\b", "a\nb", "\xff", "'"}) {
+    const fs::path odd = shipped_.parent_path() / name;
+    fs::copy(shipped_, odd, fs::copy_options::recursive);
+    const auto copy = writable_face(odd, mine_);
+    ASSERT_TRUE(copy) << name << ": " << copy.error().message;
+    ASSERT_TRUE(save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}})) << name;
+    EXPECT_TRUE(face::load_face(*copy, folder_.path())) << name;
+    const auto renamed = rename_face(*copy, "anna " + std::to_string(++number));
+    ASSERT_TRUE(renamed) << name << ": " << renamed.error().message;
+    EXPECT_TRUE(face::load_face(*renamed, folder_.path())) << name;
+  }
+}
+
+TEST_F(FaceCopies, AReadOnlyFaceIsCopied) {
+  folder_.write("shipped/plain/notes/list.txt", "notes");
+  for (const fs::path& path : {shipped_ / "notes" / "list.txt", shipped_ / "notes", shipped_}) {
+    fs::permissions(path, kWrite, fs::perm_options::remove);
+  }
+  EXPECT_TRUE(works_for_a_user([&] { return copy_face(shipped_, mine_, "anna").has_value(); }));
+  for (const fs::path& path : {shipped_ / "notes", shipped_}) {
+    fs::permissions(path, fs::perms::owner_write, fs::perm_options::add);
+  }
+  EXPECT_EQ(folder_.read("home/aucast/faces/anna/notes/list.txt"), "notes");
+  const auto copy = mine_ / "anna";
+  EXPECT_NE(fs::status(copy / "notes").permissions() & fs::perms::owner_write, fs::perms::none);
+  EXPECT_TRUE(save_aus(copy, {{77, {{"jaw", 1.5F}}, {}}}));
+}
+
+TEST_F(FaceCopies, WhatAnotherProgramIsCopyingIsLeftAlone) {
+  folder_.write("home/aucast/faces/.anna.unfinished/face.toml", "half");
+  folder_.write("home/aucast/faces/.unfinished 1/face.toml", "half");
+  const auto copy = copy_face(shipped_, mine_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(folder_.read("home/aucast/faces/.anna.unfinished/face.toml"), "half");
+  EXPECT_EQ(folder_.read("home/aucast/faces/.unfinished 1/face.toml"), "half");
+  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 3);
+}
+
+TEST_F(FaceCopies, WhatCannotBeDeletedOfOneFaceIsNotInTheWayOfTheNext) {
+  ASSERT_TRUE(copy_face(shipped_, mine_, "anna"));
+  ASSERT_TRUE(copy_face(shipped_, mine_, "berta"));
+  const fs::path half = mine_ / ".deleted 1";
+  folder_.write("home/aucast/faces/.deleted 1/face.toml", "stays");
+  fs::permissions(half, kWrite, fs::perm_options::remove);
+  EXPECT_TRUE(works_for_a_user([&] { return delete_face(mine_ / "anna").has_value(); }));
+  EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 2);
+  fs::permissions(half, fs::perms::owner_write, fs::perm_options::add);
+  ASSERT_TRUE(delete_face(mine_ / "berta"));
+  EXPECT_TRUE(fs::is_empty(mine_)) << "what can be deleted by now is";
 }
 
 TEST_F(FaceCopies, AClassicFaceIsCopiedAndRenamedByItsFolder) {
