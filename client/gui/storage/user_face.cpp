@@ -24,6 +24,10 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 Result<fs::path> aus_file_of(const fs::path& face_folder) {
   const fs::path description = face_folder / face::kFaceFile;
   std::error_code ignored;
+  if (!is_face(face_folder)) {
+    return Error{ErrorKind::Failed,
+                 at_place(face_folder.string(), "this face is gone; choose another one")};
+  }
   if (!fs::exists(description, ignored)) {
     return Error{ErrorKind::Failed,
                  printable(face_folder.string()) +

@@ -94,6 +94,10 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"bad.deleted", "this face cannot be deleted: {place}: {why}"},
     {"bad.half_deleted", "not all of this face could be deleted: {place}: {why}"},
     {"bad.there", "{place}: is there already; choose another name"},
+    {"bad.face_gone", "{place}: this face is gone; choose another one"},
+    {"bad.classic_face",
+     "{place} is a classic face: its Action Units come from a table for all such faces and cannot "
+     "be saved with it"},
     {"bad.read", "cannot be read: {why}"},
     {"bad.written", "cannot be written: {why}"},
     {"bad.check_name", "{why}; check the name"},

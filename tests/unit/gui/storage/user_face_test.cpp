@@ -90,8 +90,16 @@ TEST_F(UserFace, AFailedSavingLeavesTheFileAsItWas) {
   EXPECT_EQ(folder_.read("shipped/plain/aus.toml"), before);
 }
 
+TEST_F(UserFace, OfAFaceThatAnotherProgramTookAwayItIsSaidThatItIsGone) {
+  fs::remove_all(shipped_);
+  const auto file = save_aus(shipped_, {{77, {}, {}}});
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().message, shipped_.string() + ": this face is gone; choose another one");
+}
+
 TEST_F(UserFace, AClassicFaceHasNoAusOfItsOwn) {
   fs::remove(shipped_ / "face.toml");
+  folder_.write("shipped/plain/faceline.dat", "0\n");
   const auto file = save_aus(shipped_, {{77, {}, {}}});
   ASSERT_FALSE(file);
   EXPECT_NE(file.error().message.find("is a classic face"), std::string::npos);

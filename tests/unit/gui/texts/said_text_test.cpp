@@ -56,6 +56,9 @@ const std::vector<std::string> kSaid = {
     "this face cannot be deleted: /home/anna/own/a: No such file or directory",
     "not all of this face could be deleted: /home/anna/own/.deleted: Permission denied",
     "/home/anna/own/a: is there already; choose another name",
+    "/home/anna/own/a: this face is gone; choose another one",
+    "/home/anna/own/a is a classic face: its Action Units come from a table for all such faces and "
+    "cannot be saved with it",
     "/tmp/fifo.txt: cannot be read: it is a pipe, not a file",
     "/tmp: cannot be read: it is a folder",
     "/dev/zero: cannot be read: it is a device, not a file",
