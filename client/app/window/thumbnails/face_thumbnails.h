@@ -42,7 +42,7 @@ class FaceThumbnails {
   int height_;
   /// By folder. Null for a face that could not be read, which is not tried again.
   std::map<std::string, std::unique_ptr<render::PictureTexture>> textures_;
-  std::string folder_;  ///< the folder of the face that is being read
+  std::string folder_;  ///< of the face that is being read; empty: it is not listed any more
   Task<Result<face::Face>> reading_;
 };
 

@@ -23,6 +23,7 @@ void FaceThumbnails::keep_listed(const std::vector<gui::FaceEntry>& faces,
   std::erase_if(pictures.textures, gone);
   std::erase_if(pictures.wrong, gone);
   std::erase_if(textures_, gone);
+  if (gone(std::pair(folder_, 0))) folder_.clear();
 }
 
 bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
@@ -37,7 +38,7 @@ bool FaceThumbnails::advance(gui::Thumbnails& pictures) {
     return false;
   }
   const std::optional<Result<face::Face>> face = reading_.take();
-  if (!face) return false;
+  if (!face || folder_.empty()) return false;
   auto& texture = textures_[folder_] = *face ? draw(**face) : nullptr;
   if (!*face) pictures.wrong[folder_] = face->error().message;
   if (texture == nullptr) return !face->has_value();

@@ -32,5 +32,23 @@ TEST(FaceThumbnails, WhyAFaceHasNoPictureIsSaid) {
   EXPECT_TRUE(pictures.wrong.empty());
 }
 
+TEST(FaceThumbnails, AFaceThatGoesWhileItIsReadLeavesNothingBehind) {
+  FaceThumbnails thumbnails({}, 8, 8);
+  gui::Thumbnails pictures;
+  pictures.seen = {"/no/such/face"};
+  EXPECT_FALSE(thumbnails.advance(pictures));
+  ASSERT_TRUE(thumbnails.busy());
+  thumbnails.keep_listed({}, pictures);
+  pictures.seen.clear();
+  while (thumbnails.busy()) {
+    EXPECT_FALSE(thumbnails.advance(pictures));
+    std::this_thread::yield();
+  }
+  EXPECT_TRUE(pictures.wrong.empty());
+  pictures.seen = {"/no/such/face"};
+  EXPECT_FALSE(thumbnails.advance(pictures));
+  EXPECT_TRUE(thumbnails.busy()) << "a new one of its name is read";
+}
+
 }  // namespace
 }  // namespace aucast::app
