@@ -90,7 +90,8 @@ using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
 /// each named after its part. Channels for which the face has no geometry are left out.
 struct Face {
   std::string name;
-  std::string copy_of;  ///< the face that this one was copied from, by name; empty: no copy
+  std::string
+      copy_of;  ///< the face that this one was copied from: its name or folder; empty: no copy
   FaceMesh mesh;
   std::vector<Channel> channels;
   std::vector<Muscle> muscles;  ///< muscles[i] is driven by channels[i]

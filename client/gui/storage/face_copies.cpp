@@ -132,6 +132,16 @@ Result<void> keep_original_aus(const fs::path& copy) {
   return write_file_atomically(kept, *bytes);
 }
 
+/// What a copy says that it was made of: a name for a shipped face, which may lie elsewhere the
+/// next time; a path for one from elsewhere, which may have the name of a shipped one.
+std::string origin_for_copy(const fs::path& from, const FaceFolders& faces) {
+  std::error_code ignored;
+  const fs::path whole = fs::weakly_canonical(from, ignored);
+  const bool shipped = fs::equivalent(whole.parent_path(), faces.shipped, ignored);
+  if (shipped || is_own_face(from, faces.own)) return origin_of(from);
+  return whole.string();
+}
+
 }  // namespace
 
 std::string origin_of(const fs::path& face_folder) {
@@ -142,37 +152,44 @@ std::string origin_of(const fs::path& face_folder) {
   return fs::weakly_canonical(without_slash(face_folder), ignored).filename().string();
 }
 
-Result<fs::path> writable_face(const fs::path& face_folder, const fs::path& user_faces) {
-  const fs::path from = without_slash(face_folder);
-  if (is_own_face(from, user_faces)) return from;
-  const std::string origin = origin_of(from);
-  std::error_code ignored;
-  std::string name = fs::weakly_canonical(from, ignored).filename().string();
-  const fs::path usual = user_faces / name;
-  // A link may lead to a shipped face.
-  const bool may = is_there(usual) && is_own_face(usual, user_faces);
-  if (may && origin_of(usual) == origin) return usual;
-  if (is_there(usual)) {
-    name = name_for_copy(name, [&](const std::string& one) { return is_there(user_faces / one); });
-  }
-  return copy_face(from, user_faces, name);
+fs::path shipped_origin(const fs::path& own_face, const fs::path& shipped_faces) {
+  const fs::path origin = origin_of(own_face);
+  if (origin.has_parent_path() || !is_face(shipped_faces / origin)) return {};
+  return shipped_faces / origin;
 }
 
-Result<fs::path> copy_face(const fs::path& face_folder, const fs::path& user_faces,
+Result<fs::path> writable_face(const fs::path& face_folder, const FaceFolders& faces) {
+  const fs::path from = without_slash(face_folder);
+  const bool classic = is_face(from) && !is_there(from / face::kFaceFile);
+  if (classic || is_own_face(from, faces.own)) return from;
+  std::error_code ignored;
+  std::string name = fs::weakly_canonical(from, ignored).filename().string();
+  const fs::path usual = faces.own / name;
+  // A link may lead to a shipped face.
+  const bool may = is_there(usual) && is_own_face(usual, faces.own);
+  if (may && origin_of(usual) == origin_for_copy(from, faces)) return usual;
+  if (is_there(usual)) {
+    name = name_for_copy(name, [&](const std::string& one) { return is_there(faces.own / one); });
+  }
+  return copy_face(from, faces, name);
+}
+
+Result<fs::path> copy_face(const fs::path& face_folder, const FaceFolders& faces,
                            const std::string& name) {
   const fs::path from = without_slash(face_folder);
-  const fs::path copy = user_faces / name;
+  const fs::path copy = faces.own / name;
   if (is_there(copy)) return there_already(copy);
   // Another program may be copying at the same time.
-  const fs::path unfinished = user_faces / (".unfinished " + std::to_string(::getpid()));
+  const fs::path unfinished = faces.own / (".unfinished " + std::to_string(::getpid()));
   try {
-    fs::create_directories(user_faces);
+    fs::create_directories(faces.own);
     fs::remove_all(unfinished);
     copy_files(from, unfinished);
     Result<void> whole = make_whole(unfinished, from);
     // Pictures of it must not bear the name of the face that it was made of.
     const bool alike = name == fs::weakly_canonical(from).filename();
-    if (whole) whole = name_copy(unfinished, alike ? "own_" + name : name, origin_of(from));
+    if (whole)
+      whole = name_copy(unfinished, alike ? "own_" + name : name, origin_for_copy(from, faces));
     if (whole) whole = keep_original_aus(unfinished);
     // Shipped files may be read-only; a copy is there to be changed.
     for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
@@ -188,7 +205,7 @@ Result<fs::path> copy_face(const fs::path& face_folder, const fs::path& user_fac
     // Half a face is of no use, and the disk may be full.
     std::error_code ignored;
     fs::remove_all(unfinished, ignored);
-    return failed("this face cannot be copied to", user_faces, error.code());
+    return failed("this face cannot be copied to", faces.own, error.code());
   }
 }
 

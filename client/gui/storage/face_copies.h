@@ -13,20 +13,32 @@ inline constexpr const char* kOriginalAusFile = "original_aus.toml";
 // Edited faces are copies in the user's own data folder (user_face.h), so that the shipped ones
 // stay unchanged. A copy appears, is renamed and goes whole or not at all.
 
-/// The name of the face from which this one was copied, as its face.toml says, else that of its
-/// folder: a copy that was made for an edited face has the name of that face.
+/// Where faces are.
+struct FaceFolders {
+  std::filesystem::path shipped;
+  std::filesystem::path own;
+};
+
+/// The face from which this one was copied, as its face.toml says: the name of a shipped one, the
+/// folder of one from elsewhere. Without it the name of its own folder: a copy that was made for an
+/// edited face has the name of that face.
 [[nodiscard]] std::string origin_of(const std::filesystem::path& face_folder);
 
-/// The folder to write to for the face in `face_folder`: that folder if it lies in `user_faces`,
-/// else user_faces/NAME. That is copied now if it does not exist; if a copy of another face or
-/// a link to elsewhere has that name, the next free one is taken.
-[[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
-                                                          const std::filesystem::path& user_faces);
+/// The folder of the shipped face from which this one was copied; empty if there is none.
+[[nodiscard]] std::filesystem::path shipped_origin(const std::filesystem::path& own_face,
+                                                   const std::filesystem::path& shipped_faces);
 
-/// Copies a face to user_faces/NAME and returns that folder. The copy contains what its face.toml
+/// The folder to write to for the face in `face_folder`: that folder if it is one of the user's
+/// own, or a classic one, of which save_aus() says that it has no AUs; else faces.own/NAME. That is
+/// copied now if it does not exist; if a copy of another face or a link to elsewhere has that name,
+/// the next free one is taken.
+[[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
+                                                          const FaceFolders& faces);
+
+/// Copies a face to faces.own/NAME and returns that folder. The copy contains what its face.toml
 /// uses from other folders. Fails if there is anything of that name.
 [[nodiscard]] Result<std::filesystem::path> copy_face(const std::filesystem::path& face_folder,
-                                                      const std::filesystem::path& user_faces,
+                                                      const FaceFolders& faces,
                                                       const std::string& name);
 
 /// Renames a face of the user's own, its folder and in its face.toml, and returns the new folder.

@@ -96,7 +96,7 @@ Result<fs::path> FaceSession::copy(const fs::path& folder, const std::string& na
   if (auto good = check_name(name); !good) return good.error();
   auto own = writable_own_faces(assets_.data_folder);
   if (!own) return own.error();
-  auto copied = gui::copy_face(folder, *own, name);
+  auto copied = gui::copy_face(folder, {assets_.data_folder / "faces", *std::move(own)}, name);
   list();
   return copied;
 }
@@ -119,8 +119,8 @@ Result<void> FaceSession::remove(const fs::path& folder) {
 Result<fs::path> FaceSession::origin(const fs::path& folder) const {
   if (auto own = check_own(folder); !own) return own.error();
   const fs::path shipped = assets_.data_folder / "faces";
-  const fs::path origin = shipped / gui::origin_of(folder);
-  return gui::is_face(origin) ? origin : shipped / "default";
+  fs::path origin = gui::shipped_origin(folder, shipped);
+  return origin.empty() ? shipped / "default" : std::move(origin);
 }
 
 Result<void> FaceSession::check_own(const fs::path& folder) const {

@@ -27,17 +27,16 @@ void OwnAus::change_face() {
     }
   };
   if (!own_) return take(assets_.face);
-  const auto origin = assets_.data_folder / "faces" / gui::origin_of(assets_.face_folder);
-  if (gui::is_face(origin)) {
-    if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
+  // A copy has with it how its AUs came.
+  if (const auto came = face::load_aus(assets_.face_folder / gui::kOriginalAusFile, assets_.face)) {
+    for (const auto& [number, recording] : *came) {
+      shipped_[number] = gui::drive_of(assets_.face, recording.activation);
+    }
     return;
   }
-  // A copy of a face from elsewhere has with it how its AUs came.
-  const auto came = face::load_aus(assets_.face_folder / gui::kOriginalAusFile, assets_.face);
-  if (!came) return;
-  for (const auto& [number, recording] : *came) {
-    shipped_[number] = gui::drive_of(assets_.face, recording.activation);
-  }
+  const auto origin = gui::shipped_origin(assets_.face_folder, assets_.data_folder / "faces");
+  if (origin.empty()) return;
+  if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
 }
 
 bool OwnAus::differs_from_shipped(int number) const {
@@ -78,7 +77,8 @@ Result<std::filesystem::path> OwnAus::save(int number, const std::vector<float>&
 Result<std::filesystem::path> OwnAus::take(const face::AuRecordings& recordings) {
   auto faces = writable_own_faces(assets_.data_folder);
   if (!faces) return faces.error();
-  auto folder = gui::writable_face(assets_.face_folder, *faces);
+  auto folder =
+      gui::writable_face(assets_.face_folder, {assets_.data_folder / "faces", *std::move(faces)});
   if (!folder) return folder.error();
   std::vector<gui::SavedAu> aus;
   for (const auto& [number, recording] : recordings) {

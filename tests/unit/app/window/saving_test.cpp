@@ -95,7 +95,7 @@ void write_shipped(const test::TempFolder& folder) {
 
 /// The copy that the editor makes of a shipped face before the first saving.
 Result<void> copy_a_face(const fs::path& folder) {
-  return outcome(gui::writable_face(folder / "shipped", folder / "faces"));
+  return outcome(gui::writable_face(folder / "shipped", {folder, folder / "faces"}));
 }
 
 class Saving : public testing::TestWithParam<Thing> {

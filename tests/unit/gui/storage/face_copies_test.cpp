@@ -42,12 +42,12 @@ class FaceCopies : public UserFaceTest {
 };
 
 TEST_F(FaceCopies, AShippedFaceIsCopiedOnce) {
-  const auto copy = writable_face(shipped_, mine_);
+  const auto copy = writable_face(shipped_, faces_);
   ASSERT_TRUE(copy) << copy.error().message;
   EXPECT_EQ(*copy, mine_ / "plain");
   EXPECT_TRUE(face::load_face(*copy, folder_.path()));
   folder_.write("home/aucast/faces/plain/aus.toml", "mine");
-  EXPECT_EQ(*writable_face(shipped_ / "", mine_), *copy);
+  EXPECT_EQ(*writable_face(shipped_ / "", faces_), *copy);
   EXPECT_EQ(folder_.read("home/aucast/faces/plain/aus.toml"), "mine");
   EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 1);
 }
@@ -62,7 +62,7 @@ TEST_F(FaceCopies, ACopyHasWhatItsFaceTakesFromAnother) {
   }
   folder_.write("shipped/other/face.toml", text);
   ASSERT_TRUE(face::load_face(other, folder_.path()));
-  const auto copy = writable_face(other, mine_);
+  const auto copy = writable_face(other, faces_);
   ASSERT_TRUE(copy) << copy.error().message;
   const std::string whole = folder_.read("home/aucast/faces/other/face.toml");
   EXPECT_EQ(whole.find(".."), std::string::npos) << whole;
@@ -76,28 +76,28 @@ TEST_F(FaceCopies, ACopyHasWhatItsFaceTakesFromAnother) {
 }
 
 TEST_F(FaceCopies, TheUsersOwnFaceIsWrittenWhereItIs) {
-  const auto copy = writable_face(shipped_, mine_);
+  const auto copy = writable_face(shipped_, faces_);
   ASSERT_TRUE(copy);
-  EXPECT_EQ(*writable_face(*copy, mine_), *copy);
+  EXPECT_EQ(*writable_face(*copy, faces_), *copy);
 }
 
 TEST_F(FaceCopies, ACopyThatCannotBeMadeIsSaid) {
   folder_.write("home", "a file where a folder should be");
-  const auto copy = writable_face(shipped_, mine_);
+  const auto copy = writable_face(shipped_, faces_);
   ASSERT_FALSE(copy);
   EXPECT_EQ(copy.error().message.find("this face cannot be copied to " + mine_.string() + ": "), 0U)
       << copy.error().message;
 }
 
 TEST_F(FaceCopies, ACopyHasItsOwnNameAndSaysWhatItIsACopyOf) {
-  const auto copy = copy_face(shipped_, mine_, "Anna's é 2");
+  const auto copy = copy_face(shipped_, faces_, "Anna's é 2");
   ASSERT_TRUE(copy) << copy.error().message;
   EXPECT_EQ(*copy, mine_ / "Anna's é 2");
   auto face = face::load_face(*copy, folder_.path());
   ASSERT_TRUE(face) << face.error().message;
   EXPECT_EQ(face->name, "Anna's é 2");
   EXPECT_EQ(face->copy_of, "plain");
-  const auto again = copy_face(*copy, mine_, "berta");
+  const auto again = copy_face(*copy, faces_, "berta");
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(origin_of(*again), "plain") << "the copy of a copy";
   EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 2);
@@ -105,7 +105,7 @@ TEST_F(FaceCopies, ACopyHasItsOwnNameAndSaysWhatItIsACopyOf) {
 }
 
 TEST_F(FaceCopies, ACopyOfItsFacesNameIsCalledOnesOwnInPictures) {
-  const auto copy = writable_face(shipped_, mine_);
+  const auto copy = writable_face(shipped_, faces_);
   ASSERT_TRUE(copy) << copy.error().message;
   const auto face = face::load_face(*copy, folder_.path());
   ASSERT_TRUE(face) << face.error().message;
@@ -114,24 +114,24 @@ TEST_F(FaceCopies, ACopyOfItsFacesNameIsCalledOnesOwnInPictures) {
 }
 
 TEST_F(FaceCopies, ACopyKeepsHowItsAusCame) {
-  const auto copy = copy_face(shipped_, mine_, "anna");
+  const auto copy = copy_face(shipped_, faces_, "anna");
   ASSERT_TRUE(copy) << copy.error().message;
   const std::string came = folder_.read("shipped/plain/aus.toml");
   ASSERT_TRUE(save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}}));
   EXPECT_EQ(folder_.read("home/aucast/faces/anna/original_aus.toml"), came);
-  const auto again = copy_face(*copy, mine_, "berta");
+  const auto again = copy_face(*copy, faces_, "berta");
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(folder_.read("home/aucast/faces/berta/original_aus.toml"), came);
 }
 
 TEST_F(FaceCopies, NothingIsCopiedOrRenamedOverWhatIsThere) {
-  const auto copy = copy_face(shipped_, mine_, "anna");
+  const auto copy = copy_face(shipped_, faces_, "anna");
   ASSERT_TRUE(copy) << copy.error().message;
   folder_.write("home/aucast/faces/notes/list.txt", "mine");
   fs::create_directory(mine_ / "empty");
   fs::create_directory_symlink("/no/such/folder", mine_ / "dangling");
   for (const char* name : {"anna", "notes", "empty", "dangling"}) {
-    const auto copied = copy_face(shipped_, mine_, name);
+    const auto copied = copy_face(shipped_, faces_, name);
     ASSERT_FALSE(copied) << name;
     EXPECT_EQ(copied.error().message,
               (mine_ / name).string() + ": is there already; choose another name");
@@ -142,7 +142,7 @@ TEST_F(FaceCopies, NothingIsCopiedOrRenamedOverWhatIsThere) {
 }
 
 TEST_F(FaceCopies, ARenamedFaceKeepsAllThatIsSavedInIt) {
-  const auto copy = writable_face(shipped_, mine_);
+  const auto copy = writable_face(shipped_, faces_);
   ASSERT_TRUE(copy);
   ASSERT_TRUE(save_aus(*copy, {{77, {{"jaw", 1.5F}}, "yawn"}}));
   const auto renamed = rename_face(*copy, "anna");
@@ -154,11 +154,11 @@ TEST_F(FaceCopies, ARenamedFaceKeepsAllThatIsSavedInIt) {
   EXPECT_EQ(face->copy_of, "plain");
   EXPECT_TRUE(face->recordings.contains(77));
   EXPECT_TRUE(fs::exists(*renamed / "aus.toml~"));
-  EXPECT_EQ(*writable_face(shipped_, mine_), mine_ / "plain") << "another copy";
+  EXPECT_EQ(*writable_face(shipped_, faces_), mine_ / "plain") << "another copy";
 }
 
 TEST_F(FaceCopies, ARenamingThatFailsChangesNothing) {
-  const auto copy = copy_face(shipped_, mine_, "anna");
+  const auto copy = copy_face(shipped_, faces_, "anna");
   ASSERT_TRUE(copy);
   folder_.write("home/aucast/faces/anna/face.toml", "nonsense");
   const auto renamed = rename_face(*copy, "berta");
@@ -172,9 +172,9 @@ TEST_F(FaceCopies, ARenamingThatFailsChangesNothing) {
 }
 
 TEST_F(FaceCopies, ADeletedFaceIsGoneWhole) {
-  const auto copy = copy_face(shipped_, mine_, "anna");
+  const auto copy = copy_face(shipped_, faces_, "anna");
   ASSERT_TRUE(copy);
-  ASSERT_TRUE(copy_face(shipped_, mine_, "berta"));
+  ASSERT_TRUE(copy_face(shipped_, faces_, "berta"));
   ASSERT_TRUE(delete_face(*copy));
   EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 1);
   const auto again = delete_face(*copy);
@@ -191,7 +191,7 @@ TEST_F(FaceCopies, OfALinkOnlyTheLinkIsRenamedAndDeleted) {
   ASSERT_TRUE(renamed) << renamed.error().message;
   EXPECT_TRUE(fs::is_symlink(*renamed));
   EXPECT_EQ(folder_.read("shipped/plain/face.toml"), before);
-  const auto copy = copy_face(*renamed, mine_, "berta");
+  const auto copy = copy_face(*renamed, faces_, "berta");
   ASSERT_TRUE(copy) << copy.error().message;
   EXPECT_FALSE(fs::is_symlink(*copy));
   ASSERT_TRUE(delete_face(*renamed));
@@ -201,24 +201,25 @@ TEST_F(FaceCopies, OfALinkOnlyTheLinkIsRenamedAndDeleted) {
 
 /// What is edited must not get into a copy of another face that happens to have its name.
 TEST_F(FaceCopies, AnEditedFaceIsNotSavedInACopyOfAnother) {
-  ASSERT_TRUE(copy_face(shipped_, mine_, "anna"));
+  ASSERT_TRUE(copy_face(shipped_, faces_, "anna"));
   const fs::path other = folder_.path() / "others" / "anna";
   fs::create_directories(other.parent_path());
   fs::copy(shipped_, other, fs::copy_options::recursive);
-  const auto copy = writable_face(other, mine_);
+  const auto copy = writable_face(other, faces_);
   ASSERT_TRUE(copy) << copy.error().message;
   EXPECT_EQ(*copy, mine_ / "anna 2");
-  EXPECT_EQ(origin_of(*copy), "anna");
+  EXPECT_EQ(origin_of(*copy), fs::canonical(other).string());
+  EXPECT_EQ(origin_of(*copy_face(*copy, faces_, "berta")), origin_of(*copy)) << "a copy of it";
 }
 
 TEST_F(FaceCopies, AShippedFaceIsNotWrittenToThroughALink) {
   fs::create_directories(mine_);
   fs::create_directory_symlink(shipped_, mine_ / "plain");
-  const auto copy = writable_face(shipped_, mine_);
+  const auto copy = writable_face(shipped_, faces_);
   ASSERT_TRUE(copy) << copy.error().message;
   EXPECT_EQ(*copy, mine_ / "plain 2");
   EXPECT_FALSE(fs::equivalent(*copy, shipped_));
-  EXPECT_EQ(*writable_face(mine_ / "plain", mine_), mine_ / "plain 3");
+  EXPECT_EQ(*writable_face(mine_ / "plain", faces_), mine_ / "plain 3");
 }
 
 /// TOML has many ways to write a text.
@@ -234,7 +235,7 @@ TEST_F(FaceCopies, AFaceIsCopiedAndRenamedHoweverItsNameIsWritten) {
     folder_.write("shipped/plain/face.toml", other.replace(at, 7, written));
     ASSERT_TRUE(face::load_face(shipped_, folder_.path())) << written;
     const std::string name = "anna " + std::to_string(++number);
-    const auto copy = copy_face(shipped_, mine_, name);
+    const auto copy = copy_face(shipped_, faces_, name);
     ASSERT_TRUE(copy) << written << ": " << copy.error().message;
     const auto face = face::load_face(*copy, folder_.path());
     ASSERT_TRUE(face) << written << ": " << face.error().message;
@@ -248,7 +249,7 @@ TEST_F(FaceCopies, AFaceOfAnyNameIsSavedAndRenamed) {
   for (const char* name : {"it\"s", "a\\b", "a\nb", "\xff", "'"}) {
     const fs::path odd = shipped_.parent_path() / name;
     fs::copy(shipped_, odd, fs::copy_options::recursive);
-    const auto copy = writable_face(odd, mine_);
+    const auto copy = writable_face(odd, faces_);
     ASSERT_TRUE(copy) << name << ": " << copy.error().message;
     ASSERT_TRUE(save_aus(*copy, {{77, {{"jaw", 1.5F}}, {}}})) << name;
     EXPECT_TRUE(face::load_face(*copy, folder_.path())) << name;
@@ -263,7 +264,7 @@ TEST_F(FaceCopies, AReadOnlyFaceIsCopied) {
   for (const fs::path& path : {shipped_ / "notes" / "list.txt", shipped_ / "notes", shipped_}) {
     fs::permissions(path, kWrite, fs::perm_options::remove);
   }
-  EXPECT_TRUE(works_for_a_user([&] { return copy_face(shipped_, mine_, "anna").has_value(); }));
+  EXPECT_TRUE(works_for_a_user([&] { return copy_face(shipped_, faces_, "anna").has_value(); }));
   for (const fs::path& path : {shipped_ / "notes", shipped_}) {
     fs::permissions(path, fs::perms::owner_write, fs::perm_options::add);
   }
@@ -276,7 +277,7 @@ TEST_F(FaceCopies, AReadOnlyFaceIsCopied) {
 TEST_F(FaceCopies, WhatAnotherProgramIsCopyingIsLeftAlone) {
   folder_.write("home/aucast/faces/.anna.unfinished/face.toml", "half");
   folder_.write("home/aucast/faces/.unfinished 1/face.toml", "half");
-  const auto copy = copy_face(shipped_, mine_, "anna");
+  const auto copy = copy_face(shipped_, faces_, "anna");
   ASSERT_TRUE(copy) << copy.error().message;
   EXPECT_EQ(folder_.read("home/aucast/faces/.anna.unfinished/face.toml"), "half");
   EXPECT_EQ(folder_.read("home/aucast/faces/.unfinished 1/face.toml"), "half");
@@ -284,8 +285,8 @@ TEST_F(FaceCopies, WhatAnotherProgramIsCopyingIsLeftAlone) {
 }
 
 TEST_F(FaceCopies, WhatCannotBeDeletedOfOneFaceIsNotInTheWayOfTheNext) {
-  ASSERT_TRUE(copy_face(shipped_, mine_, "anna"));
-  ASSERT_TRUE(copy_face(shipped_, mine_, "berta"));
+  ASSERT_TRUE(copy_face(shipped_, faces_, "anna"));
+  ASSERT_TRUE(copy_face(shipped_, faces_, "berta"));
   const fs::path half = mine_ / ".deleted 1";
   folder_.write("home/aucast/faces/.deleted 1/face.toml", "stays");
   fs::permissions(half, kWrite, fs::perm_options::remove);
@@ -296,10 +297,34 @@ TEST_F(FaceCopies, WhatCannotBeDeletedOfOneFaceIsNotInTheWayOfTheNext) {
   EXPECT_TRUE(fs::is_empty(mine_)) << "what can be deleted by now is";
 }
 
+TEST_F(FaceCopies, AFaceFromElsewhereIsNotTheShippedOneOfItsName) {
+  const auto of_shipped = writable_face(shipped_, faces_);
+  ASSERT_TRUE(of_shipped) << of_shipped.error().message;
+  EXPECT_EQ(shipped_origin(*of_shipped, faces_.shipped), shipped_);
+  const fs::path other = folder_.path() / "others" / "plain";
+  fs::create_directories(other.parent_path());
+  fs::copy(shipped_, other, fs::copy_options::recursive);
+  const auto copy = writable_face(other, faces_);
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_EQ(*copy, mine_ / "plain 2");
+  EXPECT_EQ(shipped_origin(*copy, faces_.shipped), "");
+  ASSERT_TRUE(delete_face(*of_shipped));
+  ASSERT_TRUE(rename_face(*copy, "plain"));
+  EXPECT_EQ(*writable_face(other / "", faces_), mine_ / "plain") << "the copy that was made of it";
+  EXPECT_EQ(*writable_face(shipped_, faces_), mine_ / "plain 2");
+}
+
+TEST_F(FaceCopies, AFaceWithoutAusOfItsOwnIsNotCopiedInVain) {
+  fs::remove(shipped_ / "face.toml");
+  folder_.write("shipped/plain/faceline.dat", "0\n");
+  EXPECT_EQ(*writable_face(shipped_, faces_), shipped_);
+  EXPECT_FALSE(fs::exists(mine_));
+}
+
 TEST_F(FaceCopies, AClassicFaceIsCopiedAndRenamedByItsFolder) {
   fs::remove(shipped_ / "face.toml");
   folder_.write("shipped/plain/faceline.dat", "0\n");
-  const auto copy = copy_face(shipped_, mine_, "anna");
+  const auto copy = copy_face(shipped_, faces_, "anna");
   ASSERT_TRUE(copy) << copy.error().message;
   const auto renamed = rename_face(*copy, "berta");
   ASSERT_TRUE(renamed) << renamed.error().message;

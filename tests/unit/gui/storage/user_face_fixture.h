@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/gui/storage/face_copies.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/face/small_face.h"
 
@@ -22,6 +23,7 @@ class UserFaceTest : public testing::Test {
   test::TempFolder folder_;
   std::filesystem::path shipped_ = folder_.path() / "shipped" / "plain";
   std::filesystem::path mine_ = folder_.path() / "home" / "aucast" / "faces";
+  FaceFolders faces_{shipped_.parent_path(), mine_};
 };
 
 }  // namespace aucast::gui

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/gui/storage/user_face.h"
 #include "client/gui/texts/texts.h"
 #include "protocol/codec.h"
 #include "tests/support/manual_clock.h"
@@ -239,6 +240,31 @@ TEST_F(EditorSessionTest, AnAuOfOnesOwnIsAsItCameAgainWhenItIsRemoved) {
   EXPECT_EQ(notices_.view().text, gui::tr("said.au_shipped", 26));
   EXPECT_FALSE(entry(26).own);
   EXPECT_FLOAT_EQ(mapping_->recordings.at(26).activation[channel("jaw")], 2.2F);
+}
+
+TEST_F(EditorSessionTest, AnAuOfAFaceFromElsewhereIsNotThatOfTheShippedOneOfItsName) {
+  const test::TempFolder elsewhere;
+  const std::filesystem::path other = elsewhere.path() / "small";
+  std::filesystem::copy(assets_.face_folder, other, std::filesystem::copy_options::recursive);
+  ASSERT_TRUE(gui::save_aus(other, {{26, {{"jaw", 2.5F}}, {}}}));
+  assets_.face_folder = other;
+  auto face = face::load_face(other, assets_.data_folder);
+  ASSERT_TRUE(face.has_value()) << face.error().message;
+  assets_.face = std::move(*face);
+  mapping_->recordings = assets_.face.recordings;
+  editor_->change_face(names_of_channels());
+  ask(gui::LoadAu{26});
+  set("jaw", 3.5F);
+  ask(gui::SaveAu{26});
+  ASSERT_FALSE(editor_->save_failed()) << notices_.view().text;
+  show_saved_face();
+  EXPECT_TRUE(entry(26).own);
+  EXPECT_FALSE(entry(12).own);
+  ask(gui::RemoveAu{26});
+  EXPECT_FALSE(entry(26).own);
+  const auto saved = face::load_face(assets_.face_folder, assets_.data_folder);
+  ASSERT_TRUE(saved.has_value()) << saved.error().message;
+  EXPECT_FLOAT_EQ(saved->recordings.at(26).activation[channel("jaw")], 2.5F);
 }
 
 TEST_F(EditorSessionTest, AnAuThatIsOnlyOnesOwnIsGoneWhenItIsRemovedAndKeepsItsName) {
