@@ -13,7 +13,7 @@
 namespace aucast::glb {
 namespace {
 
-constexpr float kLeastWay = 0.0027F;  ///< mesh units: 0.04 mm
+constexpr float kLeastWay = 0.0029F;  ///< mesh units: 0.04 mm
 constexpr float kLeastTurn = 0.03F;   ///< of a normal: less than two degrees, which no light shows
 constexpr float kLeastArc = 0.015F;   ///< mesh units: what a target of its own is worth, 0.2 mm
 
