@@ -58,26 +58,6 @@ std::string longer_than(std::size_t bytes_max) {
   return "it is longer than " + std::to_string(bytes_max) + " bytes";
 }
 
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int value) : value_(value) {}
-  ~Descriptor() {
-    if (value_ >= 0) ::close(value_);
-  }
-  Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return value_; }
-  [[nodiscard]] int release() { return std::exchange(value_, -1); }
-  /// Closes now and says whether that worked: some file systems report a full disk only here.
-  [[nodiscard]] bool close() { return ::close(std::exchange(value_, -1)) == 0; }
-
- private:
-  int value_;
-};
-
 /// Why an open file cannot be read; empty: it can.
 std::string_view objection(const struct stat& status) {
   if (S_ISREG(status.st_mode)) return "";
@@ -225,10 +205,10 @@ Result<std::string> read_file(const fs::path& path, std::size_t bytes_max, const
   return read_open(opened->first, opened->second, path, bytes_max, stop);
 }
 
-Result<int> open_file(const fs::path& path) {
+Result<Descriptor> open_file(const fs::path& path) {
   auto opened = open_to_read(path);
   if (!opened) return opened.error();
-  return opened->first.release();
+  return std::move(opened->first);
 }
 
 std::string bytes_at(int descriptor, std::int64_t position, std::size_t count) {
@@ -248,10 +228,6 @@ std::string bytes_at(int descriptor, std::int64_t position, std::size_t count) {
 std::int64_t file_size(int descriptor) {
   struct stat status {};
   return ::fstat(descriptor, &status) == 0 ? status.st_size : 0;
-}
-
-void close_file(int descriptor) {
-  ::close(descriptor);
 }
 
 Result<SecretFile> read_secret_file(const fs::path& path, std::size_t bytes_max) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/descriptor.h"
 #include "common/result.h"
 #include "common/stopped.h"
 
@@ -28,7 +29,7 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 
 /// Opens a regular file for a library that does its own reading; the caller closes the descriptor.
 /// Refuses the kinds that read_file() refuses.
-[[nodiscard]] Result<int> open_file(const std::filesystem::path& path);
+[[nodiscard]] Result<Descriptor> open_file(const std::filesystem::path& path);
 
 /// The bytes of an open file from `position` on, fewer where it ends or cannot be read. Where the
 /// descriptor reads on stays.
@@ -36,9 +37,6 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 
 /// The size of an open file; 0 if the system does not tell.
 [[nodiscard]] std::int64_t file_size(int descriptor);
-
-/// Closes what open_file() opened.
-void close_file(int descriptor);
 
 /// A file with a secret in it.
 struct SecretFile {

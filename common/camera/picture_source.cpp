@@ -1,7 +1,5 @@
 #include "common/camera/picture_source.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -86,9 +84,7 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
 }
 
 Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path) {
-  const auto file = open_file(path);
-  if (!file) return file.error();
-  ::close(*file);
+  if (const auto file = open_file(path); !file) return file.error();
   return open(
       arguments_of({"-i", file_url(path)}, "fps=fps='min(source_fps,30)'," + std::string(kFilters)),
       path.string(), ErrorKind::BadData);

@@ -68,21 +68,9 @@ struct DeleteDecoder {
   void operator()(mpg123_handle* decoder) const { mpg123_delete(decoder); }
 };
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close_file(number_); }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 class Mp3Reader final : public SoundReader {
  public:
-  explicit Mp3Reader(int descriptor) : file_(descriptor) {
+  explicit Mp3Reader(Descriptor file) : file_(std::move(file)) {
     // A no-op since 1.27.
     static const int kInitialised = mpg123_init();
     if (kInitialised == MPG123_OK) decoder_.reset(mpg123_new(nullptr, nullptr));
@@ -95,14 +83,14 @@ class Mp3Reader final : public SoundReader {
     mpg123_param(decoder, MPG123_ADD_FLAGS, MPG123_QUIET | MPG123_FORCE_FLOAT | MPG123_MONO_MIX, 0);
     int channels = 0;
     int encoding = 0;
-    if (mpg123_open_fd(decoder, file_.number()) != MPG123_OK ||
+    if (mpg123_open_fd(decoder, file_.get()) != MPG123_OK ||
         mpg123_getformat(decoder, &rate_, &channels, &encoding) != MPG123_OK ||
         mpg123_scan(decoder) != MPG123_OK) {
       return mpg123_strerror(decoder);
     }
     count_ = mpg123_length(decoder);
     if (count_ < 1 || channels != 1 || encoding != MPG123_ENC_FLOAT_32) return "it has no samples";
-    const std::string first = bytes_at(file_.number(), after_tags(file_.number()), kLookBytes);
+    const std::string first = bytes_at(file_.get(), after_tags(file_.get()), kLookBytes);
     const std::int64_t there = mpg123_framelength(decoder);
     const auto told = frames_told(first);
     all_there_ = told && *told <= there + kOwnFrame;
@@ -185,8 +173,8 @@ bool is_mp3(int descriptor) {
   return begin > 0 && !other;
 }
 
-Result<std::unique_ptr<SoundReader>> open_mp3(int descriptor) {
-  auto reader = std::make_unique<Mp3Reader>(descriptor);
+Result<std::unique_ptr<SoundReader>> open_mp3(Descriptor file) {
+  auto reader = std::make_unique<Mp3Reader>(std::move(file));
   if (std::string why = reader->begin(); !why.empty()) {
     return Error{ErrorKind::BadData, std::move(why)};
   }

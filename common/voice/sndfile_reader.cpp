@@ -89,11 +89,11 @@ class SndfileReader final : public SoundReader {
 
 }  // namespace
 
-Result<std::unique_ptr<SoundReader>> open_sndfile(int descriptor) {
+Result<std::unique_ptr<SoundReader>> open_sndfile(Descriptor opened) {
   const auto wrong = [](std::string why) { return Error{ErrorKind::BadData, std::move(why)}; };
-  const ContainerEnd end = container_end(descriptor);
+  const ContainerEnd end = container_end(opened.get());
   SF_INFO info{};
-  std::unique_ptr<SNDFILE, CloseFile> file(sf_open_fd(descriptor, SFM_READ, &info, SF_TRUE));
+  std::unique_ptr<SNDFILE, CloseFile> file(sf_open_fd(opened.release(), SFM_READ, &info, SF_TRUE));
   if (!file) return wrong(sf_strerror(nullptr));
   if (info.channels < 1 || info.channels > kChannelsMax || info.frames < 1) {
     return wrong("it has no samples");

@@ -26,8 +26,7 @@ struct DeleteConverter {
 
 struct SoundFile::State {
   std::string name;
-  std::string complaint;
-  bool damaged = false;
+  std::string conversion_error;  ///< empty: none
   std::unique_ptr<SoundReader> reader;
   std::unique_ptr<SRC_STATE, DeleteConverter> converter;
   std::array<float, kSamplesAtOnce> samples{};
@@ -35,13 +34,8 @@ struct SoundFile::State {
   /// The next samples at the file's own rate; libsamplerate calls it.
   static long next_block(void* self, float** block) {
     auto& state = *static_cast<State*>(self);
-    const std::size_t count = state.reader->read(state.samples);
-    if (count < kSamplesAtOnce) {
-      state.complaint = state.reader->complaint();
-      state.damaged = state.reader->damaged();
-    }
     *block = state.samples.data();
-    return static_cast<long>(count);
+    return static_cast<long>(state.reader->read(state.samples));
   }
 };
 
@@ -54,9 +48,10 @@ Result<SoundFile> SoundFile::open(const std::filesystem::path& path) {
   const auto wrong = [&path](const std::string& why) {
     return Error{ErrorKind::BadData, at_place(path.string(), why)};
   };
-  const auto descriptor = open_file(path);
-  if (!descriptor) return descriptor.error();
-  auto reader = is_mp3(*descriptor) ? open_mp3(*descriptor) : open_sndfile(*descriptor);
+  auto file = open_file(path);
+  if (!file) return file.error();
+  const bool mp3 = is_mp3(file->get());
+  auto reader = mp3 ? open_mp3(*std::move(file)) : open_sndfile(*std::move(file));
   if (!reader) {
     return wrong("no sound that can be read (WAV, FLAC, Ogg Vorbis, Ogg Opus, MP3): " +
                  reader.error().message);
@@ -88,8 +83,7 @@ std::size_t SoundFile::read(std::span<float> samples) {
         src_callback_read(state_->converter.get(), ratio, static_cast<long>(samples.size() - done),
                           samples.data() + done);
     if (count < 0) {
-      state_->complaint = src_strerror(src_error(state_->converter.get()));
-      state_->damaged = true;
+      state_->conversion_error = src_strerror(src_error(state_->converter.get()));
     }
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
@@ -98,12 +92,14 @@ std::size_t SoundFile::read(std::span<float> samples) {
 }
 
 std::string SoundFile::complaint() const {
-  if (state_->complaint.empty()) return {};
-  return at_place(state_->name, "the sound breaks off before its end: " + state_->complaint);
+  const std::string& failed = state_->conversion_error;
+  const std::string why = failed.empty() ? state_->reader->complaint() : failed;
+  if (why.empty()) return {};
+  return at_place(state_->name, "the sound breaks off before its end: " + why);
 }
 
 bool SoundFile::damaged() const {
-  return state_->damaged;
+  return !state_->conversion_error.empty() || state_->reader->damaged();
 }
 
 Milliseconds SoundFile::duration() const {

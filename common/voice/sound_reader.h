@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "common/descriptor.h"
 #include "common/result.h"
 
 namespace aucast::voice {
@@ -36,11 +37,10 @@ class SoundReader {
 [[nodiscard]] bool is_mp3(int descriptor);
 
 /// MP3 by libmpg123 itself: libsndfile reads it too, but lets that library write to standard error.
-/// Takes the descriptor, also if it fails. The message of an error is the cause alone.
-[[nodiscard]] Result<std::unique_ptr<SoundReader>> open_mp3(int descriptor);
+/// The message of an error is the cause alone.
+[[nodiscard]] Result<std::unique_ptr<SoundReader>> open_mp3(Descriptor file);
 
-/// All other kinds, by libsndfile. Takes the descriptor, also if it fails. The message of an error
-/// is the cause alone.
-[[nodiscard]] Result<std::unique_ptr<SoundReader>> open_sndfile(int descriptor);
+/// All other kinds, by libsndfile. The message of an error is the cause alone.
+[[nodiscard]] Result<std::unique_ptr<SoundReader>> open_sndfile(Descriptor file);
 
 }  // namespace aucast::voice
