@@ -94,9 +94,9 @@ void FaceSession::look_in(const fs::path& folder) {
 
 Result<fs::path> FaceSession::copy(const fs::path& folder, const std::string& name) {
   if (auto good = check_name(name); !good) return good.error();
-  auto own = writable_own_faces(assets_.data_folder);
-  if (!own) return own.error();
-  auto copied = gui::copy_face(folder, {assets_.data_folder / "faces", *std::move(own)}, name);
+  const auto faces = writable_own_faces(assets_.data_folder);
+  if (!faces) return faces.error();
+  auto copied = gui::copy_face(folder, *faces, name);
   list();
   return copied;
 }

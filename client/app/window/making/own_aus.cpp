@@ -19,24 +19,21 @@ OwnAus::OwnAus(const Assets& assets, pipeline::AuMapping& mapping)
 
 void OwnAus::change_face() {
   shipped_.clear();
-  const auto own = writable_own_faces(assets_.data_folder);
-  own_ = own && gui::is_own_face(assets_.face_folder, *own);
-  const auto take = [this](const face::Face& face) {
-    for (const auto& [number, recording] : face.recordings) {
+  const auto faces = writable_own_faces(assets_.data_folder);
+  own_ = faces && gui::is_own_face(assets_.face_folder, faces->own);
+  const auto take = [this](const face::Face& face, const face::AuRecordings& aus) {
+    for (const auto& [number, recording] : aus) {
       shipped_[number] = gui::drive_of(face, recording.activation);
     }
   };
-  if (!own_) return take(assets_.face);
+  if (!own_) return take(assets_.face, assets_.face.recordings);
   // A copy has with it how its AUs came.
   if (const auto came = face::load_aus(assets_.face_folder / gui::kOriginalAusFile, assets_.face)) {
-    for (const auto& [number, recording] : *came) {
-      shipped_[number] = gui::drive_of(assets_.face, recording.activation);
-    }
-    return;
+    return take(assets_.face, *came);
   }
-  const auto origin = gui::shipped_origin(assets_.face_folder, assets_.data_folder / "faces");
+  const auto origin = gui::shipped_origin(assets_.face_folder, faces->shipped);
   if (origin.empty()) return;
-  if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face);
+  if (const auto face = face::load_face(origin, assets_.data_folder)) take(*face, face->recordings);
 }
 
 bool OwnAus::differs_from_shipped(int number) const {
@@ -75,10 +72,9 @@ Result<std::filesystem::path> OwnAus::save(int number, const std::vector<float>&
 }
 
 Result<std::filesystem::path> OwnAus::take(const face::AuRecordings& recordings) {
-  auto faces = writable_own_faces(assets_.data_folder);
+  const auto faces = writable_own_faces(assets_.data_folder);
   if (!faces) return faces.error();
-  auto folder =
-      gui::writable_face(assets_.face_folder, {assets_.data_folder / "faces", *std::move(faces)});
+  auto folder = gui::writable_face(assets_.face_folder, *faces);
   if (!folder) return folder.error();
   std::vector<gui::SavedAu> aus;
   for (const auto& [number, recording] : recordings) {

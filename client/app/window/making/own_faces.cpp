@@ -12,13 +12,15 @@ Result<std::filesystem::path> folder_of_own_faces() {
   return gui::user_faces_folder(std::getenv("XDG_DATA_HOME"), std::getenv("HOME"));
 }
 
-Result<std::filesystem::path> writable_own_faces(const std::filesystem::path& data_folder) {
+Result<gui::FaceFolders> writable_own_faces(const std::filesystem::path& data_folder) {
   auto own = folder_of_own_faces();
+  if (!own) return own.error();
+  gui::FaceFolders faces{data_folder / "faces", *std::move(own)};
   std::error_code not_there;
-  if (own && std::filesystem::equivalent(*own, data_folder / "faces", not_there)) {
-    return Error{ErrorKind::Usage, gui::tr("said.own_are_shipped", own->string())};
+  if (std::filesystem::equivalent(faces.own, faces.shipped, not_there)) {
+    return Error{ErrorKind::Usage, gui::tr("said.own_are_shipped", faces.own.string())};
   }
-  return own;
+  return faces;
 }
 
 }  // namespace aucast::app

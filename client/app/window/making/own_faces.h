@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "client/gui/storage/face_copies.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -10,9 +11,8 @@ namespace aucast::app {
 /// XDG_DATA_HOME nor HOME.
 [[nodiscard]] Result<std::filesystem::path> folder_of_own_faces();
 
-/// The same for writing to. Fails also if it is that of the shipped faces, by a link or a setting:
-/// those stay as they are.
-[[nodiscard]] Result<std::filesystem::path> writable_own_faces(
-    const std::filesystem::path& data_folder);
+/// That folder to write to, and that of the shipped faces. Fails also if they are one, by a link or
+/// a setting: the shipped ones stay as they are.
+[[nodiscard]] Result<gui::FaceFolders> writable_own_faces(const std::filesystem::path& data_folder);
 
 }  // namespace aucast::app
