@@ -7,11 +7,10 @@
 
 namespace aucast::gui {
 
-const FaceEntry* shown_face(const FacesView& faces) {
+const FaceEntry* listed_face(const FacesView& faces, const std::string& folder) {
   if (faces.entries == nullptr) return nullptr;
-  const auto found =
-      std::find_if(faces.entries->begin(), faces.entries->end(),
-                   [&](const FaceEntry& face) { return face.folder == faces.shown; });
+  const auto found = std::find_if(faces.entries->begin(), faces.entries->end(),
+                                  [&](const FaceEntry& face) { return face.folder == folder; });
   return found == faces.entries->end() ? nullptr : &*found;
 }
 

@@ -6,8 +6,12 @@
 
 namespace aucast::gui {
 
-/// The face in the window, as it is listed; null: it is not.
-[[nodiscard]] const FaceEntry* shown_face(const FacesView& faces);
+/// The face in this folder, as it is listed; null: it is not.
+[[nodiscard]] const FaceEntry* listed_face(const FacesView& faces, const std::string& folder);
+/// The face in the window, likewise.
+[[nodiscard]] inline const FaceEntry* shown_face(const FacesView& faces) {
+  return listed_face(faces, faces.shown);
+}
 
 /// What is wrong with a name for a face of the user's own, as a sentence; empty: nothing. Names of
 /// shipped faces are left to the copies that are made when such a face is edited.

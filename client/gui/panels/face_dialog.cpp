@@ -16,13 +16,6 @@ using Asked = FaceForm::Asks;
 
 constexpr float kQuestionWidth = 400;
 
-const FaceEntry* face_in(const FacesView& faces, const std::string& folder) {
-  if (faces.entries == nullptr) return nullptr;
-  const auto found = std::find_if(faces.entries->begin(), faces.entries->end(),
-                                  [&](const FaceEntry& face) { return face.folder == folder; });
-  return found == faces.entries->end() ? nullptr : &*found;
-}
-
 std::string title_of_question(Asked asks, const std::string& face) {
   switch (asks) {
     case Asked::Copy:
@@ -89,7 +82,7 @@ void ask_to_delete(const FaceEntry& face, FaceForm& form, GuiCommands& commands)
 void face_dialog(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands) {
   constexpr const char* kId = "###face";
   if (form.asks == Asked::Nothing) return;
-  const FaceEntry* face = face_in(model.faces, form.folder);
+  const FaceEntry* face = listed_face(model.faces, form.folder);
   if (face == nullptr) {
     form.asks = Asked::Nothing;
     return;

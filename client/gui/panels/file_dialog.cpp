@@ -55,6 +55,11 @@ void set_text(std::array<char, N>& out, const std::string& text) {
   out[length] = 0;
 }
 
+/// Whether the line of the folder has another path in it, which was typed.
+bool path_is_typed(const BrowserView& view, const FileForm& form) {
+  return form.folder.data() != view.folder;
+}
+
 void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const float up = 60 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
@@ -90,8 +95,8 @@ void entry_list(const Look& look, const BrowserView& view, FileForm& form, float
       if (std::exchange(form.to_first, false)) focus_here(false);
       // What was gone or typed to is chosen, so that the button below opens it; not on the way
       // there from a path that was typed.
-      const bool path = form.folder.data() != view.folder;
-      if (!saving && !path && !entry.folder && focus_is_here()) set_text(form.name, entry.name);
+      if (!saving && !path_is_typed(view, form) && !entry.folder && focus_is_here())
+        set_text(form.name, entry.name);
       ImGui::PopStyleColor();
       if (!clicked) continue;
       if (entry.folder) {
@@ -218,7 +223,7 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
                        : view.replaces.empty() ? tr("button.save")
                                                : tr("file.replace");
   // A path that was typed above is opened by the button too, if none is chosen in the list.
-  const bool typed = !saving && !folder && form.name[0] == 0 && form.folder.data() != view.folder;
+  const bool typed = !saving && !folder && form.name[0] == 0 && path_is_typed(view, form);
   const bool named = folder || typed || form.name[0] != 0;
   if (wide_button(tr("button.cancel"), 0, 2, true)) commands.push_back(CloseBrowser{});
   const bool pressed = wide_button(action, 1, 2, named, named);
