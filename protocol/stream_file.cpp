@@ -8,6 +8,7 @@
 #include "common/error_list.h"
 #include "common/text.h"
 #include "common/text_file.h"
+#include "protocol/caption.h"
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 
@@ -215,6 +216,16 @@ StreamTitle stream_title(std::string_view text) {
     }
   }
   return {};
+}
+
+std::string title_complaint(const StreamTitle& title, std::string_view file) {
+  const std::string& text = title.text;
+  if (is_title(text)) return {};
+  const std::string why = text.size() > kTitleBytesMax
+                              ? "it has " + std::to_string(text.size()) + " bytes, of at most " +
+                                    std::to_string(kTitleBytesMax)
+                              : "it is no plain UTF-8 text";
+  return at_place(file, title.line, 1, "the title is left out: " + why);
 }
 
 Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,

@@ -40,6 +40,10 @@ struct StreamTitle {
 /// The title that a comment "# title: ..." before the first packet gives; empty: there is none.
 [[nodiscard]] StreamTitle stream_title(std::string_view text);
 
+/// Why no client gets the title of the stream file that messages call `file`, with its place;
+/// empty: they get it, or there is none.
+[[nodiscard]] std::string title_complaint(const StreamTitle& title, std::string_view file);
+
 /// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
 /// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that
 /// counts the rest. Asked to stop, it returns stopped_early() at the next keyframe.

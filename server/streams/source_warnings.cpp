@@ -1,23 +1,13 @@
 #include "server/streams/source_warnings.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "common/text.h"
-#include "protocol/caption.h"
 #include "protocol/endpoint.h"
-#include "protocol/limits.h"
+#include "protocol/stream_file.h"
 
 namespace aucast::server {
 namespace {
-
-std::string title_left_out(const Source& source) {
-  const std::string& title = source.title.text;
-  const std::string why = title.size() > protocol::kTitleBytesMax
-                              ? "it has " + std::to_string(title.size()) + " bytes, of at most " +
-                                    std::to_string(protocol::kTitleBytesMax)
-                              : "it is no plain UTF-8 text";
-  return at_place(source.path.string(), source.title.line, 1, "the title is left out: " + why);
-}
 
 /// What comes live may be the table of a recogniser.
 bool may_be_recording(const Source& source) {
@@ -32,7 +22,8 @@ std::vector<std::string> source_warnings(const std::vector<Source>& sources,
                                          const SourceOptions& options) {
   std::vector<std::string> warnings;
   for (const Source& source : sources) {
-    if (!protocol::is_title(source.title.text)) warnings.push_back(title_left_out(source));
+    std::string wrong = protocol::title_complaint(source.title, source.path.string());
+    if (!wrong.empty()) warnings.push_back(std::move(wrong));
   }
   const std::string unused = options_of_recordings(options);
   if (!unused.empty() && !sources.empty() &&

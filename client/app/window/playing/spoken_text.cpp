@@ -8,8 +8,6 @@
 #include "common/log.h"
 #include "common/text.h"
 #include "common/voice/webvtt.h"
-#include "protocol/caption.h"
-#include "protocol/limits.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::app {
@@ -17,13 +15,10 @@ namespace aucast::app {
 Result<void> SpokenText::read_beside(const std::filesystem::path& file) {
   if (const auto text = read_file(file)) {
     protocol::StreamTitle title = protocol::stream_title(*text);
-    if (protocol::is_title(title.text)) {
+    if (const std::string wrong = protocol::title_complaint(title, file.string()); wrong.empty()) {
       title_ = std::move(title.text);
     } else {
-      spdlog::warn("{}", at_place(file.string(), title.line, 1,
-                                  "the title is left out: it has more than " +
-                                      std::to_string(protocol::kTitleBytesMax) +
-                                      " bytes, or is no plain text"));
+      spdlog::warn("{}", wrong);
     }
   }
   std::filesystem::path captions = file;
