@@ -29,11 +29,11 @@ struct AuReaderOptions {
   std::optional<Milliseconds> speed{};  ///< --speed: the time of keyframes that have none of their
                                         ///< own; nullopt: what the server's hello says
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
-  bool one_round = false;               ///< until a keyframe has come, each host is tried only once
-  std::string token{};                  ///< shown in the hello; empty: none
-  bool voice = false;                   ///< asks for the stream's voice
-  bool captions = false;                ///< asks for its captions
-  std::size_t hosts = 1;                ///< how many are tried in turn
+  bool one_round = false;  ///< until a server was reached, each host is tried only once
+  std::string token{};     ///< shown in the hello; empty: none
+  bool voice = false;      ///< asks for the stream's voice
+  bool captions = false;   ///< asks for its captions
+  std::size_t hosts = 1;   ///< how many are tried in turn
 };
 
 /// What the connection's owner has to do: send `send`, then what `next` says.

@@ -35,7 +35,7 @@ struct RemoteOptions {
   /// --reconnect: a connection that is lost or cannot be made is tried again after 1, 2, 4 ... 30
   /// s, until stop().
   bool reconnect = false;
-  /// With `reconnect`: until something has come from one of the servers, each is tried only once.
+  /// With `reconnect`: until one of the servers was reached, each is tried only once.
   bool one_round = false;
   Security security{};
   bool voice = false;     ///< ask for the stream's voice
