@@ -30,7 +30,7 @@ struct DeliverKeyframe {
   AuFrame aus;
   std::optional<std::uint32_t> time_ms;  ///< the packet's own
   std::optional<std::uint64_t> place_ms;
-  bool changes_only = false;  ///< the packet was
+  bool changes_only = false;  ///< the packet was a changes-only one
 };
 /// Voice has come. Its place is on the client's clock: the granted `from` (0 if none) plus the
 /// times of the keyframes received. It is heard while the face goes through that place.

@@ -46,14 +46,14 @@ struct Options {
 std::vector<OptionRow> rows_of(Options& options) {
   using Where = OptionRow::Where;
   std::vector<OptionRow> rows{
-      {"text", "TEXT", "", "the text, UTF-8; - for stdin", "", word(options.text), "Files",
+      {"text", "TEXT", "", "a text file, UTF-8; - for stdin", "", word(options.text), "Files",
        Where::Positional},
-      {"output", "DIR", "", "folder for the files, made if need be (named as TEXT)",
+      {"output", "DIR", "", "folder for the files (named after TEXT)",
        "The folder for the files, which is made if need be. Default: the name of TEXT without its "
        "extension.",
        word(options.output), "", Where::Anywhere, 'o'},
       {"name", "NAME", "", "name of the files (that of TEXT, or speech)", "", word(options.name)},
-      {"voice", "FILE", "", "a recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3)",
+      {"voice", "FILE", "", "a recording of TEXT, read aloud (WAV, FLAC, Ogg, MP3)",
        "A recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most three hours.",
        word(options.recording)},
       {"labels", "FILE", "", "write when each sound (IPA) is heard, for Audacity", "",
@@ -83,15 +83,14 @@ CommandPage speaker_page() {
   return {.program = "au-speaker",
           .usage = {"au-speaker [OPTIONS] TEXT"},
           .about =
-              "Makes a face speak: turns a text into speech, a stream file for the face, and "
+              "Makes a face speak: turns a text into speech, a stream file for the face, and\n"
               "captions.\n",
           .rows = unbound(rows_of(described)),
           .notes =
-              "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other "
-              "lines\nthat begin with # are not spoken, and a word in brackets sets the "
-              "expression until\nthe next bracket or the end of the paragraph: [smile], "
-              "[surprise 60] (percent), or\nAUs, [1,2:40]. Names are those of "
-              "expressions.toml.\n",
+              "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other\n"
+              "lines that begin with # are not spoken, and a word in brackets sets the\n"
+              "expression until the next bracket or the end of the paragraph: [smile],\n"
+              "[surprise 60] (percent), or AUs, [1,2:40]. Names are those of expressions.toml.\n",
           .examples = {"au-speaker lecture.txt -o lecture        # lecture/lecture.txt, .wav, .vtt",
                        "au-speaker lecture.txt --voice talk.wav  # the face for a recorded voice",
                        "au-transmitter lecture                   # serves it"}};

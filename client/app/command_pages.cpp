@@ -11,9 +11,9 @@ namespace {
 constexpr std::string_view kLayersAndSections =
     R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
 eye-tags.
-Sections: aus (A to E on the left, the right and both), prototypes, combinations
-(pairs of basic expressions), appendix-a and appendix-b of the thesis, sweeps,
-coverage.
+Sections: aus (A to E on the left, the right and both sides), prototypes,
+combinations (pairs of basic expressions), appendix-a and appendix-b of the
+thesis, sweeps, coverage (which AUs the face has).
 )";
 
 constexpr std::string_view kLayers =
@@ -41,8 +41,8 @@ void describe_export(CommandPage& page) {
                 "face-player export FILE.glb [OPTIONS]          the face alone"};
   page.about =
       "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
-      "how far that face is from the one drawn here. The same stream and options give\n"
-      "the same bytes. For the sound, run face-player play STREAM --sound\n"
+      "by how much it differs from the face that face-player draws. The same stream and\n"
+      "options give the same bytes. For the sound, run face-player play STREAM --sound\n"
       "FILE.wav: it begins when the animation does. In parentheses: defaults.\n";
   page.examples = {"face-player export talk.txt talk.glb",
                    "face-player export talk.txt talk.glb --fps 60 --idle 1",
@@ -59,7 +59,7 @@ CommandPage command_page(Command command) {
     case Command::Help:
       page.usage = {"face-player [OPTIONS] HOST[:PORT]              in a window (port 4650)",
                     "face-player --headless [OPTIONS] HOST[:PORT]   without a display",
-                    "face-player --list HOST[:PORT]                 names of the streams",
+                    "face-player --list HOST[:PORT]                 its streams",
                     "face-player --mirror [camera:DEVICE|FILM]      your own face, in a window",
                     "face-player play FILE                          stream file or AU table",
                     "face-player pose|rules|gallery|export --help   pictures, rules, GLB"};

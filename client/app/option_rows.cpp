@@ -147,7 +147,7 @@ std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
       {"face", "NAME", "default", "name of a face, or its folder (default)",
        "The name of a face in data/faces, or its folder.", word(face.face), "Face"},
-      {"mixer", "MIXER", "maximum", "AUs that share a muscle: maximum, average (maximum)",
+      {"mixer", "MIXER", "maximum", "for AUs sharing a muscle: maximum, average (maximum)",
        "How contractions of one muscle by several AUs are combined: maximum or average.",
        one_of<face::Mixer>(face.mixer,
                            {{"maximum", face::Mixer::Maximum}, {"average", face::Mixer::Average}})},
@@ -175,7 +175,7 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
        "Between keyframes: linear or cosine.",
        one_of<Interpolation>(playback.interpolation, {{"linear", Interpolation::Linear},
                                                       {"cosine", Interpolation::Cosine}})},
-      {"blink", "SEED[:MS[:MS]]", "", "random blinks: every, closing in ms (4000:100)",
+      {"blink", "SEED[:EVERY[:CLOSING]]", "", "random blinks; times in ms (4000:100)",
        "Adds blinks: a seed for their random times, the mean interval (4000) and the time "
        "that the lids take to close (100), in ms.",
        parsed(Kind::Word, read_blink, playback.blink)},
@@ -206,12 +206,12 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
       {"volume", "N", "100", "0 to 100 percent (100)",
        "How loud the sound is, 0 to 100 percent of how it comes.", whole(sound.volume, 0, 100),
        "Sound"},
-      {"mute", "", "", "receive the sound, but play silence",
-       "Plays silence; nothing else changes.", flag(sound.mute)},
+      {"mute", "", "", "play silence in place of the sound", "Plays silence; nothing else changes.",
+       flag(sound.mute)},
       {"sound", "FILE.wav", "", "write the sound to a file",
        "Writes the sound to a WAV file, as long as the stream, and does not wait for the clock.",
        word(sound.file)},
-      {"no-sound", "", "", "do not ask for sound; videos are silent",
+      {"no-sound", "", "", "no sound at all; videos are silent",
        "Plays no sound, and asks the server for none. Videos of --record are silent.",
        flag(sound.none)},
       {"sound-device", "NAME", "", "device to play on",
@@ -234,7 +234,7 @@ OptionRow fps_row(OutputOptions& output) {
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
-      {"frames", "DIR", "", "write PNGs to DIR: 50 for each keyframe, or --fps",
+      {"frames", "DIR", "", "PNGs to DIR: 50 a keyframe, or --fps N a second",
        "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
        word(output.frames)},
       {"record", "FILE", "", "write a video: .mp4, .webm or .gif",
@@ -267,7 +267,7 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        whole(options.display.text_percent, gui::kTextPercentMin, gui::kTextPercentMax)},
       {"exit-at-end", "", "", "close the window when the stream ends",
        "Closes the window when the stream ends.", flag(options.exit_at_end)},
-      {"no-config", "", "", "ignore the window's kept settings",
+      {"no-config", "", "", "ignore the window's saved settings",
        "The window neither reads nor writes ~/.config/aucast/face-player.toml.",
        flag(options.config, false)},
   };
@@ -328,11 +328,11 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
   return {
       {"dir", "DIR", "", "folder to write to; other files in it are kept", "", word(gallery.folder),
        "", Where::Positional},
-      {"only", "SECTION[,...]", "", "some of the sections, see below",
+      {"only", "SECTION[,...]", "", "only these sections, see below",
        "Only these sections: aus, prototypes, combinations, appendix-a, appendix-b, sweeps, "
        "coverage. May be repeated.",
        parsed(Kind::Words, read_sections, gallery.only)},
-      {"sweep", "AUS|NAME", "", "neutral to full and back, as frames and a video",
+      {"sweep", "AUS|NAME", "", "neutral to full and back, frames and video; or all",
        "From neutral to the apex and back, as frames, and as a video if ffmpeg is installed: "
        "a set of AUs, an expression, or all of both. May be repeated.",
        words(gallery.sweeps)},
@@ -371,7 +371,7 @@ std::vector<OptionRow> table_rows(gui::TableSettings& table) {
       {"table-gain", "PERCENT", "", "gain for all AUs of a table",
        "Multiplies the intensities of all AUs of a table, 1 to 1000 percent.",
        whole(table.gain_percent, 1, gui::kTableGainPercentMax)},
-      {"table-neutral", "S", "", "the face is neutral for S seconds at first",
+      {"table-neutral", "S", "", "subtract the face of the first S s, taken as neutral",
        "For how many seconds at first the face of a table is neutral, 1 to 60; the face that it "
        "shows there is subtracted.",
        whole(table.neutral_s, 1, gui::kTableNeutralMax)},
@@ -382,21 +382,21 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   net::SecurityOptions& security = playback.security;
   return {
-      {"buffer", "N", "100", "Receiver buffer: sets, a time (300ms) or auto (100)",
+      {"buffer", "N", "100", "Receiver buffer: N sets, a time (300ms), auto (100)",
        "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
        "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
        parsed(Kind::Word, read_buffer, buffers), "Receiving"},
       {"playout", "N", "30", "Playout buffer, in sets (30)",
        "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        whole(buffers.playout_capacity, 1, playback::BufferOptions::kSetsMax)},
-      {"threshold", "PERCENT", "40", "how full the Receiver buffer is at the start (40)",
+      {"threshold", "PERCENT", "40", "start when the Receiver buffer is this full (40)",
        "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        whole(buffers.threshold_percent, 1, 100)},
       {"live", "", "", "play a live stream with the lowest delay",
        "The lowest delay of a live stream that the link allows, at the risk of stalls.",
        flag(buffers.low_delay)},
-      {"live-delay", "MS", "", "a fixed delay of live streams",
-       "A fixed delay of live streams, up to 60000 ms. Without it the delay adapts to the "
+      {"live-delay", "MS", "", "a fixed delay for live streams",
+       "A fixed delay for live streams, up to 60000 ms. Without it the delay adapts to the "
        "link.",
        parsed(Kind::Number, read_live_delay, buffers)},
       {"hold", "S", "5", "return to neutral after a stall of S seconds (5)", "",
@@ -427,7 +427,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        "The file with the token that the server requires. It is sent over TLS, to this "
        "computer, or with --insecure-token.",
        word(security.token)},
-      {"insecure-token", "", "", "show it without TLS too",
+      {"insecure-token", "", "", "send the token even without TLS",
        "Send the token without TLS to other computers too: anyone on the path can read it.",
        flag(security.insecure_token)},
   };

@@ -32,9 +32,10 @@ struct DeformedFace {
 /// displacements are summed, so that their order does not matter; then lids, jaw, eyes and head
 /// turn, in that order. Displacements per unit of activation are computed once, when the deformer
 /// is made; deform() computes only the vertices that a changed activation reaches. A crease of
-/// depth 0 is not drawn and its vertices stay at rest, except those that share a block of vertices
-/// with something drawn. The result depends on the activations alone, to the last bit, not on
-/// earlier calls. The face must outlive the deformer. Thread: one deformer per thread.
+/// depth 0 is not drawn and its vertices stay at rest, except where vertices are computed in blocks
+/// (vertex_block.h) and something drawn is in the same block. The result depends on the activations
+/// alone, to the last bit, not on earlier calls. The face must outlive the deformer. Thread: one
+/// deformer per thread.
 class FaceDeformer {
  public:
   explicit FaceDeformer(const Face& face);
@@ -54,7 +55,7 @@ class FaceDeformer {
   std::unique_ptr<State> state_;
 };
 
-/// Makes a deformer in steps of a few milliseconds, for callers that must not stand still
+/// Makes a deformer in steps of a few milliseconds, for callers that must not block
 /// meanwhile. The face must outlive it.
 class FaceDeformer::Making {
  public:

@@ -29,7 +29,7 @@ struct AuReaderOptions {
   std::optional<Milliseconds> speed{};  ///< --speed: the time of keyframes that have none of their
                                         ///< own; nullopt: what the server's hello says
   bool reconnect = false;               ///< try again when the connection is lost or cannot be made
-  bool one_round = false;  ///< until a server was reached, each host is tried only once
+  bool one_round = false;  ///< until a server has been reached, each host is tried only once
   std::string token{};     ///< shown in the hello; empty: none
   bool voice = false;      ///< asks for the stream's voice
   bool captions = false;   ///< asks for its captions
@@ -54,15 +54,15 @@ struct Reaction {
 /// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
 /// to pause while they are full. No clock: the current time goes in.
 ///
-/// Room: every keyframe answered by `1` is in the buffers or in one of two places beside them. One
-/// is for those that were under way when the buffers became full, at most the window. A server that
-/// does not wait for answers is read no faster than the player makes room.
+/// Room: every keyframe answered by `1` is in the buffers, in `kept_` (under way when the buffers
+/// became full, at most the window) or in `first_`. A server that does not wait for answers is
+/// read no faster than the player makes room.
 ///
-/// Classic: when a server answers our hello with a keyframe, that one is answered, but waits in the
-/// other place until a second one or {-2} comes. If the server closes before, the stream begins
+/// Classic: when a server answers our hello with a keyframe, that one is answered, but waits in
+/// `first_` until a second one or {-2} comes. If the server closes before that, the stream begins
 /// again on a new connection, and nothing may be played twice.
 ///
-/// Loss: with `reconnect` the face holds, and the stream of the next connection follows what had
+/// Loss: with `reconnect` the face holds, and the stream of the next connection follows what has
 /// been received: a recorded stream from where it was cut off, if the server can do that, a live
 /// one from the present.
 ///
@@ -155,11 +155,11 @@ class AuReader {
   Instant now_{};  ///< of the call that is being worked on
   LiveTiming timing_;
   Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
-  Milliseconds clock_shift_{0};  ///< added to this connection's places, gives clock_'s
+  Milliseconds clock_shift_{0};  ///< plus a place of this connection: a place on clock_
   SpokenQueue spoken_;           ///< its places are on clock_
   BackOff back_off_;
-  bool granted_ = false;                ///< a hello was answered, if only once
-  std::size_t failures_ = 0;            ///< attempts in vain before a server was reached
+  bool granted_ = false;                ///< at least one hello has been answered
+  std::size_t failures_ = 0;            ///< failed attempts before a server was reached
   std::size_t busy_in_a_row_ = 0;       ///< hosts that were full, or did not have the stream yet
   std::uint64_t keyframes_before_ = 0;  ///< of earlier connections that were lost
   std::uint64_t bytes_before_ = 0;

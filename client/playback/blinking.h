@@ -13,7 +13,7 @@ struct BlinkOptions {
   static constexpr int kClosingMaxMs = 500;
 
   std::uint64_t seed = 1;
-  /// kIntervalMinMs to kIntervalMaxMs. 15 blinks a minute, as people at rest do.
+  /// kIntervalMinMs to kIntervalMaxMs. The default is 15 blinks a minute, as of people at rest.
   int interval_ms = 4000;
   int closing_ms = 100;  ///< kClosingMinMs to kClosingMaxMs, at most a sixth of the interval
   Interpolation interpolation = Interpolation::Linear;

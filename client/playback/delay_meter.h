@@ -15,7 +15,7 @@ struct DelaySummary {
   Duration longest{};
 };
 
-/// Collects delays, such as from a keyframe's arrival until the face had reached it.
+/// Collects delays, such as from a keyframe's arrival until the face has reached it.
 /// Thread: none of its own.
 class DelayMeter {
  public:

@@ -28,7 +28,7 @@ struct DialOptions {
   std::optional<tls::Context> tls{};  ///< nullopt: no TLS
   /// A secret will be sent: only TLS, or a connection to this computer, is allowed.
   bool secret = false;
-  /// The remedy in the message when it is neither.
+  /// The remedy in the message for a connection that is neither.
   const char* secret_remedy = "--tls, or --insecure-token";
   Limits limits{};
   int held_back_max = 0;  ///< see tcp_link()
@@ -44,7 +44,8 @@ using Dialled = std::variant<std::shared_ptr<Link>, DialFailure>;
 
 /// Makes connections, one at a time: looks the name up and tries its addresses in turn; each may
 /// take an equal share of the time that is left. The link that it makes is not started yet. With
-/// TLS, the handshake, which checks that the certificate is for `host`, has the rest of the time.
+/// TLS, the handshake, which checks that the certificate is for `host`, has what is left of
+/// `time_max` once an address has answered.
 /// Thread: that of the io_context, which must outlive it.
 class Dialler {
  public:

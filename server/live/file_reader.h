@@ -16,9 +16,9 @@
 
 namespace aucast::server {
 
-/// Reads a regular file, or another input for which the kernel cannot tell when there is more, to
-/// its end. With `follow` it goes on as the file grows, and begins again when the file got shorter,
-/// was replaced, or was changed in a part that had been read.
+/// Reads to its end a regular file, or another input that epoll cannot wait for. With `follow` it
+/// goes on as the file grows, and begins again when the file has got shorter, or has been replaced
+/// or changed in a part already read.
 class FileReader final : public InputReader {
  public:
   /// `path`: where to look for a file that replaces this one; "-" for stdin, which is read from its
@@ -27,7 +27,7 @@ class FileReader final : public InputReader {
              const Events& events);
   ~FileReader() override;
 
-  /// Begins to read, and asks the kernel to report changes, if it can.
+  /// Begins to read; watches the file with inotify if possible.
   void start() override;
   void hold(bool held) override;
   void stop() override;

@@ -39,9 +39,10 @@ class InputReader {
   virtual void start() = 0;
   /// With true, stops reading for now; with false, goes on.
   virtual void hold(bool held) = 0;
-  /// Reads no more, and calls no more events.
+  /// Reads no more, and calls no more callbacks.
   virtual void stop() = 0;
-  /// Whether what is read may have been written before it was opened.
+  /// Whether the input may hold bytes from before it was opened, as a file does and a pipe does
+  /// not.
   [[nodiscard]] virtual bool has_past() const = 0;
 };
 

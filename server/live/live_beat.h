@@ -16,7 +16,8 @@ namespace aucast::server {
 /// The timer of recorded streams that are sent live: moves each on to its next moment for as long
 /// as the stream is in use, tells the owner when any has moved, and logs moments that were left
 /// out.
-/// Thread: that of the io_context, which must outlive it together with the callback's captures.
+/// Thread: that of the io_context. The io_context and whatever the callback captures must outlive
+/// this object.
 class LiveBeat {
  public:
   using OnMoment = std::function<void()>;

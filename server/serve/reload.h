@@ -20,8 +20,8 @@ namespace aucast::server {
 /// Reads settings and sources again on SIGHUP: certificates, tokens and profile at once, the
 /// sources on a thread of their own, so that no client waits for a disk. What cannot be read stays
 /// as it was. Thread: that of the io_context, where `on_done` is called too. The load function runs
-/// on the other thread, must not touch what the first one uses, and returns soon when asked to
-/// stop.
+/// on the other thread, must not touch what the io_context's thread uses, and returns soon when
+/// asked to stop.
 class Reload {
  public:
   using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;

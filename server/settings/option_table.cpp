@@ -38,7 +38,7 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "file, film, aucast://HOST; live: -, FIFO, camera",
+      {"source", "SOURCE", "", "file, folder, film, aucast://HOST, -, FIFO, camera",
        "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
        "folder, whose .txt and .csv files become sources, in order of their names. A stream has "
        "the name of its file without the extension; a client that asks for no name, and every "
@@ -64,7 +64,7 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
        "comes back, the stream goes on. Stream files on stdin or FIFOs have no such limit: only "
        "the end of input ends them.",
        seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"record", "FILE", "", "write what a live source gives to FILE",
+      {"record", "FILE", "", "record a live source in FILE",
        "Records what is served, with its times. The file is complete at any moment and is "
        "synced to the disk every second. Of several live sources the first is recorded; if "
        "FILE is a folder, each is, to NAME-TIME.txt. A file that is not empty is never "
@@ -176,7 +176,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "write what the camera sees to stdout, for a program",
+      "for a parent program: pictures and AUs to stdout",
       "For a program that starts this one: standard output tells what the camera sees, as small "
       "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
       "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
@@ -233,7 +233,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "processor core, or the next version beside this one. What they serve should be the same: "
        "recordings, or streams that each relays. Each counts its own clients and limits.",
        flag(options.reuse_port)},
-      {"drain-time", "S", "0", "at exit, let clients reconnect elsewhere for S (0)",
+      {"drain-time", "S", "0", "at exit, give clients S seconds to move elsewhere (0)",
        "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, clients of "
        "level 2 are cut off one by one, without {-2}, so that those with --reconnect, relays and "
        "web pages go on with another au-transmitter at this address, such as the next version "
@@ -241,8 +241,8 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
        seconds(options.drain_time, 0, kDrainSecondsMax,
                "is not a number of seconds from 0 to 3600")},
-      {"client-timeout", "S", "0", "close clients silent for S seconds (0: never)",
-       "Closes clients that are silent for so many seconds, up to 86400. Every byte from the "
+      {"client-timeout", "S", "0", "disconnect clients silent for S seconds (0: never)",
+       "Disconnects clients that are silent for so many seconds, up to 86400. Every byte from the "
        "client restarts the time; with a live stream, so does every byte that can be sent to it. A "
        "paused client owes no answer. TCP detects a vanished host, and a client that stops "
        "reading, within a minute anyway.",
@@ -253,7 +253,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "
        "(ulimit -n) is raised to the hard limit at the start.",
        whole(options.max_clients, 0, kClientsMax)},
-      {"max-clients-per-address", "N", "0", "how many from one address (0: all)",
+      {"max-clients-per-address", "N", "0", "how many from one address (0: any number)",
        "The number of clients at a time from one address; of an IPv6 address the first 64 "
        "bits count. Clients behind one router share an address.",
        whole(options.max_clients_per_address, 0, kClientsMax)},
@@ -296,11 +296,11 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        "The private key of --web-cert (PEM).", word(files.key)},
       {"web-host", "NAME", "", "a further host name of the page",
        "A name that --web answers for, beside IP addresses, localhost and the names of "
-       "--web-cert: its own, or that of a proxy before it. Pages of these names may watch by "
+       "--web-cert: its own, or that of a proxy in front of it. Pages of these names may watch by "
        "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
        "label. May be repeated.",
        words(web.hosts)},
-      {"web-trusted-proxy", "ADDR", "", "a reverse proxy before the page",
+      {"web-trusted-proxy", "ADDR", "", "a reverse proxy in front of the page",
        "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
        "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
        parsed(Kind::Words, read_proxy, web.trusted_proxies)},

@@ -36,7 +36,7 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        word(options.file), "Voice"},
       {"no-voice", "", "", "serve no sound", "Sound files beside the sources are left alone.",
        flag(options.none)},
-      {"voice-delay", "MS", "0", "hear the sound MS later (0)",
+      {"voice-delay", "MS", "0", "delay the sound by MS (0)",
        "Milliseconds, -10000 to 10000: how much later the sound is heard with the face, for a "
        "recogniser whose results come later than the sound from the microphone; a negative number "
        "makes the sound come earlier, for a microphone that is later than the recogniser.",
