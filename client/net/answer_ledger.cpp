@@ -30,11 +30,13 @@ std::string AnswerLedger::speak_classic(protocol::ClientSession& session, const 
   std::string words;
   if (session.paused()) {
     if (wishes.user_paused || wishes.full) return words;
-    words += resume(session);  // answers the keyframe that -1 had left open
-    --owed_;
+    words += resume(session);
   }
   for (; owed_ > 0; --owed_) {
-    if (wishes.user_paused || (wishes.full && owed_ == 1)) return words + pause(session);
+    if (wishes.user_paused || (wishes.full && owed_ == 1)) {
+      --owed_;  // -1 answers the oldest
+      return words + pause(session);
+    }
     words += session.answer_received();
   }
   return words;

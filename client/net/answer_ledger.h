@@ -51,7 +51,7 @@ class AnswerLedger {
   [[nodiscard]] std::string pause(protocol::ClientSession& session);
   [[nodiscard]] std::string resume(protocol::ClientSession& session);
 
-  std::size_t owed_ = 0;  ///< keyframes not yet answered by `1` or -3
+  std::size_t owed_ = 0;  ///< keyframes received and not answered
   Instant owed_since_{};
   std::uint64_t pauses_sent_ = 0;
   std::uint64_t resumes_sent_ = 0;
