@@ -159,7 +159,12 @@ void Delivery::pump_latest(std::string& out) {
 // === Recorded
 
 void Delivery::send_recorded(std::string& out) {
+  const std::size_t room_ends = out.size() + kOutputBytesMax;
   while (may_send() && has_next()) {
+    if (out.size() >= room_ends) {
+      held_ = true;
+      return;
+    }
     if (next_packet_ == packets().size()) begin_turn();
     if (sends_spoken()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];

@@ -42,7 +42,8 @@ class Delivery {
   /// into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
-  /// Appends everything that may be sent now.
+  /// Appends everything that may be sent now. Of a recorded stream, after kOutputBytesMax at once,
+  /// it holds itself instead: hold(false) and another call send more.
   void pump(std::string& out);
   /// The same when a live channel has new moments: a client that keeps up gets each of them, even
   /// if several began at once.
@@ -60,7 +61,7 @@ class Delivery {
   void answer();
   void pause() { paused_ = true; }
   void resume();
-  /// While `held` is true, no keyframe of a live stream is sent.
+  /// While `held` is true, no keyframe is sent.
   void hold(bool held) { held_ = held; }
 
   /// Whether keyframes may have to wait for the stream's voice: one that is recorded and has a

@@ -338,8 +338,10 @@ void ServerSession::State::settle_peer_end() {
       break;
   }
   if (phase != Phase::Streaming) return;
-  // Live, the next moment is still to come; whether it can be answered shows then.
-  if (delivery.stream().live() && !delivery.paused() && delivery.in_flight() == 0) return;
+  // Whether the next keyframe can be answered shows when it comes: at the next moment of a live
+  // stream, or when there is room for it.
+  const bool comes = delivery.stream().live() || delivery.held();
+  if (comes && !delivery.paused() && delivery.in_flight() == 0) return;
   close(Why::PeerGone, delivery.paused() ? "the client ended while it was paused"
                                          : "the client ended before it had answered everything");
 }
@@ -432,9 +434,9 @@ std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
 }
 
 std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
-  if (!live() || held == state_->delivery.held()) return {};
+  if (held == state_->delivery.held() || (held && !live())) return {};
   state_->delivery.hold(held);
-  if (held) return {};
+  if (held || state_->phase != State::Phase::Streaming) return {};
   state_->begin_call(now);
   state_->send_due(&Delivery::pump);
   state_->settle_peer_end();
@@ -474,6 +476,10 @@ bool ServerSession::paused() const {
 
 bool ServerSession::awaiting_answer() const {
   return state_->phase == State::Phase::Streaming && state_->delivery.in_flight() > 0 && !paused();
+}
+
+bool ServerSession::held() const {
+  return state_->phase == State::Phase::Streaming && state_->delivery.held();
 }
 
 bool ServerSession::live() const {

@@ -87,9 +87,10 @@ enum class Silence : std::uint8_t {
 /// gets the newest moment; those between it and the last one sent are skipped. No socket and no
 /// clock: bytes and the current time go in, events come out. After CloseConnection or HandOver
 /// nothing more comes out.
-/// Output of one call: at most kEarlyAnswersMax + window packets. The owner must not read on while
-/// much of what it was told to send is still unsent, or a peer that answers without reading fills
-/// the owner's memory. PROTOCOL.md section "Server" is the table it follows.
+/// Output of one call: a little more than kOutputBytesMax of keyframes; when more may be sent, the
+/// session is held() until hold(false) is called. The owner must not read on while much of what it
+/// was told to send is still unsent, or a peer that answers without reading fills the owner's
+/// memory. PROTOCOL.md section "Server" is the table it follows.
 /// Thread: none of its own; one session per connection.
 class ServerSession {
  public:
@@ -114,7 +115,8 @@ class ServerSession {
   /// The voice of this session's stream has grown. Without effect where it has none.
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);
   /// While `held` is true, because the socket takes no more, no keyframe of a live stream is handed
-  /// out; `false` hands out the newest. Without effect unless live().
+  /// out; `false` hands out the newest. A recorded stream, which waits for answers, holds itself
+  /// when it has handed out much at once; `false` hands out more.
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
@@ -132,6 +134,8 @@ class ServerSession {
   [[nodiscard]] bool paused() const;
   /// True while the peer owes an answer and has not paused: what --client-timeout measures.
   [[nodiscard]] bool awaiting_answer() const;
+  /// Whether keyframes wait for hold(false).
+  [[nodiscard]] bool held() const;
   /// True while this session sends keyframes of a live stream.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;

@@ -272,6 +272,11 @@ void ClientConnection::go_on() {
     if (finishing_) return;
     flush();
   }
+  while (session_->held() && !link_->blocked()) {
+    carry_out(session_->hold(false, link_->now()));
+    if (finishing_) return;
+    flush();
+  }
   const std::optional<Instant> patience = earlier(session_->deadline(), patience_ends());
   link_->wake_at(earlier(patience, gathered_until_));
 }
@@ -283,7 +288,8 @@ std::optional<Instant> ClientConnection::patience_ends() {
   const bool owes = session_->awaiting_answer();
   if (!owes) owed_since_.reset();
   if (owes && !owed_since_) owed_since_ = link_->now();
-  const auto stuck = session_->live() ? link_->stuck_since() : std::nullopt;
+  const bool waits = session_->live() || session_->held();
+  const auto stuck = waits ? link_->stuck_since() : std::nullopt;
   if (!owed_since_ && !stuck) return std::nullopt;
   return std::min(owed_since_.value_or(Instant::max()), stuck.value_or(Instant::max())) +
          settings_.client_timeout;

@@ -211,6 +211,47 @@ TEST_F(Server, RefusesWhatIsNoCode) {
   EXPECT_EQ(get("1x"), "send {1}{2} | close protocol error");
 }
 
+TEST_F(Server, HandsOutAtMostSixtyFourKibibytesAtOnce) {
+  const std::string packet = '{' + std::string(98, '1') + '}';
+  EncodedStream talk;
+  talk.classic = talk.negotiated = {packet, packet};
+  catalogue_.streams = {served("talk", talk)};
+  catalogue_.loop = true;
+  start();
+  get("{hello v=2 window=1}");
+  get("-1" + std::string(kEarlyAnswersMax, '1'));
+
+  std::vector<ServerEvent> events = session_->on_bytes("-3", now_);
+  std::uint64_t sent = session_->sent().keyframes;
+  EXPECT_LE(sent, kOutputBytesMax / packet.size() + 2);
+  EXPECT_EQ(get("-1-3"), "") << "nothing more until there is room";
+  int more = 0;
+  for (; session_->held(); ++more) {
+    events = session_->hold(false, now_);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + packet.size());
+  }
+  EXPECT_GT(more, 4);
+  EXPECT_EQ(session_->sent().keyframes, kEarlyAnswersMax + 1);
+  EXPECT_TRUE(session_->awaiting_answer());
+}
+
+TEST_F(Server, WhatIsHeldGoesToAClientThatHasEndedItsSide) {
+  const std::string packet = '{' + std::string(98, '1') + '}';
+  EncodedStream talk;
+  talk.classic = talk.negotiated = {packet, packet};
+  catalogue_.streams = {served("talk", talk)};
+  catalogue_.loop = true;
+  start();
+  get("{hello v=2 window=1}");
+  get("-1" + std::string(1000, '1') + "-3");
+  ASSERT_TRUE(session_->held());
+  EXPECT_EQ(peer_end(), "");
+  const std::string rest = text_of(session_->hold(false, now_));
+  EXPECT_TRUE(rest.ends_with("} | close peer gone")) << rest.substr(rest.size() - 40);
+  EXPECT_EQ(session_->sent().keyframes, 1001U);
+}
+
 TEST_F(Server, BoundsEarlyAnswersInOneCallAndWhilePaused) {
   catalogue_.loop = true;
   start();

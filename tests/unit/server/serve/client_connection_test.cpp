@@ -168,6 +168,28 @@ TEST_F(ConnectionTest, OfALiveStreamWhatIsNotTakenIsReplacedByTheNewest) {
   EXPECT_EQ(connection_->so_far().keyframes_merged, 1U);
 }
 
+TEST_F(ConnectionTest, WhoReadsNothingIsKeptNoMoreThanItsShare) {
+  const std::string packet = '{' + std::string(998, '1') + '}';
+  protocol::EncodedStream stream;
+  stream.classic = stream.negotiated = {packet, packet};
+  catalogue_->streams = {
+      {"talk", std::make_shared<const protocol::EncodedStream>(std::move(stream))}};
+  catalogue_->loop = true;
+  settings_.client_timeout = 3s;
+  start();
+  ask("{hello v=2 window=1}");
+  link_->take(0);
+  link_->say("-1" + std::string(1000, '1') + "-3");
+  EXPECT_LE(link_->unsent_bytes(), protocol::kOutputBytesMax + packet.size());
+  link_->take(1 << 20);
+  EXPECT_EQ(connection_->so_far().keyframes, 1001U) << "all that was asked for";
+
+  link_->take(0);
+  link_->say("-1" + std::string(1000, '1') + "-3");
+  link_->advance(3s);
+  EXPECT_TRUE(link_->finished()) << "nothing was taken";
+}
+
 TEST_F(ConnectionTest, ALiveClientThatTakesNothingHasItsTime) {
   settings_.client_timeout = 3s;
   go_live();
