@@ -1,18 +1,28 @@
 #include "common/sources/record_timeline.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "common/check.h"
 #include "common/time.h"
 #include "protocol/limits.h"
 
 namespace aucast::sources {
-namespace {
 
-/// A gap shorter than this is no pause: it is how late a busy machine may be.
-constexpr std::int64_t kPauseMs = 100;
-
-}  // namespace
+std::vector<protocol::Keyframe> held_face(const std::vector<AuTerm>& shown, Milliseconds pause) {
+  constexpr Milliseconds kPauseLeast{100};
+  constexpr Milliseconds kOneMax{protocol::kKeyframeTimeMsMax};
+  std::vector<protocol::Keyframe> keyframes;
+  if (pause < kPauseLeast) return keyframes;
+  for (Milliseconds left = pause; left.count() > 0; left -= kOneMax) {
+    protocol::Keyframe held;
+    held.terms = shown;
+    held.time_ms = static_cast<std::uint32_t>(std::min(left, kOneMax).count());
+    keyframes.push_back(std::move(held));
+  }
+  return keyframes;
+}
 
 std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& keyframe,
                                                     SteadyTime now, bool free) {
@@ -20,23 +30,14 @@ std::vector<protocol::Keyframe> RecordTimeline::add(const protocol::Keyframe& ke
   std::vector<protocol::Keyframe> lines;
   if (!begin_) {
     begin_ = now;
-    place_ms_ = 0;
+    place_ = Milliseconds{0};
   } else if (free) {
-    std::int64_t pause_ms =
-        whole_milliseconds(seconds(now - *begin_)) - static_cast<std::int64_t>(place_ms_);
-    if (pause_ms < kPauseMs) pause_ms = 0;
-    while (pause_ms > 0) {
-      protocol::Keyframe held;
-      held.terms = shown_;
-      held.time_ms = static_cast<std::uint32_t>(
-          std::min<std::int64_t>(pause_ms, protocol::kKeyframeTimeMsMax));
-      pause_ms -= *held.time_ms;
-      place_ms_ += *held.time_ms;
-      lines.push_back(std::move(held));
-    }
+    const auto pause = std::chrono::round<Milliseconds>(now - *begin_) - place_;
+    lines = held_face(shown_, pause);
+    if (!lines.empty()) place_ += pause;
   }
   shown_ = keyframe.terms;
-  place_ms_ += *keyframe.time_ms;
+  place_ += Milliseconds(*keyframe.time_ms);
   lines.push_back(keyframe);
   return lines;
 }

@@ -9,6 +9,11 @@
 
 namespace aucast::sources {
 
+/// The face that was held during a pause, as keyframes that take that long; none for a gap of less
+/// than 0.1 s, which is no pause: a busy machine may be that late.
+[[nodiscard]] std::vector<protocol::Keyframe> held_face(const std::vector<AuTerm>& shown,
+                                                        Milliseconds pause);
+
 /// Turns the keyframes that a live stream serves into lines of a stream file that takes the same
 /// time. They are kept as they are; before one that came after a pause, the face that was shown
 /// meanwhile is added, with the length of the pause. Pure.
@@ -24,7 +29,7 @@ class RecordTimeline {
 
  private:
   std::optional<SteadyTime> begin_;  ///< when the stream began, or went on after an end
-  std::uint64_t place_ms_ = 0;       ///< of the last keyframe's end, since then
+  Milliseconds place_{0};            ///< of the last keyframe's end, since then
   std::vector<AuTerm> shown_;
 };
 

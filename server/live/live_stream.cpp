@@ -112,16 +112,9 @@ void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadyTi
 /// With a voice: sends the face that was held since the last keyframe, with the time for which it
 /// was held.
 void LiveStream::fill_pause(SteadyTime now) {
-  /// A gap shorter than this is no pause: it is how late a busy machine may be.
-  constexpr Milliseconds kPauseLeast{100};
   if (!clock_begin_) return;
   const Milliseconds pause = std::chrono::round<Milliseconds>(now - *clock_begin_) - end_;
-  if (pause < kPauseLeast) return;
-  protocol::Keyframe held;
-  held.terms = shown_;
-  held.time_ms = static_cast<std::uint32_t>(
-      std::min<Milliseconds::rep>(pause.count(), protocol::kKeyframeTimeMsMax));
-  pass(held, true, now);
+  for (const protocol::Keyframe& held : sources::held_face(shown_, pause)) pass(held, true, now);
 }
 
 /// The record is not thinned.
