@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <string>
 
 #include "common/time.h"
@@ -17,10 +16,6 @@ constexpr std::size_t kHeldBackLeast = 512;
 constexpr std::size_t kHeldBackMost = 65536;
 constexpr std::size_t kHeldBackOfSources = 2048;  ///< for sources whose rate is not known
 
-Milliseconds time_of(const protocol::EncodedStream& stream) {
-  return std::accumulate(stream.times.begin(), stream.times.end(), Milliseconds::zero());
-}
-
 /// How many bytes of keyframes the busiest stream sends in `time`, rounded up.
 std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
   std::size_t most = 0;
@@ -29,7 +24,7 @@ std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds ti
     if (recorded == nullptr) continue;
     const std::size_t bytes = recorded->encoded->negotiated.bytes();
     const auto all = static_cast<std::size_t>(
-        std::max<Milliseconds::rep>(time_of(*recorded->encoded).count(), 1));
+        std::max<Milliseconds::rep>(protocol::length_of(*recorded->encoded).count(), 1));
     most = std::max(most, (bytes * static_cast<std::size_t>(time.count()) + all - 1) / all);
   }
   return most;
@@ -63,7 +58,7 @@ Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
   if (!catalogue.loop) return {};
   for (const protocol::ServedStream& stream : catalogue.streams) {
     const protocol::RecordedStream* const recorded = stream.recorded();
-    if (recorded != nullptr && time_of(*recorded->encoded) == Milliseconds::zero()) {
+    if (recorded != nullptr && protocol::length_of(*recorded->encoded) == Milliseconds::zero()) {
       return Error{ErrorKind::BadData, "the stream '" + stream.name +
                                            "' takes no time at all, so it cannot start again and "
                                            "again live; give its keyframes a time, such as ;250"};
