@@ -1,5 +1,6 @@
 #include "client/net/stream_list.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -42,18 +43,23 @@ Result<protocol::StreamList> ask(const RemoteOptions& options, const link::DialO
 
 }  // namespace
 
-Result<protocol::StreamList> list_streams(const RemoteOptions& options) {
+Result<protocol::StreamList> list_streams(const RemoteOptions& options, Duration time_max) {
+  const Instant begun = std::chrono::steady_clock::now();
+  RemoteOptions one = options;
   std::string failures;
   for (std::size_t turn = 0; turn <= options.others.size(); ++turn) {
-    const link::DialOptions dial = dial_options(options, turn);
+    const Duration left = time_max - (std::chrono::steady_clock::now() - begun);
+    if (left <= Duration::zero()) break;
+    one.connect_timeout = std::min(options.connect_timeout, left);
+    const link::DialOptions dial = dial_options(one, turn);
+    if (!failures.empty()) failures += '\n';
     // Asio throws when the system has no descriptor left for it.
     try {
-      auto list = ask(options, dial);
+      auto list = ask(one, dial);
       if (list) return list;
-      failures += (failures.empty() ? "" : "\n") + list.error().message;
+      failures += list.error().message;
     } catch (const std::system_error& failure) {
-      return Error{ErrorKind::Network,
-                   link::host_and_port(dial.host, dial.port) + ": " + shortage_text(failure)};
+      failures += link::host_and_port(dial.host, dial.port) + ": " + shortage_text(failure);
     }
   }
   return Error{ErrorKind::Network, failures};

@@ -102,5 +102,17 @@ TEST(StreamList, TheNextOfSeveralServersIsAskedWhenOneIsNotThere) {
   EXPECT_TRUE(has(none.error().message, "\n127.0.0.1:2: cannot be reached"));
 }
 
+TEST(StreamList, AllServersTogetherHaveTheTime) {
+  ScriptedServer silent({Accept{}});
+  RemoteOptions options;
+  options.host = "127.0.0.1";
+  options.port = silent.port();
+  options.others = {{"127.0.0.1", 2}};
+  const auto none = list_streams(options, std::chrono::milliseconds(200));
+  ASSERT_FALSE(none);
+  EXPECT_TRUE(has(none.error().message, "no answer in time"));
+  EXPECT_FALSE(has(none.error().message, "127.0.0.1:2")) << "nothing is left for the second";
+}
+
 }  // namespace
 }  // namespace aucast::net

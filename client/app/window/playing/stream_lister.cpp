@@ -1,6 +1,5 @@
 #include "client/app/window/playing/stream_lister.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace aucast::app {
@@ -8,7 +7,6 @@ namespace aucast::app {
 StreamLister::StreamLister(Ask ask) : ask_(std::move(ask)) {}
 
 void StreamLister::ask(net::RemoteOptions server) {
-  server.connect_timeout = std::min<Duration>(server.connect_timeout, kTimeMax);
   view_ = {.asking = true, .streams = {}, .problem = {}};
   next_ = std::move(server);
   if (!asking_.running()) begin();
@@ -16,7 +14,7 @@ void StreamLister::ask(net::RemoteOptions server) {
 
 void StreamLister::begin() {
   const auto begun = asking_.start(
-      [ask = ask_, server = *std::exchange(next_, std::nullopt)] { return ask(server); });
+      [ask = ask_, server = *std::exchange(next_, std::nullopt)] { return ask(server, kTimeMax); });
   if (!begun) view_ = {.asking = false, .streams = {}, .problem = begun.error().message};
 }
 

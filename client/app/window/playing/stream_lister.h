@@ -14,8 +14,9 @@ namespace aucast::app {
 /// Thread: the player's.
 class StreamLister {
  public:
-  using Ask = std::function<Result<protocol::StreamList>(const net::RemoteOptions&)>;
-  /// `ask` runs on the other thread and may block.
+  using Ask =
+      std::function<Result<protocol::StreamList>(const net::RemoteOptions&, Duration time_max)>;
+  /// `ask` runs on the other thread and may block for `time_max`.
   explicit StreamLister(Ask ask);
   /// If a question is not answered yet, waits for its answer, at most kTimeMax.
   ~StreamLister() = default;

@@ -17,7 +17,7 @@ void answered(StreamLister& lister) {
 
 TEST(StreamLister, ShowsTheStreamsThatCame) {
   const Streams all{{"talk", false, 83'000, "A talk"}, {"lecture"}};
-  StreamLister lister([&all](const net::RemoteOptions&) { return StreamList{all}; });
+  StreamLister lister([&all](const net::RemoteOptions&, Duration) { return StreamList{all}; });
   EXPECT_FALSE(lister.view().asking);
   lister.ask({});
   EXPECT_TRUE(lister.view().asking);
@@ -26,7 +26,7 @@ TEST(StreamLister, ShowsTheStreamsThatCame) {
 }
 
 TEST(StreamLister, SaysWhyThereAreNone) {
-  StreamLister lister([](const net::RemoteOptions&) -> Result<StreamList> {
+  StreamLister lister([](const net::RemoteOptions&, Duration) -> Result<StreamList> {
     return Error{ErrorKind::Network, "cannot be reached"};
   });
   lister.ask({});
@@ -37,8 +37,8 @@ TEST(StreamLister, SaysWhyThereAreNone) {
 
 TEST(StreamLister, TheLastQuestionCountsAndNobodyWaitsLong) {
   Duration longest{0};
-  StreamLister lister([&](const net::RemoteOptions& server) {
-    longest = std::max(longest, server.connect_timeout);
+  StreamLister lister([&](const net::RemoteOptions& server, Duration time_max) {
+    longest = std::max(longest, time_max);
     return StreamList{{{server.host}}};
   });
   net::RemoteOptions server;
