@@ -144,13 +144,6 @@ Result<void> validate(const TransmitterOptions& options) {
   if (auto can = validate_streams(options); !can) return can;
   if (auto can = validate_secrets(options); !can) return can;
   if (options.bind.empty()) return usage_error("--bind is empty");
-  if (options.keyframe_ms < 1 || options.keyframe_ms > protocol::kKeyframeTimeMsMax) {
-    return usage_error("--keyframe is outside 1 to " +
-                       std::to_string(protocol::kKeyframeTimeMsMax));
-  }
-  if (options.classic_min < 0 || options.classic_min > 100) {
-    return usage_error("--classic-min is outside 0 to 100");
-  }
   if (options.credentials.tls.certificate.empty() != options.credentials.tls.key.empty()) {
     return usage_error("--tls-cert and --tls-key go together");
   }
@@ -169,7 +162,6 @@ Result<void> validate(const TransmitterOptions& options) {
     const auto address = protocol::parse_engine_address(options.engine.publish);
     if (!address) return address.error();
   }
-  if (options.client_timeout.count() < 0) return usage_error("--client-timeout is negative");
   return {};
 }
 
