@@ -26,7 +26,7 @@ constexpr std::size_t kFilesMax = 2000;
 /// may be hosted apart from its server, so it may connect to any WebSocket.
 constexpr const char* kContentSecurityPolicy =
     "Content-Security-Policy: default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; "
-    "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self'; "
+    "style-src 'self'; img-src 'self' data: blob:; font-src 'self'; "
     "media-src 'self' blob:; worker-src 'self' blob:; connect-src 'self' ws: wss:; "
     "manifest-src 'self'; base-uri 'none'; form-action 'none'";
 
