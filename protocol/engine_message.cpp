@@ -78,8 +78,7 @@ Result<std::string_view> take_line(std::string_view& bytes) {
   return text;
 }
 
-/// The digits of the place in {a@PLACE ...} or {t@PLACE ...}; nullopt: it is another packet, or the
-/// place is invalid.
+/// The digits of the place in {a@PLACE ...} or {t@PLACE ...}.
 struct PlaceField {
   std::uint64_t ms = 0;
   std::size_t length = 0;  ///< of its digits
@@ -91,6 +90,7 @@ bool is_spoken(std::string_view packet) {
   return packet.starts_with("{a") || packet.starts_with("{t");
 }
 
+/// nullopt: it is another packet, or the place is invalid.
 std::optional<PlaceField> place_of(std::string_view packet) {
   if (packet.size() <= kPlaceBegin || packet[2] != '@') return std::nullopt;
   const std::size_t end = std::min(packet.find_first_of(" }", kPlaceBegin), packet.size());

@@ -18,7 +18,8 @@ struct VoiceOptions {
 /// data is missing. Not from two threads at once: the library keeps its state in globals.
 [[nodiscard]] Result<Speech> speak(const std::string& text, const VoiceOptions& options);
 
-/// One line for every voice: "en-gb  English (Great Britain)".
+/// One line for every voice, its language and its name with a tab between: "en-gb", tab, "English
+/// (Great Britain)".
 [[nodiscard]] Result<std::vector<std::string>> voices();
 
 }  // namespace aucast::speaker
