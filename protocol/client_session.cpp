@@ -211,7 +211,7 @@ std::vector<ClientEvent> ClientSession::on_connected(Instant now) {
   return state_->take_events();
 }
 
-std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes, Instant) {
+std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes) {
   State& state = *state_;
   if (state.phase != State::Phase::Waiting && state.phase != State::Phase::Streaming) {
     bytes = {};
@@ -226,7 +226,7 @@ std::vector<ClientEvent> ClientSession::on_bytes(std::string_view& bytes, Instan
   return state.take_events();
 }
 
-std::vector<ClientEvent> ClientSession::on_closed(Instant, std::string_view broke) {
+std::vector<ClientEvent> ClientSession::on_closed(std::string_view broke) {
   if (state_->phase == State::Phase::Waiting || state_->phase == State::Phase::Streaming) {
     state_->lose(broke);
   }

@@ -77,10 +77,10 @@ class ClientSession {
   [[nodiscard]] std::vector<ClientEvent> on_connected(Instant now);
   /// Reads up to the end of the first packet in `bytes` and removes what it read from their front.
   /// Call it again while some are left.
-  [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes, Instant now);
+  [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes);
   /// The server closed its side (`broke` is empty), or the connection broke (`broke` is the cause,
   /// as a clause).
-  [[nodiscard]] std::vector<ClientEvent> on_closed(Instant now, std::string_view broke = {});
+  [[nodiscard]] std::vector<ClientEvent> on_closed(std::string_view broke = {});
   [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
 

@@ -107,7 +107,7 @@ Reaction AuReader::received(std::string_view bytes, Instant now) {
 
 Reaction AuReader::closed(Instant now, std::string_view broke) {
   Reaction reaction;
-  react(session_.on_closed(now, broke), reaction, now);
+  react(session_.on_closed(broke), reaction, now);
   return reaction;
 }
 
@@ -198,7 +198,7 @@ bool AuReader::digests() const {
 void AuReader::digest(Reaction& reaction, Instant now) {
   std::string_view rest = waiting_;
   while (!rest.empty() && digests() && reaction.next == Reaction::Next::GoOn) {
-    react(session_.on_bytes(rest, now), reaction, now);
+    react(session_.on_bytes(rest), reaction, now);
   }
   waiting_.erase(0, waiting_.size() - rest.size());
 }

@@ -50,7 +50,7 @@ void Parent::on_bytes(std::string_view bytes) {
   stream_.begin_call();
   while (!bytes.empty() && !outcome_) {
     const std::string_view before = bytes;
-    const auto events = session_.on_bytes(bytes, link_->now());
+    const auto events = session_.on_bytes(bytes);
     packet_ += before.substr(0, before.size() - bytes.size());
     carry_out(events);
   }
@@ -58,7 +58,7 @@ void Parent::on_bytes(std::string_view bytes) {
 }
 
 void Parent::on_peer_end() {
-  carry_out(session_.on_closed(link_->now()));
+  carry_out(session_.on_closed());
   settle();
 }
 

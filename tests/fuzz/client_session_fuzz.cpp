@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         watch.take(session.on_time(now));
         break;
       case 'e':
-        watch.take(session.on_closed(now));
+        watch.take(session.on_closed());
         break;
       case 'a':
         watch.say(session.answer_received());
@@ -82,12 +82,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         line.remove_prefix(1);
         [[fallthrough]];
       default:
-        while (!line.empty()) watch.take(session.on_bytes(line, now));
+        while (!line.empty()) watch.take(session.on_bytes(line));
         break;
     }
     if (watch.over()) AUCAST_CHECK(!session.deadline());
   }
-  watch.take(session.on_closed(now));
+  watch.take(session.on_closed());
   AUCAST_CHECK(watch.over());
   return 0;
 }

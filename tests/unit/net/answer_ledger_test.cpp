@@ -31,7 +31,7 @@ class Ledger : public ::testing::Test {
   }
   void get(std::string_view bytes) {
     while (!bytes.empty()) {
-      for (const auto& event : session_.on_bytes(bytes, clock_.now())) {
+      for (const auto& event : session_.on_bytes(bytes)) {
         if (std::holds_alternative<protocol::DeliverKeyframe>(event)) ledger_.owe(clock_.now());
       }
     }

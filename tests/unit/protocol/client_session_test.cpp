@@ -35,13 +35,9 @@ class Client : public ::testing::Test {
     EXPECT_EQ(get(hello), "granted window=" + std::to_string(window));
   }
 
-  std::string get(std::string_view bytes) {
-    return text_of(test::read_all(*session_, bytes, now_));
-  }
-  std::string closed() { return text_of(session_->on_closed(now_)); }
-  std::string why(std::string_view bytes) {
-    return reason_of(test::read_all(*session_, bytes, now_));
-  }
+  std::string get(std::string_view bytes) { return text_of(test::read_all(*session_, bytes)); }
+  std::string closed() { return text_of(session_->on_closed()); }
+  std::string why(std::string_view bytes) { return reason_of(test::read_all(*session_, bytes)); }
   std::string pass(Duration time) {
     now_ += time;
     return text_of(session_->on_time(now_));
@@ -62,8 +58,8 @@ TEST_F(Client, AsksForLevel2WhenItMay) {
 
 TEST_F(Client, SaysNothingBeforeItIsConnected) {
   ClientSession session(options_);
-  EXPECT_EQ(text_of(test::read_all(session, "{1}", now_)), "");
-  EXPECT_EQ(text_of(session.on_closed(now_)), "");
+  EXPECT_EQ(text_of(test::read_all(session, "{1}")), "");
+  EXPECT_EQ(text_of(session.on_closed()), "");
   EXPECT_EQ(session.stop(), "");
   EXPECT_EQ(session.answer_received(), "");
   EXPECT_FALSE(session.deadline().has_value());
@@ -108,12 +104,12 @@ TEST_F(Client, ReconnectsWhenAClassicServerTookTheHelloForGarbage) {
 TEST_F(Client, DoesNotReconnectWithoutAHello) {
   start_classic();
   EXPECT_EQ(get("{1,6}"), "store {1,6}");
-  const auto events = session_->on_closed(now_);
+  const auto events = session_->on_closed();
   EXPECT_EQ(text_of(events), "fail lost");
   EXPECT_EQ(reason_of(events), "the connection ended before the end of the stream, {-2}");
   start_classic();
   EXPECT_EQ(get("{1,"), "");
-  EXPECT_EQ(reason_of(session_->on_closed(now_)), "the connection ended within a packet");
+  EXPECT_EQ(reason_of(session_->on_closed()), "the connection ended within a packet");
 }
 
 TEST_F(Client, DoesNotReconnectOnceLevel2IsGranted) {
@@ -147,7 +143,7 @@ TEST_F(Client, WaitsForAFirstWordOnly) {
 }
 
 TEST_F(Client, ReportsARefusal) {
-  const auto events = test::read_all(*session_, "{error 404 there is no stream 'x' here}", now_);
+  const auto events = test::read_all(*session_, "{error 404 there is no stream 'x' here}");
   EXPECT_EQ(text_of(events), "fail refused");
   EXPECT_EQ(reason_of(events), "the server refused: 404 there is no stream 'x' here");
   start_granted();
@@ -212,7 +208,7 @@ TEST_F(Client, LeavesItToItsOwnerToReadNoFurtherThanThereIsRoom) {
   EXPECT_EQ(session_->unanswered(), 3U);
   start_granted();
   std::string_view bytes = "{1}{2}";
-  EXPECT_EQ(text_of(session_->on_bytes(bytes, now_)), "store {1}");
+  EXPECT_EQ(text_of(session_->on_bytes(bytes)), "store {1}");
   EXPECT_EQ(bytes, "{2}") << "to be read when there is room";
 }
 
@@ -232,7 +228,7 @@ TEST_F(Client, WaitsForAWholePacketNotForBytes) {
 
 TEST_F(Client, RefusesGarbageAndDeliversWhatCameBeforeIt) {
   start_granted();
-  const auto events = test::read_all(*session_, "{1}{2?}", now_);
+  const auto events = test::read_all(*session_, "{1}{2?}");
   EXPECT_EQ(text_of(events), "store {1} | fail protocol error");
   EXPECT_EQ(reason_of(events),
             "the server sent what is not the protocol: expected ':', a letter of A-E x y z, ',', "

@@ -83,7 +83,7 @@ class LivePair {
     const auto count = static_cast<std::size_t>(seeded_.integer(1, 60));
     const std::string portion = to_client_.substr(0, count);
     to_client_.erase(0, portion.size());
-    if (!portion.empty()) take(test::read_all(*client_, portion, now_));
+    if (!portion.empty()) take(test::read_all(*client_, portion));
   }
 
   void speak() {

@@ -222,7 +222,7 @@ class Model {
     to_client_.cut();
     to_server_.cut();
     if (!server_over_) take(server_->on_lost(now_));
-    if (!client_over_) take(client_->on_closed(now_));
+    if (!client_over_) take(client_->on_closed());
     struck_ = true;
   }
 
@@ -250,9 +250,9 @@ class Model {
   void deliver_to_client() {
     if (client_over_) return;
     if (const std::string bytes = to_client_.read(now_); !bytes.empty()) {
-      take(test::read_all(*client_, bytes, now_));
+      take(test::read_all(*client_, bytes));
     } else if (to_client_.at_end()) {
-      take(client_->on_closed(now_));
+      take(client_->on_closed());
     }
   }
 

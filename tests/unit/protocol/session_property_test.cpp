@@ -88,9 +88,9 @@ class Pair {
 
   void deliver_to_client() {
     if (!to_client_.empty()) {
-      take(test::read_all(client_, to_client_.read_some(seeded_), now_));
+      take(test::read_all(client_, to_client_.read_some(seeded_)));
     } else if (server_shut_) {
-      take(client_.on_closed(now_));
+      take(client_.on_closed());
       end_client();
     }
   }

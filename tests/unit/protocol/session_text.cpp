@@ -81,10 +81,10 @@ std::string text_of(const std::vector<ClientEvent>& events) {
   return joined(events);
 }
 
-std::vector<ClientEvent> read_all(ClientSession& session, std::string_view bytes, Instant now) {
+std::vector<ClientEvent> read_all(ClientSession& session, std::string_view bytes) {
   std::vector<ClientEvent> all;
   while (!bytes.empty()) {
-    for (ClientEvent& event : session.on_bytes(bytes, now)) all.push_back(std::move(event));
+    for (ClientEvent& event : session.on_bytes(bytes)) all.push_back(std::move(event));
   }
   return all;
 }

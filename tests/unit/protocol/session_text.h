@@ -20,7 +20,7 @@ namespace aucast::test {
 
 /// What the session makes of all these bytes.
 [[nodiscard]] std::vector<protocol::ClientEvent> read_all(protocol::ClientSession& session,
-                                                          std::string_view bytes, Instant now);
+                                                          std::string_view bytes);
 
 /// The reason of the close among the events; empty when there is none.
 [[nodiscard]] std::string reason_of(const std::vector<protocol::ServerEvent>& events);

@@ -306,8 +306,8 @@ class ClientReplay {
 
  private:
   std::string play(const Line& line) {
-    if (line.verb == "S>") take(read_all(session_, unescaped(line.rest), now_));
-    if (line.verb == "S end") take(session_.on_closed(now_));
+    if (line.verb == "S>") take(read_all(session_, unescaped(line.rest)));
+    if (line.verb == "S end") take(session_.on_closed());
     if (line.verb == "t") {
       now_ += Milliseconds(number_of(line.rest));
       take(session_.on_time(now_));
