@@ -1,10 +1,13 @@
-"""What tidy.py asks of READMEs: that they name every file of their folders, in lines one can read."""
+"""What tidy.py asks of pages: READMEs name every file of their folders, in lines one can read, and no page names a
+class that is not there."""
 
 import pathlib
 import re
 
 LINE_MAX = 140
 CODE = re.compile(r"```.*?```|`[^`]+`", re.S)
+CLASS = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
+OTHERS = {"PascalCase", "TimeoutStopSec"}  # an example; a word of systemd
 
 
 def nearest(path: str, readmes) -> str:
@@ -44,8 +47,20 @@ def too_wide(root: pathlib.Path, readmes):
                 yield readme, number, f"{len(line)} columns, at most {LINE_MAX}"
 
 
-def findings(root: pathlib.Path, sources, readmes):
-    """Nothing for a tree without a README at its root: it is no project."""
+def gone(root: pathlib.Path, pages, words):
+    """Classes that a page names as code (`TwoHumps`) and that are not among the words of the sources."""
+    for page in pages:
+        text = (root / page).read_text(encoding="utf-8")
+        for code in re.finditer(r"`([^`\n]+)`", text):
+            for name in CLASS.findall(code[1]):
+                if name not in words and name not in OTHERS:
+                    yield page, text.count("\n", 0, code.start()) + 1, f"there is no `{name}`"
+
+
+def findings(root: pathlib.Path, sources, pages, words):
+    """Nothing for a tree without a README at its root: it is no project. `words`: those of all that is no page."""
+    readmes = [page for page in pages if pathlib.PurePosixPath(page).name == "README.md"]
     if "README.md" in readmes:
         yield from unnamed(root, sources, readmes)
         yield from too_wide(root, readmes)
+        yield from gone(root, [page for page in pages if page != "CHANGELOG.md"], words)

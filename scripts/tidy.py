@@ -277,6 +277,15 @@ def tracked_files(root: pathlib.Path, endings=(".h", ".cpp")):
     )
 
 
+def words_of(root: pathlib.Path):
+    """Every word of code, scripts and settings."""
+    endings = (".h", ".cpp", ".py", ".js", ".mjs", ".toml", ".glsl", ".sh", ".html", "CMakeLists.txt")
+    words = set()
+    for path in tracked_files(root, endings):
+        words.update(re.findall(r"\w+", (root / path).read_text(encoding="utf-8")))
+    return words
+
+
 def findings(root: pathlib.Path):
     for circle in cycles(MAY_INCLUDE):
         yield "scripts/tidy.py", 1, "MAY_INCLUDE is a circle: " + " -> ".join(circle)
@@ -287,7 +296,7 @@ def findings(root: pathlib.Path):
     yield from library_links.findings(root, lists, folder_of, MAY_INCLUDE)
     yield from unity_names.collisions(root, all_paths)
     yield from said_texts.findings(root, all_paths)
-    yield from readmes.findings(root, all_paths, tracked_files(root, ("README.md",)))
+    yield from readmes.findings(root, all_paths, tracked_files(root, (".md",)), words_of(root))
     for path in all_paths:
         lines = (root / path).read_text(encoding="utf-8").splitlines()
         if len(lines) > FILE_MAX:

@@ -220,6 +220,15 @@ class TidyTest(unittest.TestCase):
             else:
                 self.assert_clean(tree)
 
+    def test_a_page_that_names_a_class_which_is_gone(self):
+        project = {"a/b.cpp": "class NewName;", "a/README.md": "`b`, `x::NewName`\n", "README.md": "# x\n"}
+        self.assert_clean(project)
+        for text in ("OldName", "`PascalCase`", "```\nOldName\n```\n"):
+            self.assert_clean(project | {"a/GUIDE.md": text})
+        for page in ("README.md", "a/GUIDE.md"):
+            self.assert_found(project | {page: "# x\n`b`, `y::OldName`\n"}, f"{page}:2: there is no `OldName`")
+        self.assert_clean(project | {"CHANGELOG.md": "`OldName` is `NewName`"})
+
     def test_a_library_links_only_folders_that_its_own_may_include(self):
         def linked(by, library):
             lists = {f"server/{room}/CMakeLists.txt": f"aucast_library(x_{room} SOURCES a.cpp)\n"
