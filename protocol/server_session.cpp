@@ -338,10 +338,9 @@ void ServerSession::State::settle_peer_end() {
       break;
   }
   if (phase != Phase::Streaming) return;
-  // Whether the next keyframe can be answered shows when it comes: at the next moment of a live
-  // stream, or when there is room for it.
-  const bool comes = delivery.stream().live() || delivery.held();
-  if (comes && !delivery.paused() && delivery.in_flight() == 0) return;
+  // What it waits for is still to come: a live stream's next moment, the rest of what a relay
+  // receives, the voice, or room. Whether a banked answer is left for it shows then.
+  if (!delivery.paused() && delivery.in_flight() == 0) return;
   close(Why::PeerGone, delivery.paused() ? "the client ended while it was paused"
                                          : "the client ended before it had answered everything");
 }
@@ -430,6 +429,7 @@ std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
   if (state_->phase != State::Phase::Streaming || !state_->delivery.waits_for_voice()) return {};
   state_->begin_call(now);
   state_->send_due(&Delivery::pump);
+  state_->settle_peer_end();
   return state_->take_events();
 }
 

@@ -55,6 +55,7 @@ class RelayedSession : public testing::Test {
     return sent_of(session_->on_bytes(bytes, clock_.now()));
   }
   std::string wake() { return sent_of(session_->on_moment(clock_.now())); }
+  std::string half_close() { return sent_of(session_->on_peer_end(clock_.now())); }
   std::string wait(milliseconds time) {
     clock_.advance(time);
     return sent_of(session_->on_time(clock_.now()));
@@ -130,6 +131,25 @@ TEST_F(RelayedSession, AGrowingStreamIsSentAsItGrows) {
   stream->extent = Extent::Whole;
   EXPECT_EQ(wake(), "{0;40}");
   EXPECT_EQ(hear("11"), "{-2}|");
+}
+
+TEST_F(RelayedSession, AHalfClosedClientGetsWhatStillComesWhileItHasAnswersLeft) {
+  auto stream = grow();
+  EXPECT_EQ(hear("111"), "{1}");
+  EXPECT_EQ(half_close(), "") << "two answers are banked, and more will come";
+  append(*stream, "{2;40}", 40);
+  EXPECT_EQ(wake(), "{1}");
+  append(*stream, "{0;40}", 40);
+  stream->extent = Extent::Whole;
+  EXPECT_EQ(wake(), "{1}{-2}|!finished");
+}
+
+TEST_F(RelayedSession, AHalfClosedClientIsGoneWhenWhatCameCannotBeAnswered) {
+  auto stream = grow();
+  EXPECT_EQ(hear("1"), "{1}");
+  EXPECT_EQ(half_close(), "");
+  append(*stream, "{2;40}", 40);
+  EXPECT_EQ(wake(), "{1}!peer gone");
 }
 
 TEST_F(RelayedSession, AStreamThatBrokeOffHasNoEnd) {

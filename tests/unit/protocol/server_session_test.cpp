@@ -34,6 +34,7 @@ class Server : public ::testing::Test {
   }
 
   std::string get(std::string_view bytes) { return text_of(session_->on_bytes(bytes, now_)); }
+  std::string voice() { return text_of(session_->on_voice(now_)); }
   std::string peer_end() { return text_of(session_->on_peer_end(now_)); }
   std::string lost() { return text_of(session_->on_lost(now_)); }
   std::string stop() { return text_of(session_->stop(now_)); }
@@ -107,6 +108,24 @@ TEST_F(Server, UsesUpEarlyAnswersOfAHalfClosedClient) {
   const auto events = session_->on_peer_end(now_);
   EXPECT_EQ(text_of(events), "close peer gone");
   EXPECT_EQ(reason_of(events), "the client ended before it had answered everything");
+}
+
+TEST_F(Server, AHalfClosedClientWaitsForTheVoiceLikeAnyOther) {
+  EncodedStream talk = encoded({"{1}", "{2}"});
+  talk.times = {100ms, 100ms};
+  talk.duration_ms = 200;
+  catalogue_.streams = {served("talk", talk)};
+  const auto track = std::make_shared<EncodedTrack>();
+  std::get<RecordedStream>(catalogue_.streams.front().kind).spoken =
+      std::make_shared<const SpokenTrack>(SpokenTrack{track});
+  start();
+  EXPECT_EQ(get("{hello voice=opus window=2}1"),
+            "send {hello v=2 window=2 stream=talk duration=200 keyframe=250 voice=opus}");
+  EXPECT_EQ(peer_end(), "") << "the voice is still being encoded";
+  track->encoded_to(100ms);
+  EXPECT_EQ(voice(), "send {1}");
+  track->encoded_to(200ms);
+  EXPECT_EQ(voice(), "send {2} | close peer gone");
 }
 
 TEST_F(Server, SendsASilentHalfClosedClientItsFirstPacket) {
