@@ -98,13 +98,16 @@ TEST(PlayerNetwork, GoesOnWhereItWasCutOff) {
   EXPECT_NE(server.received().find("from=50}"), std::string::npos) << server.received();
 }
 
-TEST(PlayerNetwork, SaysOfEveryLossThatThereIsNoConnection) {
+/// What the player says of a connection that is lost twice.
+void expect_two_losses_told(const std::vector<std::string>& more) {
   const std::string hello = "{hello v=2 window=4 keyframe=20}";
   ScriptedServer server({Accept{}, ExpectHello{}, Send{hello + "{1}"}, Close{}, Accept{},
                          ExpectHello{}, Send{hello + "{2;30}"}, Close{}, Accept{}, ExpectHello{},
                          Send{hello + "{6,1}{-2}"}, HalfClose{}, ExpectEnd{}});
-  const PlayerRun run =
-      run_player({"--headless", "127.0.0.1:" + std::to_string(server.port()), "--reconnect"});
+  std::vector<std::string> arguments{"--headless", "127.0.0.1:" + std::to_string(server.port()),
+                                     "--reconnect"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const PlayerRun run = run_player(std::move(arguments));
   EXPECT_EQ(server.finish(), "");
   EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
   EXPECT_EQ(run.stats["reconnects"], 2);
@@ -114,6 +117,14 @@ TEST(PlayerNetwork, SaysOfEveryLossThatThereIsNoConnection) {
     ++told;
   }
   EXPECT_EQ(told, 2U) << run.finished.err;
+}
+
+TEST(PlayerNetwork, SaysOfEveryLossThatThereIsNoConnection) {
+  expect_two_losses_told({});
+}
+
+TEST(PlayerNetwork, SaysOfEveryLossInARunOnTheFilmClockToo) {
+  expect_two_losses_told({"--fast"});
 }
 
 TEST(PlayerList, PrintsTheNamesOfTheStreams) {

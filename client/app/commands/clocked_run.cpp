@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <functional>
-#include <string>
 #include <thread>
 
 #include "client/app/live_text.h"
+#include "client/app/loss_warnings.h"
 #include "client/app/playback_meter.h"
 #include "client/app/steady.h"
 #include "client/pipeline/player.h"
@@ -48,7 +48,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
   sound.set_muted(options.sound.mute);
   PlaybackMeter meter(stats);
   playback::PlaybackState state = playback.state();
-  std::string said;  // of why there is no connection
+  LossWarnings losses;
   while (!playback.over() || sound.rings_on()) {
     const Instant now = sound.now(steady_now());
     if (stop()) {
@@ -67,16 +67,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     sound.advanced();
     sound.face_shown();
     if (sound.take_loss()) spdlog::warn("the sound device plays no more; going on without it");
-    if (playback.state() == playback::PlaybackState::Playing) {
-      said.clear();  // the next loss may read like the last
-    } else if (!playback.next_position_at()) {
-      const playback::SourceStatus status = playback.status();
-      if (status.end == playback::EndReason::NotEnded && !status.reason.empty() &&
-          !status.connected && status.detail != said) {
-        said = status.detail;
-        spdlog::warn("{}", said);
-      }
-    }
+    if (!playback.next_position_at()) losses.look_at(playback);
     if (playback.state() != state) {
       state = playback.state();
       spdlog::info("{}", playback::name(state));

@@ -10,6 +10,7 @@
 #include "client/app/film/film_sound.h"
 #include "client/app/film/picture_maker.h"
 #include "client/app/film/picture_sinks.h"
+#include "client/app/loss_warnings.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
 #include "client/pipeline/idle_face.h"
@@ -236,9 +237,11 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
     stats.media_seconds = seconds(playback.media_time());
     return result;
   };
+  LossWarnings losses;
   while (!playback.over()) {
     // The film clock stands still until the source has something or has ended.
     while (!playback.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
+      losses.look_at(playback);
     }
     if (stop()) {
       playback.stop(film_now());
