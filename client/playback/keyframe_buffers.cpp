@@ -12,8 +12,15 @@ constexpr std::size_t kLiveKeyframesMin = 2;
 constexpr int kFasterPercent = 95;
 constexpr int kSlowerPercent = 105;
 
-/// The longest delay that stalls lead to.
-constexpr Milliseconds kAdaptedMax{10'000};
+/// The longest delay that stalls lead to: a link that needs more cannot carry the stream, and a
+/// longer wait would not end its stalls.
+constexpr Milliseconds kDelayAfterStallsMax{10'000};
+
+/// Of a recorded stream. Twice the delay is enough after a few stalls whatever the link needs, and
+/// no stall shortens a delay that was longer from the beginning.
+Milliseconds delay_after_stall(Milliseconds delay) {
+  return std::max(delay, std::min(delay * 2, kDelayAfterStallsMax));
+}
 
 }  // namespace
 
@@ -115,7 +122,7 @@ std::optional<Keyframe> KeyframeBuffers::take() {
   if (!has_next()) {
     const bool stall = begun_ && !starved_ && !ended_;
     if (stall && options_.adapt && options_.by_time && !live_) {
-      options_.live_delay = std::min(options_.live_delay * 2, kAdaptedMax);
+      options_.live_delay = delay_after_stall(options_.live_delay);
     }
     starved_ = true;
     return std::nullopt;

@@ -56,7 +56,7 @@ inline constexpr std::size_t kReceiverSetsByTime = 2000;
 /// buffered, the oldest are dropped down to the limit.
 ///
 /// With `by_time`, a recorded stream waits for two keyframes and `live_delay` too; with `adapt` as
-/// well, each stall doubles `live_delay`, up to 10 s.
+/// well, each stall doubles `live_delay`, up to 10 s; one that is longer stays as it is.
 ///
 /// Thread: none of its own; the owner guards it.
 class KeyframeBuffers {

@@ -200,6 +200,22 @@ TEST(TimedBuffers, BeginByTimeAndWaitLongerAfterEachStall) {
   EXPECT_EQ(count_to_begin(), 100) << "ten seconds at most";
 }
 
+TEST(TimedBuffers, NoStallShortensADelayOfMoreThanTenSeconds) {
+  BufferOptions options{2000, 30};
+  options.by_time = true;
+  options.adapt = true;
+  options.live_delay = 20s;
+  KeyframeBuffers buffers(options);
+  buffers.set_untimed(100ms);
+  for (int mark = 1; !buffers.has_next(); ++mark) {
+    ASSERT_LE(mark, 200);
+    EXPECT_EQ(buffers.store(keyframe_of(mark)), KeyframeBuffers::Stored::Yes);
+  }
+  while (buffers.take()) {
+  }
+  EXPECT_EQ(buffers.delay(), 20s);
+}
+
 TEST(TimedBuffers, BeginWhenFullOrEnded) {
   BufferOptions options{3, 1, 100};
   options.by_time = true;
