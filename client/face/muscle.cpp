@@ -114,9 +114,4 @@ LinearInfluence influence(const MuscleShape& shape, const glm::vec3& point) {
                     shape);
 }
 
-glm::vec3 displacement(const MuscleShape& shape, const glm::vec3& point, float activation) {
-  const LinearInfluence linear = influence(shape, point);
-  return linear.per_unit * std::min(activation, linear.activation_cap);
-}
-
 }  // namespace aucast::face

@@ -14,7 +14,7 @@ namespace aucast::face {
 inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
-// displacement(m, P, a) is the shift P' - P of point P of the neutral face at activation a (0..2;
+// The displacement is the shift P' - P of point P of the neutral face at activation a (0..2;
 // classic folders 0..4): zero outside the zone of influence, linear in a (of a LinearMuscle up to
 // its cap).
 
@@ -92,12 +92,9 @@ struct Muscle {
   bool yields_to_lids = false;
 };
 
-/// The shift of `point` from its place at rest, at `activation` >= 0. Masks are not applied.
-[[nodiscard]] glm::vec3 displacement(const MuscleShape& shape, const glm::vec3& point,
-                                     float activation);
-
 /// The displacement per unit of activation, and the activation from which the displacement stays
-/// the same (infinite without a cap).
+/// the same (infinite without a cap): at activation a >= 0 it is per_unit * min(a, activation_cap).
+/// Masks are not applied.
 struct LinearInfluence {
   glm::vec3 per_unit{0};
   float activation_cap = 0;

@@ -29,6 +29,7 @@
 #include "client/face/muscle_sums.h"
 #include "client/face/normal_field.h"
 #include "common/files.h"
+#include "tests/support/displacement.h"
 
 namespace {
 
@@ -162,10 +163,10 @@ class PlainFace {
       const auto* local = std::get_if<aucast::face::LocalPull>(&face_.muscles[m].shape);
       for (std::size_t i = 0; i < out.size(); ++i) {
         const glm::vec3& rest = face_.mesh.positions[i];
-        const glm::vec3 way = linear != nullptr ? pulled(*linear, rest, activation)
-                              : local != nullptr
-                                  ? pulled(*local, rest, activation)
-                                  : displacement(face_.muscles[m].shape, rest, activation);
+        const glm::vec3 way = linear != nullptr  ? pulled(*linear, rest, activation)
+                              : local != nullptr ? pulled(*local, rest, activation)
+                                                 : aucast::test::displacement(
+                                                       face_.muscles[m].shape, rest, activation);
         out[i] += masks_[m][i] * way;
       }
     }

@@ -8,6 +8,7 @@
 #include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/occlusion.h"
 #include "tests/golden/default_face_fixture.h"
+#include "tests/support/displacement.h"
 #include "tests/support/seeded.h"
 
 // Nothing that moves the face breaks it: no skin is turned over, and no tooth comes through it.
@@ -214,8 +215,7 @@ TEST_F(DefaultFaceWholeness, StaysWholeInEveryPairOfMusclesOfTheMouth) {
   for (const face::Muscle& muscle : face().muscles) {
     const std::string name = without_side(muscle.name);
     const auto pulls = [&](auto vertex) {
-      return glm::length(face::displacement(muscle.shape, face().mesh.positions[vertex], 1)) >
-             0.02F;
+      return glm::length(displacement(muscle.shape, face().mesh.positions[vertex], 1)) > 0.02F;
     };
     if (name.starts_with("tongue") || names.back() == name) continue;
     if (pulls(mouth_corner()) || pulls(lower_lip())) names.push_back(name);

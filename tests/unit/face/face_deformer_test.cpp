@@ -14,12 +14,14 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/allocations.h"
+#include "tests/support/displacement.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::face {
 namespace {
 
+using aucast::test::displacement;
 using aucast::test::Seeded;
 using test::only;
 

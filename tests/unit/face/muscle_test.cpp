@@ -10,11 +10,13 @@
 #include <glm/geometric.hpp>
 
 #include "client/face/muscle_file.h"
+#include "tests/support/displacement.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::face {
 namespace {
 
+using aucast::test::displacement;
 using aucast::test::Seeded;
 
 constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180;
