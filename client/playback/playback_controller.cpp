@@ -107,7 +107,8 @@ std::optional<KeyframeBegun> PlaybackController::advance_stalled(Instant now,
 /// While nothing comes: begins the easing when it is due.
 std::optional<KeyframeBegun> PlaybackController::ease_when_due(Instant now) {
   move_easing(now);
-  if (eased_ || !hold_ || !first_begin_ || now - stalled_since_ < *hold_) return std::nullopt;
+  const bool begun = progress_.keyframe > 0;
+  if (eased_ || !hold_ || !begun || now - stalled_since_ < *hold_) return std::nullopt;
   if (state_ == PlaybackState::Stalled) state_ = PlaybackState::Stale;
   eased_ = true;
   ease_begin_ = now;
@@ -169,7 +170,6 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   eased_ = false;
   state_ = PlaybackState::Playing;
   keyframe_begin_ = begin;
-  if (!first_begin_) first_begin_ = begin;
   ++progress_.keyframe;
   move_to(now);
   return KeyframeBegun{std::move(*keyframe), time_};
@@ -275,10 +275,6 @@ std::uint64_t PlaybackController::keyframes_played() const {
 
 std::uint64_t PlaybackController::stalls() const {
   return stalls_;
-}
-
-Duration PlaybackController::playback_time() const {
-  return first_begin_ ? last_position_at_ - *first_begin_ : Duration::zero();
 }
 
 Milliseconds PlaybackController::media_time() const {

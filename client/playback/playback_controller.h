@@ -112,10 +112,6 @@ class PlaybackController {
   [[nodiscard]] const DelayMeter& delays() const { return delays_; }
   /// Live: the time from the arrival of each keyframe that has a due time until it is due.
   [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
-  /// The time from position 0 of the first keyframe to the last position reached, on the given
-  /// clock, stalls and pauses included. Exact: until the moment of the position, not of the call
-  /// that noticed it. The tests measure the clock of playback by it.
-  [[nodiscard]] Duration playback_time() const;
   /// Sum of the times of the keyframes played.
   [[nodiscard]] Milliseconds media_time() const;
 
@@ -142,7 +138,6 @@ class PlaybackController {
   std::optional<Instant> due_;
   DelayMeter delays_;
   DelayMeter delays_meant_;
-  std::optional<Instant> first_begin_;  ///< of the first keyframe
   Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
   bool film_clock_ = false;

@@ -53,7 +53,7 @@ TEST_F(Holding, EasesToNeutralAfterTheHold) {
   EXPECT_EQ(controller_.state(), PlaybackState::Stale);
   EXPECT_EQ(controller_.keyframes_played(), 1U) << "the easing is none";
   EXPECT_EQ(controller_.stalls(), 1U);
-  EXPECT_EQ(controller_.playback_time(), Duration(100ms));
+  EXPECT_EQ(controller_.media_time(), 100ms);
 }
 
 TEST_F(Holding, GoesOnFromWhereTheEasingWas) {
