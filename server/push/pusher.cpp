@@ -44,6 +44,14 @@ std::string Pusher::stream_name() const {
   return stream == nullptr ? std::string() : stream->known_name();
 }
 
+/// For the log: which stream goes there if none has the name of the address; empty: one has it.
+std::string Pusher::substitute() const {
+  const protocol::ServedStream* const stream = hooks_.stream();
+  if (stream == nullptr || stream->known_name() == stream_name()) return {};
+  return "; it is the first stream, '" + stream->known_name() + "', as none here is called '" +
+         stream_name() + "'";
+}
+
 void Pusher::introduce(std::shared_ptr<link::Link> link) {
   introduction_ = std::make_unique<Introduction>(
       std::move(link), PublishSession({stream_name(), to_.token, id_}),
@@ -60,7 +68,7 @@ void Pusher::on_answer(const PublishSession::Answer& answer) {
   ++connects_;
   serving_ = true;
   spdlog::log(std::exchange(said_, true) ? spdlog::level::debug : spdlog::level::info,
-              "{}: taken by {}", name(), redialler_.peer());
+              "{}: taken by {}{}", name(), redialler_.peer(), substitute());
   hooks_.serve(
       redialler_.peer(), introduction->release(), std::get<PublishSession::Taken>(answer).bytes,
       [this](const ClientRecord& record, const std::string& why) { on_served(record, why); });

@@ -51,6 +51,7 @@ class Pusher {
   [[nodiscard]] bool ready() const;
   [[nodiscard]] std::string name() const;  ///< for the log
   [[nodiscard]] std::string stream_name() const;
+  [[nodiscard]] std::string substitute() const;
   void introduce(std::shared_ptr<link::Link> link);
   void on_answer(const protocol::PublishSession::Answer& answer);
   void on_served(const ClientRecord& record, const std::string& why);

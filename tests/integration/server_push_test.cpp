@@ -104,6 +104,17 @@ TEST_F(ServerPush, ALiveMomentReachesTheClientOfTheServerThatWasDialled) {
   EXPECT_TRUE(logs(campus, "status: upstream talk from 127.0.0.1:")) << campus.log();
 }
 
+TEST_F(ServerPush, ANameThatNoStreamHasIsSaidToStandForTheFirst) {
+  const std::vector<std::string> streams{stream_file("talk.txt"), stream_file("anger.txt")};
+  RunningTransmitter campus(accepting());
+  RunningTransmitter home(pushing(address_of(campus, "angre"), streams));
+  EXPECT_TRUE(logs(home, "push angre: taken by " + campus.address() +
+                             "; it is the first stream, 'talk', as none here is called 'angre'"))
+      << home.log();
+  RunningTransmitter right(pushing(address_of(campus, "anger"), streams));
+  EXPECT_TRUE(logs(right, "push anger: taken by " + campus.address() + "\n")) << right.log();
+}
+
 TEST_F(ServerPush, ARecordedStreamIsTheSameBytesThere) {
   const auto talk = folder_.write("talk.txt", "# title: A lecture\n" + text_of("talk.txt"));
   folder_.write("talk.vtt", "WEBVTT\n\n00:00:01.000 --> 00:00:03.000\nGood morning\n");
