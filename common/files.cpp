@@ -155,6 +155,15 @@ Result<void> write_to_own(const fs::path& path, int descriptor, std::string_view
   return {};
 }
 
+/// Whether write_to_own() can write there, by how the descriptor was opened: what is at the path
+/// may not be openable at all, as a socket is not.
+Result<void> check_own(const fs::path& path, int descriptor) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags < 0) return unwritable(path, system_reason(errno));
+  if ((flags & O_ACCMODE) == O_RDONLY) return unwritable(path, "it is open for reading only");
+  return {};
+}
+
 Result<void> write_special(const fs::path& path, const fs::file_status& status,
                            std::string_view bytes) {
   // Opened without blocking, so that a FIFO without a reader is an error and not a wait.
@@ -272,6 +281,7 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view bytes)
 
 Result<void> check_writable(const fs::path& path) {
   std::error_code ignored;
+  if (const auto own = own_descriptor(path)) return check_own(path, *own);
   const fs::file_status status = fs::status(path, ignored);
   if (const auto why = objection(status); !why.empty()) return unwritable(path, why);
   if (is_special(path, status)) {

@@ -7,6 +7,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <array>
 #include <stop_token>
 
 #include <gtest/gtest.h>
@@ -211,6 +212,23 @@ TEST(CheckWritable, ASocketIsNeverWrittenTo) {
   ASSERT_FALSE(can.has_value());
   EXPECT_TRUE(can.error().message.ends_with("it is a socket"));
   ::close(listener);
+}
+
+TEST(CheckWritable, ADescriptorOfOurOwnIsJudgedByHowItWasOpened) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()), 0);
+  const std::string name = "/dev/fd/" + std::to_string(ends[0]);
+  EXPECT_TRUE(check_writable(name)) << "a socket, as standard output of a service may be";
+  EXPECT_TRUE(write_file_atomically(name, "told"));
+  std::array<char, 8> got{};
+  EXPECT_EQ(::read(ends[1], got.data(), got.size()), 4);
+  for (const int end : ends) ::close(end);
+  const test::TempFolder folder;
+  const int input = ::open(folder.write("in", "").c_str(), O_RDONLY | O_CLOEXEC);
+  const auto can = check_writable("/dev/fd/" + std::to_string(input));
+  ASSERT_FALSE(can);
+  EXPECT_TRUE(can.error().message.ends_with("it is open for reading only"));
+  ::close(input);
 }
 
 TEST(CheckWritable, ChangesNothing) {
