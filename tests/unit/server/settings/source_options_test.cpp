@@ -53,6 +53,34 @@ TEST(SourceOptions, WrongWordsAreNamedWithTheirRange) {
             "--rate '0.01' is not a number of keyframes a second from 0.1 to 1000 (try --help)");
 }
 
+/// A word that the option takes and that is not its default.
+std::string word_for(const OptionRow& row) {
+  if (row.value.kind == OptionValue::Kind::Flag) return "true";
+  return row.name == "min-confidence" ? "0.9" : "1";
+}
+
+TEST(SourceOptions, AreNamedAsTheyAreTypedWhereNothingIsForThemToChange) {
+  EXPECT_EQ(options_of_recordings({}), "");
+  SourceOptions all;
+  std::string names;
+  const auto each = [&](const auto& rows_of) {
+    for (const OptionRow& row : rows_of(all)) {
+      SourceOptions one;
+      const auto own = rows_of(one);
+      EXPECT_FALSE(read_word(*find_row(own, row.name), word_for(row))) << row.name;
+      // Stream files are resampled too, and a profile is written whatever was read.
+      const bool for_others_too = row.name == "rate" || row.name == "save-profile";
+      EXPECT_EQ(options_of_recordings(one), for_others_too ? "" : typed_name(row));
+      if (for_others_too) continue;
+      EXPECT_FALSE(read_word(row, word_for(row))) << row.name;
+      names += (names.empty() ? "" : ", ") + typed_name(row);
+    }
+  };
+  each([](SourceOptions& options) { return recording_rows(options); });
+  each([](SourceOptions& options) { return signal_rows(options.signal); });
+  EXPECT_EQ(options_of_recordings(all), names) << "in the order of --help";
+}
+
 TEST(CameraOptions, AreRead) {
   camera::CameraOptions options;
   const auto rows = camera_rows(options);
