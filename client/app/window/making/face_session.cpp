@@ -124,9 +124,8 @@ Result<fs::path> FaceSession::origin(const fs::path& folder) const {
 }
 
 Result<void> FaceSession::check_own(const fs::path& folder) const {
-  const fs::path own = own_faces();
-  const bool apart = !same_folder(own, plain(assets_.data_folder / "faces"));
-  if (apart && !own.empty() && same_folder(plain(folder).parent_path(), own)) return {};
+  const auto faces = writable_own_faces(assets_.data_folder);
+  if (faces && same_folder(plain(folder).parent_path(), plain(faces->own))) return {};
   return Error{ErrorKind::Usage, gui::tr("said.face_not_own", folder.filename().string())};
 }
 
@@ -169,7 +168,8 @@ void FaceSession::list() {
   };
   add(shipped, gui::FaceKind::Shipped);
   // Who has the shipped ones in the place of one's own has none that may be deleted.
-  if (!same_folder(own_faces(), shipped)) add(own_faces(), gui::FaceKind::Own);
+  const auto faces = writable_own_faces(assets_.data_folder);
+  if (faces) add(plain(faces->own), gui::FaceKind::Own);
   const bool listed = same_folder(looked_in_, shipped) || same_folder(looked_in_, own_faces());
   if (!listed) add(looked_in_, gui::FaceKind::Elsewhere);
   view_.elsewhere = looked_in_.string();
