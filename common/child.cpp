@@ -23,11 +23,6 @@ constexpr std::size_t kLastWordsBytesMax = 2048;  ///< kept; more than shown, fo
 constexpr std::size_t kLastWordsShown = 300;
 constexpr int kSendBufferBytes = 1 << 20;
 
-void close_quietly(int& descriptor) {
-  if (descriptor >= 0) ::close(descriptor);
-  descriptor = -1;
-}
-
 // As those of posix_spawn, the functions below return the number of an error, or 0.
 
 /// The child starts with no signal blocked and none ignored, whatever its parent does.
@@ -93,23 +88,16 @@ Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& argu
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     return cannot_start(arguments[0], errno);
   }
-  if (::pipe2(errors.data(), O_CLOEXEC) != 0) {
-    const int error_number = errno;
-    close_quietly(ends[0]);
-    close_quietly(ends[1]);
-    return cannot_start(arguments[0], error_number);
-  }
-  ::setsockopt(ends[0], SOL_SOCKET, SO_SNDBUF, &kSendBufferBytes, sizeof(kSendBufferBytes));
+  Descriptor flow_end(ends[0]);
+  const Descriptor theirs(ends[1]);
+  if (::pipe2(errors.data(), O_CLOEXEC) != 0) return cannot_start(arguments[0], errno);
+  Descriptor error_end(errors[0]);
+  const Descriptor their_errors(errors[1]);
+  ::setsockopt(flow_end.get(), SOL_SOCKET, SO_SNDBUF, &kSendBufferBytes, sizeof(kSendBufferBytes));
   pid_t pid = -1;
-  const int error_number = spawn(arguments, flow, ends[1], errors[1], pid);
-  close_quietly(ends[1]);
-  close_quietly(errors[1]);
-  if (error_number != 0) {
-    close_quietly(ends[0]);
-    close_quietly(errors[0]);
-    return cannot_start(arguments[0], error_number);
-  }
-  return std::unique_ptr<Child>(new Child(pid, ends[0], errors[0]));
+  const int failed = spawn(arguments, flow, theirs.get(), their_errors.get(), pid);
+  if (failed != 0) return cannot_start(arguments[0], failed);
+  return std::unique_ptr<Child>(new Child(pid, std::move(flow_end), std::move(error_end)));
 }
 
 Child::~Child() {
@@ -118,16 +106,14 @@ Child::~Child() {
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
-  close_quietly(flow_);
-  close_quietly(errors_);
 }
 
 bool Child::read_errors() {
   std::array<char, 4096> chunk{};
-  const ssize_t got = ::read(errors_, chunk.data(), chunk.size());
+  const ssize_t got = ::read(errors_.get(), chunk.data(), chunk.size());
   if (got < 0 && errno == EINTR) return true;
   if (got <= 0) {
-    close_quietly(errors_);
+    errors_ = Descriptor();
     return false;
   }
   last_words_.append(chunk.data(), static_cast<std::size_t>(got));
@@ -139,13 +125,14 @@ bool Child::read_errors() {
 
 bool Child::feed(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    if (flow_ < 0) return false;
+    if (!flow_.open()) return false;
     // Its errors are read meanwhile: a child that waits for room on stderr would never read on.
-    std::array<pollfd, 2> waits{{{flow_, POLLOUT, 0}, {errors_, POLLIN, 0}}};
+    std::array<pollfd, 2> waits{{{flow_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
     if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return false;
-    if (errors_ >= 0 && waits[1].revents != 0) read_errors();
+    if (errors_.open() && waits[1].revents != 0) read_errors();
     if (waits[0].revents == 0) continue;
-    const ssize_t sent = ::send(flow_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent =
+        ::send(flow_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(sent));
     } else if (errno != EINTR && errno != EAGAIN) {
@@ -157,7 +144,7 @@ bool Child::feed(std::span<const std::uint8_t> bytes) {
 
 bool Child::await(Milliseconds patience) {
   const auto until = std::chrono::steady_clock::now() + patience;
-  while (flow_ >= 0) {
+  while (flow_.open()) {
     const auto left = std::chrono::ceil<Milliseconds>(until - std::chrono::steady_clock::now());
     if (left <= Milliseconds::zero()) return false;
     if (await_flow(static_cast<int>(left.count()))) return true;
@@ -168,17 +155,17 @@ bool Child::await(Milliseconds patience) {
 /// Waits for output and reads the child's errors meanwhile. True: there is output, or waiting
 /// failed.
 bool Child::await_flow(int milliseconds) {
-  std::array<pollfd, 2> waits{{{flow_, POLLIN, 0}, {errors_, POLLIN, 0}}};
+  std::array<pollfd, 2> waits{{{flow_.get(), POLLIN, 0}, {errors_.get(), POLLIN, 0}}};
   const int ready = ::poll(waits.data(), waits.size(), milliseconds);
   if (ready < 0) return errno != EINTR;
-  if (errors_ >= 0 && waits[1].revents != 0) read_errors();
+  if (errors_.open() && waits[1].revents != 0) read_errors();
   return waits[0].revents != 0;
 }
 
 std::size_t Child::read(std::span<std::uint8_t> bytes) {
-  while (flow_ >= 0) {
+  while (flow_.open()) {
     if (!await_flow(-1)) continue;
-    const ssize_t got = ::recv(flow_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    const ssize_t got = ::recv(flow_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (got > 0) return static_cast<std::size_t>(got);
     if (got == 0 || (errno != EINTR && errno != EAGAIN)) return 0;
   }
@@ -186,12 +173,12 @@ std::size_t Child::read(std::span<std::uint8_t> bytes) {
 }
 
 bool Child::tell(std::string_view bytes) const {
-  const ssize_t sent = ::send(flow_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  const ssize_t sent = ::send(flow_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   return sent == static_cast<ssize_t>(bytes.size());
 }
 
 void Child::end_input() const {
-  ::shutdown(flow_, SHUT_WR);
+  ::shutdown(flow_.get(), SHUT_WR);
 }
 
 void Child::stop() const {
@@ -200,8 +187,8 @@ void Child::stop() const {
 
 int Child::wait() {
   if (exit_code_.has_value()) return *exit_code_;
-  close_quietly(flow_);
-  while (errors_ >= 0 && read_errors()) {
+  flow_ = Descriptor();
+  while (errors_.open() && read_errors()) {
   }
   int status = 0;
   pid_t waited = -1;

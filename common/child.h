@@ -8,8 +8,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "common/descriptor.h"
 #include "common/result.h"
 #include "common/time.h"
 
@@ -56,13 +58,14 @@ class Child {
   [[nodiscard]] std::string last_line() const;
 
  private:
-  Child(pid_t pid, int flow, int errors) : pid_(pid), flow_(flow), errors_(errors) {}
+  Child(pid_t pid, Descriptor flow, Descriptor errors)
+      : pid_(pid), flow_(std::move(flow)), errors_(std::move(errors)) {}
   [[nodiscard]] bool await_flow(int milliseconds);
   bool read_errors();
 
   pid_t pid_;
-  int flow_;    ///< a socket: send() can be told not to raise SIGPIPE
-  int errors_;  ///< -1 once its end was seen
+  Descriptor flow_;    ///< a socket: send() can be told not to raise SIGPIPE
+  Descriptor errors_;  ///< until its end was seen
   std::string last_words_;
   std::optional<int> exit_code_;
 };

@@ -6,24 +6,29 @@
 
 namespace aucast {
 
-/// A file descriptor that closes itself.
+/// A file descriptor that closes itself; a negative one is none.
 class Descriptor {
  public:
-  explicit Descriptor(int value) : value_(value) {}
+  explicit Descriptor(int value = -1) : value_(value) {}
   ~Descriptor() {
     if (value_ >= 0) ::close(value_);
   }
   Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
+  /// What was open here is closed with `other`.
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(value_, other.value_);
+    return *this;
+  }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] bool open() const { return value_ >= 0; }
   [[nodiscard]] int get() const { return value_; }
   [[nodiscard]] int release() { return std::exchange(value_, -1); }
   /// Closes now and says whether that worked: some file systems report a full disk only here.
   [[nodiscard]] bool close() { return ::close(std::exchange(value_, -1)) == 0; }
 
  private:
-  int value_;
+  int value_ = -1;
 };
 
 }  // namespace aucast

@@ -99,7 +99,7 @@ Result<std::pair<Descriptor, struct stat>> open_to_read(const fs::path& path) {
   // Not blocking: a FIFO would be waited for.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) return unreadable(path, errno);
+  if (!file.open() || ::fstat(file.get(), &status) != 0) return unreadable(path, errno);
   if (const auto why = objection(status); !why.empty()) return unreadable(path, why);
   return std::pair{std::move(file), status};
 }
@@ -149,7 +149,7 @@ std::optional<int> own_descriptor(const fs::path& path) {
 Result<void> write_to_own(const fs::path& path, int descriptor, std::string_view bytes) {
   std::fflush(nullptr);
   Descriptor file(::fcntl(descriptor, F_DUPFD_CLOEXEC, 0));
-  if (file.get() < 0 || !write_all(file.get(), bytes) || !file.close()) {
+  if (!file.open() || !write_all(file.get(), bytes) || !file.close()) {
     return unwritable(path, system_reason(errno));
   }
   return {};
@@ -168,7 +168,7 @@ Result<void> write_special(const fs::path& path, const fs::file_status& status,
                            std::string_view bytes) {
   // Opened without blocking, so that a FIFO without a reader is an error and not a wait.
   Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (file.get() < 0) {
+  if (!file.open()) {
     const bool alone = errno == ENXIO && fs::is_fifo(status);
     return unwritable(path, alone ? "nobody reads it" : system_reason(errno));
   }
@@ -193,7 +193,7 @@ Result<Temporary> open_temporary_beside(const fs::path& path) {
     fs::path temporary = path;
     temporary += ".part-" + std::to_string(random());
     Descriptor file(::open(temporary.c_str(), kFlags, 0644));
-    if (file.get() >= 0) return Temporary{std::move(temporary), std::move(file)};
+    if (file.open()) return Temporary{std::move(temporary), std::move(file)};
     if (errno != EEXIST) break;
   }
   return unwritable(path, errno);
@@ -312,7 +312,7 @@ Result<fs::path> create_temporary_beside(const fs::path& path) {
 Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
   const Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   std::error_code ignored;
-  const bool done = file.get() >= 0 && keep_mode(file.get(), fs::status(path, ignored)) &&
+  const bool done = file.open() && keep_mode(file.get(), fs::status(path, ignored)) &&
                     ::fsync(file.get()) == 0 && ::rename(temporary.c_str(), path.c_str()) == 0;
   if (done) return {};
   const int error_number = errno;

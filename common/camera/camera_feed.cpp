@@ -47,7 +47,8 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
                  at_place(options.device, "cannot be read: " + system_reason(errno))};
   }
   std::unique_ptr<CameraFeed> feed(new CameraFeed(std::move(*pictures), std::move(*models), faces,
-                                                  std::move(on_sight), ends[0], ends[1]));
+                                                  std::move(on_sight), Descriptor(ends[0]),
+                                                  Descriptor(ends[1])));
   // What began ends with the feed.
   auto taking = start_thread([&feed = *feed] { feed.take_pictures(); });
   if (!taking) return Error{ErrorKind::Failed, at_place(options.device, taking.error().message)};
@@ -59,13 +60,13 @@ Result<std::unique_ptr<CameraFeed>> CameraFeed::start(const CameraOptions& optio
 }
 
 CameraFeed::CameraFeed(PictureSource pictures, FaceModels models, const FaceOptions& faces,
-                       OnSight on_sight, int rows, int write)
+                       OnSight on_sight, Descriptor rows, Descriptor write)
     : pictures_(std::move(pictures)),
       models_(std::move(models)),
       faces_(faces),
       on_sight_(std::move(on_sight)),
-      rows_(rows),
-      write_(write) {}
+      rows_(std::move(rows)),
+      write_(std::move(write)) {}
 
 CameraFeed::~CameraFeed() {
   seen_.change([](Seen& seen) { seen.ended = true; });
@@ -73,16 +74,7 @@ CameraFeed::~CameraFeed() {
     pictures_.stop();
     taking_.join();
   }
-  if (reading_.joinable()) {
-    reading_.join();
-  } else {
-    ::close(write_);
-  }
-  if (rows_ >= 0) ::close(rows_);
-}
-
-int CameraFeed::take_rows() {
-  return std::exchange(rows_, -1);
+  if (reading_.joinable()) reading_.join();
 }
 
 std::string CameraFeed::complaint() {
@@ -107,7 +99,7 @@ void CameraFeed::take_pictures() {
 
 bool CameraFeed::write(const std::string& text) const {
   // A row is shorter than what a pipe takes whole or not at all. One that finds no room is late.
-  const ssize_t written = ::write(write_, text.data(), text.size());
+  const ssize_t written = ::write(write_.get(), text.data(), text.size());
   return written >= 0 || errno == EAGAIN || errno == EINTR;
 }
 
@@ -152,7 +144,7 @@ void CameraFeed::read_faces() {
     }
     if (on_sight_) on_sight_(sight);
   }
-  ::close(write_);  // the reader of the rows sees their end
+  write_ = Descriptor();  // the reader of the rows sees their end
 }
 
 }  // namespace aucast::camera

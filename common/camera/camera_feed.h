@@ -5,12 +5,14 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/action_unit.h"
 #include "common/camera/face_models.h"
 #include "common/camera/film_reader.h"
 #include "common/camera/picture_source.h"
+#include "common/descriptor.h"
 #include "common/mesh/landmarks.h"
 #include "common/mesh/picture.h"
 #include "common/result.h"
@@ -46,8 +48,8 @@ class CameraFeed {
   CameraFeed(const CameraFeed&) = delete;
   CameraFeed& operator=(const CameraFeed&) = delete;
 
-  /// The end of the pipe from which rows are read; the caller closes it. Call it only once.
-  [[nodiscard]] int take_rows();
+  /// The end of the pipe from which rows are read. Call it only once.
+  [[nodiscard]] Descriptor take_rows() { return std::move(rows_); }
   /// Call it after the rows have ended: why ffmpeg ended, in one line; empty when it reported no
   /// error.
   [[nodiscard]] std::string complaint();
@@ -64,7 +66,7 @@ class CameraFeed {
   };
 
   CameraFeed(PictureSource pictures, FaceModels models, const FaceOptions& faces, OnSight on_sight,
-             int rows, int write);
+             Descriptor rows, Descriptor write);
   void take_pictures();
   void read_faces();
   [[nodiscard]] std::vector<mesh::SeenFace> look_at(const mesh::Picture& picture);
@@ -74,8 +76,8 @@ class CameraFeed {
   FaceModels models_;
   FaceOptions faces_;
   OnSight on_sight_;
-  int rows_;   ///< the end for reading; -1 once it was taken
-  int write_;  ///< the other end, which the thread `reading_` closes
+  Descriptor rows_;   ///< the end for reading, until it is taken
+  Descriptor write_;  ///< the other end, which the thread `reading_` closes
   Shared<Seen> seen_;
   // The threads come last: they use all of the above.
   std::jthread taking_;

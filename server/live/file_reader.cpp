@@ -24,11 +24,11 @@ constexpr std::size_t kTailBytes = 256;
 
 }  // namespace
 
-FileReader::FileReader(asio::io_context& io, std::filesystem::path path, int descriptor,
+FileReader::FileReader(asio::io_context& io, std::filesystem::path path, Descriptor file,
                        bool follow, const Events& events)
     : io_(io),
       path_(std::move(path)),
-      file_(descriptor),
+      file_(std::move(file)),
       follow_(follow),
       events_(events),
       notify_(io),
@@ -37,7 +37,6 @@ FileReader::FileReader(asio::io_context& io, std::filesystem::path path, int des
 
 FileReader::~FileReader() {
   *alive_ = false;
-  ::close(file_);
 }
 
 void FileReader::start() {
@@ -47,15 +46,11 @@ void FileReader::start() {
 
 void FileReader::watch() {
   if (!follow_ || is_stdin()) return;
-  const int descriptor = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-  if (descriptor < 0) return;
+  Descriptor changes(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+  if (!changes.open()) return;
   std::error_code error;
-  notify_.assign(descriptor, error);
-  if (error) {
-    ::close(descriptor);
-  } else {
-    ::inotify_add_watch(descriptor, path_.c_str(), IN_MODIFY);
-  }
+  notify_.assign(changes.get(), error);
+  if (!error) ::inotify_add_watch(changes.release(), path_.c_str(), IN_MODIFY);
 }
 
 void FileReader::hold(bool held) {
@@ -94,8 +89,8 @@ void FileReader::read() {
   }
   if (const std::string why = follow_ ? changed() : ""; !why.empty()) begin_anew(why);
   // stdin has its own place, which whoever gave it to us may have chosen.
-  const ssize_t got = is_stdin() ? ::read(file_, chunk_.data(), chunk_.size())
-                                 : ::pread(file_, chunk_.data(), chunk_.size(), position_);
+  const ssize_t got = is_stdin() ? ::read(file_.get(), chunk_.data(), chunk_.size())
+                                 : ::pread(file_.get(), chunk_.data(), chunk_.size(), position_);
   if (got < 0) events_.on_failure(unreadable_now(path_));
   if (got > 0) {
     pass_on({chunk_.data(), static_cast<std::size_t>(got)});
@@ -134,7 +129,7 @@ void FileReader::on_look(const std::error_code& error) {
 bool FileReader::replaced() const {
   struct stat ours {};
   struct stat there {};
-  if (is_stdin() || ::stat(path_.c_str(), &there) != 0 || ::fstat(file_, &ours) != 0) {
+  if (is_stdin() || ::stat(path_.c_str(), &there) != 0 || ::fstat(file_.get(), &ours) != 0) {
     return false;
   }
   return ours.st_ino != there.st_ino || ours.st_dev != there.st_dev;
@@ -145,7 +140,7 @@ std::string FileReader::changed() const {
   if (replaced()) return "it was replaced";
   std::string now(tail_.size(), '\0');
   const auto begin = position_ - static_cast<std::int64_t>(tail_.size());
-  const ssize_t got = ::pread(file_, now.data(), now.size(), begin);
+  const ssize_t got = ::pread(file_.get(), now.data(), now.size(), begin);
   if (got < 0) return "";  // to read on will not do either, and that is said
   if (got < static_cast<ssize_t>(tail_.size())) return "it got shorter";
   return now == tail_ ? "" : "it was rewritten";
@@ -153,9 +148,9 @@ std::string FileReader::changed() const {
 
 void FileReader::begin_anew(const std::string& why) {
   if (replaced()) {
-    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::close(std::exchange(file_, descriptor));
+    Descriptor now(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (!now.open()) return;
+    file_ = std::move(now);
     if (notify_.is_open()) {
       ::inotify_add_watch(notify_.native_handle(), path_.c_str(), IN_MODIFY);
     }

@@ -12,6 +12,7 @@
 #include <asio/posix/stream_descriptor.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "common/descriptor.h"
 #include "server/live/input_reader.h"
 
 namespace aucast::server {
@@ -23,7 +24,7 @@ class FileReader final : public InputReader {
  public:
   /// `path`: where to look for a file that replaces this one; "-" for stdin, which is read from its
   /// present position and is never replaced. `follow`: the file may grow. `events` must outlive it.
-  FileReader(asio::io_context& io, std::filesystem::path path, int descriptor, bool follow,
+  FileReader(asio::io_context& io, std::filesystem::path path, Descriptor file, bool follow,
              const Events& events);
   ~FileReader() override;
 
@@ -47,7 +48,7 @@ class FileReader final : public InputReader {
 
   asio::io_context& io_;
   std::filesystem::path path_;
-  int file_;
+  Descriptor file_;
   bool follow_;
   const Events& events_;
   asio::posix::stream_descriptor notify_;  ///< inotify

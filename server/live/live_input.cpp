@@ -26,13 +26,13 @@ LiveInput::LiveInput(asio::io_context& io, std::filesystem::path path, bool foll
                      [this] { on_reader_end(); }, [this] { events_.on_caught_up(); },
                      [this](const std::string& why) { events_.on_anew(why); }} {}
 
-Result<int> LiveInput::open_path() const {
+Result<Descriptor> LiveInput::open_path() const {
   if (open_) return open_();
   // Of stdin a copy: closing ours must not close it. Not O_NONBLOCK, which whoever shares it with
   // us would get too.
-  const int descriptor = path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
-                                      : ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor >= 0) return descriptor;
+  Descriptor descriptor(path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
+                                     : ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (descriptor.open()) return descriptor;
   return unreadable_now(path_);
 }
 
@@ -42,18 +42,19 @@ void LiveInput::note_failure(Error failure) {
 }
 
 Result<void> LiveInput::start() {
-  const auto descriptor = open_path();
+  auto descriptor = open_path();
   if (!descriptor) return descriptor.error();
-  read_from(*descriptor);
+  read_from(*std::move(descriptor));
   return {};
 }
 
 /// Replaces the reader.
-void LiveInput::read_from(int descriptor) {
+void LiveInput::read_from(Descriptor descriptor) {
   if (auto pipe = PipeReader::take(io_, descriptor)) {
     reader_ = std::make_unique<PipeReader>(std::move(*pipe), path_, reader_events_);
   } else {
-    reader_ = std::make_unique<FileReader>(io_, path_, descriptor, follow_, reader_events_);
+    reader_ =
+        std::make_unique<FileReader>(io_, path_, std::move(descriptor), follow_, reader_events_);
   }
   reader_->hold(held_);
   reader_->start();
@@ -75,8 +76,8 @@ void LiveInput::on_reader_end() {
   if (again) {
     // Opened before the old end is closed: a FIFO that nobody holds forgets what the next writer
     // has already said.
-    if (const auto descriptor = open_path()) {
-      read_from(*descriptor);
+    if (auto descriptor = open_path()) {
+      read_from(*std::move(descriptor));
     } else {
       note_failure(descriptor.error());
       ended_ = true;

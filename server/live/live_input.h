@@ -9,6 +9,7 @@
 
 #include <asio/io_context.hpp>
 
+#include "common/descriptor.h"
 #include "common/result.h"
 #include "server/live/input_reader.h"
 
@@ -29,7 +30,7 @@ class LiveInput {
 
   /// Opens something other than the path, and returns a descriptor that can be waited for. When
   /// that ends, nothing more comes.
-  using Opener = std::function<Result<int>()>;
+  using Opener = std::function<Result<Descriptor>()>;
 
   /// `follow`: a regular file is read on when it grows. `open`: if set, opens the input instead of
   /// the path.
@@ -51,8 +52,8 @@ class LiveInput {
   [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
 
  private:
-  [[nodiscard]] Result<int> open_path() const;
-  void read_from(int descriptor);
+  [[nodiscard]] Result<Descriptor> open_path() const;
+  void read_from(Descriptor descriptor);
   void on_reader_end();
   void note_failure(Error failure);
 

@@ -46,7 +46,7 @@ LiveInput::Opener LiveSource::opener(const LiveSourceOptions& options) {
   camera::CameraOptions asked = options.camera;
   asked.device = *device;
   return [this, asked, faces = options.faces, on_sight = options.on_sight,
-          given_up = options.given_up]() -> Result<int> {
+          given_up = options.given_up]() -> Result<Descriptor> {
     auto camera = camera::CameraFeed::start(asked, faces, on_sight, given_up);
     if (!camera) return camera.error();
     camera_ = std::move(*camera);

@@ -17,16 +17,17 @@ constexpr std::size_t kPipeChunkBytes = 16384;
 }  // namespace
 
 std::optional<asio::posix::stream_descriptor> PipeReader::take(asio::io_context& io,
-                                                               int descriptor) {
+                                                               Descriptor& descriptor) {
   struct stat status {};
-  if (::fstat(descriptor, &status) != 0) return std::nullopt;
+  if (::fstat(descriptor.get(), &status) != 0) return std::nullopt;
   const bool tells =
-      S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor) != 0;
+      S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor.get()) != 0;
   if (!tells) return std::nullopt;
   asio::posix::stream_descriptor pipe(io);
   std::error_code error;
-  pipe.assign(descriptor, error);
+  pipe.assign(descriptor.get(), error);
   if (error) return std::nullopt;
+  static_cast<void>(descriptor.release());
   return pipe;
 }
 

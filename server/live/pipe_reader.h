@@ -8,6 +8,7 @@
 #include <asio/io_context.hpp>
 #include <asio/posix/stream_descriptor.hpp>
 
+#include "common/descriptor.h"
 #include "server/live/input_reader.h"
 
 namespace aucast::server {
@@ -16,10 +17,10 @@ namespace aucast::server {
 /// a FIFO, a socket or a terminal.
 class PipeReader final : public InputReader {
  public:
-  /// Takes the descriptor if the kernel tells when there is more to read. nullopt otherwise: files
-  /// and some devices have to be polled.
+  /// Takes the descriptor if the kernel tells when there is more to read. nullopt otherwise, and it
+  /// stays where it is: files and some devices have to be polled.
   [[nodiscard]] static std::optional<asio::posix::stream_descriptor> take(asio::io_context& io,
-                                                                          int descriptor);
+                                                                          Descriptor& descriptor);
 
   /// `path`: for messages. `events` must outlive it.
   PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path, const Events& events);

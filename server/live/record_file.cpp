@@ -57,46 +57,33 @@ Objection objection(int descriptor) {
 /// be synced is as good as it gets: some file systems cannot, and a folder may be unreadable.
 void sync_folder_of(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.open()) ::fsync(opened.get());
 }
 
 }  // namespace
 
-RecordFile::RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor,
+RecordFile::RecordFile(std::filesystem::path path, const RecordForm& form, Descriptor file,
                        bool made)
-    : path_(std::move(path)), form_(form), descriptor_(descriptor), made_(made) {}
-
-RecordFile::RecordFile(RecordFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      form_(other.form_),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      made_(other.made_),
-      named_(other.named_),
-      end_(other.end_) {}
+    : path_(std::move(path)), form_(form), file_(std::move(file)), made_(made) {}
 
 RecordFile::~RecordFile() {
-  if (descriptor_ < 0) return;
-  if (made_ && end_ == 0) ::unlink(path_.c_str());
-  ::close(descriptor_);
+  if (file_.open() && made_ && end_ == 0) ::unlink(path_.c_str());
 }
 
 Result<RecordFile> RecordFile::create(const std::filesystem::path& path, const RecordForm& form) {
   // Not blocking: a FIFO that nobody reads would be waited for.
   constexpr int kFlags = O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK;
-  int descriptor = ::open(path.c_str(), kFlags | O_EXCL, 0644);
-  const bool made = descriptor >= 0;
-  if (!made) descriptor = ::open(path.c_str(), kFlags, 0644);
-  if (descriptor < 0) return cannot_record(path, system_reason(errno));
-  if (const Objection objected = objection(descriptor); !objected.why.empty()) {
+  Descriptor file(::open(path.c_str(), kFlags | O_EXCL, 0644));
+  const bool made = file.open();
+  if (!made) file = Descriptor(::open(path.c_str(), kFlags, 0644));
+  if (!file.open()) return cannot_record(path, system_reason(errno));
+  if (const Objection objected = objection(file.get()); !objected.why.empty()) {
     // Another program that was quicker to lock the file writes to it now.
     if (made && !objected.others) ::unlink(path.c_str());
-    ::close(descriptor);
     return cannot_record(path, objected.why);
   }
-  return RecordFile(path, form, descriptor, made);
+  return RecordFile(path, form, std::move(file), made);
 }
 
 Error RecordFile::failed() const {
@@ -108,22 +95,22 @@ Result<void> RecordFile::add(std::string_view piece) {
   std::string text(end_ == 0 ? form_.head : "");
   text += piece;
   const std::int64_t end = end_ + static_cast<std::int64_t>(text.size());
-  if (write_at(descriptor_, text + std::string(form_.tail), end_)) {
+  if (write_at(file_.get(), text + std::string(form_.tail), end_)) {
     end_ = end;
     return {};
   }
   const Error error = failed();
   // The place of the old end is ours already, also on a full disk.
   const std::string_view old_end = end_ == 0 ? "" : form_.tail;
-  if (!write_at(descriptor_, old_end, end_) ||
-      ::ftruncate(descriptor_, end_ + static_cast<std::int64_t>(old_end.size())) != 0) {
+  if (!write_at(file_.get(), old_end, end_) ||
+      ::ftruncate(file_.get(), end_ + static_cast<std::int64_t>(old_end.size())) != 0) {
     return Error{error.kind, error.message + "; what was added last may be torn"};
   }
   return error;
 }
 
 Result<void> RecordFile::sync() {
-  if (::fdatasync(descriptor_) != 0) return failed();
+  if (::fdatasync(file_.get()) != 0) return failed();
   if (!std::exchange(named_, true)) sync_folder_of(path_);
   return {};
 }

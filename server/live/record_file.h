@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "common/descriptor.h"
 #include "common/result.h"
 
 namespace aucast::server {
@@ -28,7 +29,7 @@ class RecordFile {
   /// is not empty.
   [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path,
                                                  const RecordForm& form = kStreamFileForm);
-  RecordFile(RecordFile&& other) noexcept;
+  RecordFile(RecordFile&& other) noexcept = default;
   RecordFile& operator=(RecordFile&&) = delete;
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
@@ -41,12 +42,12 @@ class RecordFile {
   [[nodiscard]] Result<void> sync();
 
  private:
-  RecordFile(std::filesystem::path path, const RecordForm& form, int descriptor, bool made);
+  RecordFile(std::filesystem::path path, const RecordForm& form, Descriptor file, bool made);
   [[nodiscard]] Error failed() const;
 
   std::filesystem::path path_;
   RecordForm form_;
-  int descriptor_ = -1;
+  Descriptor file_;
   bool made_;             ///< the file did not exist before
   bool named_ = false;    ///< its folder was synced
   std::int64_t end_ = 0;  ///< position of the tail; 0: nothing was added yet

@@ -15,6 +15,7 @@
 #include <asio/post.hpp>
 #include <asio/write.hpp>
 
+#include "common/descriptor.h"
 #include "common/preview/orders.h"
 #include "common/preview/preview_writer.h"
 #include "common/text.h"
@@ -33,11 +34,13 @@ Result<void> take_stream(int descriptor, const char* name, asio::posix::stream_d
   struct stat status {};
   const bool can =
       ::fstat(descriptor, &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
-  const int copy = can ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 3) : -1;
+  Descriptor copy(can ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 3) : -1);
   std::error_code error;
-  if (copy >= 0) stream.assign(copy, error);
-  if (copy >= 0 && !error) return {};
-  if (copy >= 0) ::close(copy);
+  if (copy.open()) stream.assign(copy.get(), error);
+  if (copy.open() && !error) {
+    static_cast<void>(copy.release());
+    return {};
+  }
   return Error{ErrorKind::Failed, std::string("--preview talks to the program that started it: ") +
                                       name + " is not a pipe or a socket"};
 }

@@ -65,18 +65,14 @@ bool is_listening_tcp(int descriptor) {
 ServiceManager::ServiceManager() : address_(variable("NOTIFY_SOCKET")) {
   const bool usable = (address_.starts_with('/') || address_.starts_with('@')) &&
                       address_.size() < sizeof(sockaddr_un::sun_path);
-  if (usable) socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (socket_ >= 0) {
-    ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &kSayTimeMax, sizeof(kSayTimeMax));
+  if (usable) socket_ = Descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (socket_.open()) {
+    ::setsockopt(socket_.get(), SOL_SOCKET, SO_SNDTIMEO, &kSayTimeMax, sizeof(kSayTimeMax));
   }
   const auto usec = number_of<std::int64_t>(variable("WATCHDOG_USEC"));
-  if (socket_ >= 0 && usec && *usec > 0 && is_ours(variable("WATCHDOG_PID"))) {
+  if (socket_.open() && usec && *usec > 0 && is_ours(variable("WATCHDOG_PID"))) {
     watchdog_ = std::chrono::microseconds(*usec);
   }
-}
-
-ServiceManager::~ServiceManager() {
-  if (socket_ >= 0) ::close(socket_);
 }
 
 void ServiceManager::ready(const std::string& status) const {
@@ -105,14 +101,14 @@ void ServiceManager::alive() const {
 }
 
 void ServiceManager::say(std::string_view message, Need need) const {
-  if (socket_ < 0) return;
+  if (!socket_.open()) return;
   sockaddr_un to{};
   to.sun_family = AF_UNIX;
   std::copy(address_.begin(), address_.end(), to.sun_path);
   if (to.sun_path[0] == '@') to.sun_path[0] = '\0';  // an abstract address
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + address_.size());
   // Nobody to tell when this fails; a manager that needs it notices by itself.
-  static_cast<void>(::sendto(socket_, message.data(), message.size(),
+  static_cast<void>(::sendto(socket_.get(), message.data(), message.size(),
                              need == Need::May ? MSG_NOSIGNAL | MSG_DONTWAIT : MSG_NOSIGNAL,
                              reinterpret_cast<const sockaddr*>(&to), length));
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/descriptor.h"
 #include "common/result.h"
 #include "common/time.h"
 
@@ -15,12 +16,11 @@ namespace aucast::server {
 class ServiceManager {
  public:
   ServiceManager();  ///< from the environment
-  ~ServiceManager();
   ServiceManager(const ServiceManager&) = delete;
   ServiceManager& operator=(const ServiceManager&) = delete;
 
   /// Whether there is a service manager.
-  [[nodiscard]] bool present() const { return socket_ >= 0; }
+  [[nodiscard]] bool present() const { return socket_.open(); }
 
   void ready(const std::string& status) const;
   /// A reload has begun; it lasts until the next ready().
@@ -38,7 +38,7 @@ class ServiceManager {
   enum class Need : std::uint8_t { May, Must };
   void say(std::string_view message, Need need) const;
 
-  int socket_ = -1;
+  Descriptor socket_;
   std::string address_;  ///< as in $NOTIFY_SOCKET
   std::optional<Duration> watchdog_;
 };

@@ -24,17 +24,16 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
     widths.push_back(sight.picture.width);
   });
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
-  const int rows = (*feed)->take_rows();
+  const Descriptor rows = (*feed)->take_rows();
   std::string text;
   std::vector<char> chunk(4096);
   for (;;) {
-    pollfd wait{rows, POLLIN, 0};
+    pollfd wait{rows.get(), POLLIN, 0};
     ASSERT_EQ(::poll(&wait, 1, 30'000), 1);
-    const ssize_t got = ::read(rows, chunk.data(), chunk.size());
+    const ssize_t got = ::read(rows.get(), chunk.data(), chunk.size());
     if (got <= 0) break;
     text.append(chunk.data(), static_cast<std::size_t>(got));
   }
-  ::close(rows);
   EXPECT_TRUE(text.starts_with("aucast_seconds,"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
   EXPECT_NE(text.find(",0.000,0,"), std::string::npos);

@@ -114,7 +114,8 @@ TEST_F(LiveInputTest, AFifoThatIsGoneHasEndedWhenItsWriterHas) {
 TEST_F(LiveInputTest, WhatWasOpenedForItEndsOnce) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
-  LiveInput& input = make("camera", true, [&ends]() -> Result<int> { return ends[0]; });
+  LiveInput& input =
+      make("camera", true, [&ends]() -> Result<Descriptor> { return Descriptor(ends[0]); });
   ASSERT_TRUE(input.start());
   ASSERT_EQ(::write(ends[1], "row", 3), 3);
   ::close(ends[1]);
