@@ -14,21 +14,20 @@ Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::
   if (!encoder) return encoder.error();
   auto sound = VideoSound::open(file, begin);
   if (!sound) return sound.error();
-  std::unique_ptr<SessionVideo> video(new SessionVideo);
+  std::unique_ptr<SessionVideo> video(new SessionVideo(begin));
   video->width_ = width;
   video->height_ = height;
-  video->begin_ = begin;
   video->encoder_ = std::move(*encoder);
   video->sound_ = std::move(*sound);
   return video;
 }
 
-bool SessionVideo::due(Instant now) const {
-  return pictures_due(now - begin_, kFps, written_) > 0;
+bool SessionVideo::due(Instant now) {
+  return pictures_due(time_.place_of(now), kFps, written_) > 0;
 }
 
 Result<void> SessionVideo::show(const view::Image& picture, Instant now) {
-  for (std::uint64_t left = pictures_due(now - begin_, kFps, written_); left > 0; --left) {
+  for (std::uint64_t left = pictures_due(time_.place_of(now), kFps, written_); left > 0; --left) {
     if (auto added = encoder_->add(picture); !added) return added;
     ++written_;
   }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "client/app/window/recording/video_sound.h"
+#include "client/app/window/recording/video_time.h"
 #include "client/view/image.h"
 #include "client/view/video_encoder.h"
 #include "common/result.h"
@@ -29,20 +30,24 @@ class SessionVideo {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   /// Whether the video lacks a picture at `now`.
-  [[nodiscard]] bool due(Instant now) const;
-  /// Adds the picture as many times as pictures are missing at `now`: not at all unless due().
+  [[nodiscard]] bool due(Instant now);
+  /// Adds the picture as many times as pictures are missing at `now`: not at all unless due(), and
+  /// after a stall for at most VideoTime::kGapMax.
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
   /// See VideoSound::add().
-  void hear(Instant heard_at, std::span<const float> samples) { sound_->add(heard_at, samples); }
+  void hear(Instant heard_at, std::span<const float> samples) {
+    sound_->add(begin_ + time_.place_of(heard_at), samples);
+  }
   /// Completes the file, which takes a while. May be called on any thread.
   [[nodiscard]] Result<void> finish();
 
  private:
-  SessionVideo() = default;
+  explicit SessionVideo(Instant begin) : begin_(begin), time_(begin) {}
 
   int width_ = 0;
   int height_ = 0;
-  Instant begin_{};
+  Instant begin_;
+  VideoTime time_;
   std::uint64_t written_ = 0;
   std::unique_ptr<view::VideoEncoder> encoder_;
   std::unique_ptr<VideoSound> sound_;

@@ -1,5 +1,7 @@
 #include "client/app/window/recording/video_recorder.h"
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -61,6 +63,20 @@ TEST_F(VideoRecorderTest, TheFileIsThereWhenTheVideoHasEnded) {
   EXPECT_FALSE(recorder.running());
   EXPECT_EQ(view_, gui::VideoView{});
   EXPECT_FALSE(recorder.ended()) << "said once";
+}
+
+TEST_F(VideoRecorderTest, AStalledProgramDoesNotMakeUpForAllThatItMissed) {
+  const std::filesystem::path raw = folder_.path() / "raw";
+  const test::FakeFfmpeg keeping("cat > '" + raw.string() + "'");
+  VideoRecorder recorder(hooks());
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  ASSERT_TRUE(record(recorder));
+  clock_.advance(std::chrono::hours(10));
+  ASSERT_TRUE(record(recorder));
+  ASSERT_TRUE(recorder.end());
+  recorder.wait();
+  constexpr std::uintmax_t kPictures = 1 + VideoTime::kGapMax / Milliseconds(40);
+  EXPECT_EQ(std::filesystem::file_size(raw), kPictures * 64 * 64 * 4);
 }
 
 TEST_F(VideoRecorderTest, AVideoIsCompletedWhileTheWindowGoesOn) {
