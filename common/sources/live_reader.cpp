@@ -88,7 +88,7 @@ void LiveReader::idle(SteadyTime now) {
 }
 
 std::optional<SteadyTime> LiveReader::idle_due() const {
-  const auto due = timeline_.idle_due();
+  const auto due = timeline_.idle_due_seconds();
   if (!due || !silent_since_) return std::nullopt;
   return *silent_since_ + Seconds(*due);
 }
@@ -266,7 +266,7 @@ bool LiveReader::take_row(const std::string& line, SteadyTime now) {
   const std::int64_t face = table_->names.of(table_->row);
   if (sure) note_face(face, line);
   if (!is_chosen(face, sure, now)) return true;
-  const auto time = time_of_row(now);
+  const auto time = seconds_of_row(now);
   if (!time) {
     complain(at_place(file_, table_->csv.line(), 0,
                       "the row's time is not later than the last; the row was left out"));
@@ -319,10 +319,10 @@ void LiveReader::settle_scale() {
                    " from now on; --au-scale says so from the beginning"));
 }
 
-std::optional<double> LiveReader::time_of_row(SteadyTime now) {
+std::optional<double> LiveReader::seconds_of_row(SteadyTime now) {
   table_->clocked = table_->clocked || table_->row.seconds || options_.recording.fps;
   timeline_.set_clocked(table_->clocked);
-  if (table_->clocked) return clock_.time_of(table_->row);
+  if (table_->clocked) return clock_.seconds_of(table_->row);
   unclocked_ += seconds(arrival_step(now, kRow));
   return unclocked_;
 }

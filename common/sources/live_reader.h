@@ -100,7 +100,7 @@ class LiveReader {
   void note_face(std::int64_t id, const std::string& line);
   [[nodiscard]] bool is_chosen(std::int64_t id, bool sure, SteadyTime now);
   void settle_scale();
-  [[nodiscard]] std::optional<double> time_of_row(SteadyTime now);
+  [[nodiscard]] std::optional<double> seconds_of_row(SteadyTime now);
   [[nodiscard]] Seconds arrival_step(SteadyTime now, Seconds usual);
   /// Adds a message that may be repeated; the run limits how often.
   void say_of_run(bool warning, std::string text);

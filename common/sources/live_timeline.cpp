@@ -26,16 +26,16 @@ constexpr double kEarlyShare = 0.3;
 double LiveTimeline::step_to(double seconds) {
   const bool again = std::exchange(restarted_, false);
   begins_ = begins_ || again;
-  if (again) age_clock_ += kEaseStepSeconds * static_cast<double>(idle_steps_);
-  if (!last_seconds_ || again) return usual_;
+  if (again) age_clock_seconds_ += kEaseStepSeconds * static_cast<double>(idle_steps_);
+  if (!last_seconds_ || again) return usual_seconds_;
   const double step = seconds - *last_seconds_;
   if (step > kHoldSeconds) {
     // Data has grown old in the gap, which is not played.
-    age_clock_ += step - usual_;
+    age_clock_seconds_ += step - usual_seconds_;
     begins_ = true;
-    return usual_;
+    return usual_seconds_;
   }
-  usual_ = std::min(step, kUsualSecondsMax);
+  usual_seconds_ = std::min(step, kUsualSecondsMax);
   return step;
 }
 
@@ -47,12 +47,13 @@ void LiveTimeline::add(double seconds, const AuFrame& update,
   last_seconds_ = seconds;
   idle_steps_ = 0;
   said_anything_ = true;
-  age_clock_ += step;
-  place_ += step;
-  channels_.take(age_clock_, verbatim_ ? update : conditioning_.apply(age_clock_, update));
-  const double since = place_ - static_cast<double>(emitted_ms_) / 1000;
+  age_clock_seconds_ += step;
+  place_seconds_ += step;
+  channels_.take(age_clock_seconds_,
+                 verbatim_ ? update : conditioning_.apply(age_clock_seconds_, update));
+  const double since = place_seconds_ - static_cast<double>(emitted_ms_) / 1000;
   if (rate_ && since < 1 / *rate_ - step * kEarlyShare) return;
-  emit(channels_.at(age_clock_), seconds);
+  emit(channels_.at(age_clock_seconds_), seconds);
 }
 
 void LiveTimeline::change(const ConditioningSettings& settings) {
@@ -61,7 +62,7 @@ void LiveTimeline::change(const ConditioningSettings& settings) {
 }
 
 void LiveTimeline::emit(const AuFrame& frame, double seconds) {
-  const std::int64_t place = whole_milliseconds(place_);
+  const std::int64_t place = whole_milliseconds(place_seconds_);
   // A line of 0 ms is a jump.
   if (place < emitted_ms_ || (place == emitted_ms_ && !verbatim_)) return;
   protocol::Keyframe keyframe;
@@ -71,19 +72,19 @@ void LiveTimeline::emit(const AuFrame& frame, double seconds) {
   keyframes_.push_back({std::move(keyframe), seconds, std::exchange(begins_, false), clocked_});
 }
 
-void LiveTimeline::idle(double silence) {
+void LiveTimeline::idle(double silence_seconds) {
   while (true) {
-    const auto due = idle_due();
-    if (!due || silence + kRounding < *due) return;
+    const auto due = idle_due_seconds();
+    if (!due || silence_seconds + kRounding < *due) return;
     ++idle_steps_;
-    place_ += kEaseStepSeconds;
+    place_seconds_ += kEaseStepSeconds;
     const double age = *due + kEaseStepSeconds;
-    emit(idle_steps_ == kEaseSteps ? AuFrame() : channels_.at(age_clock_ + age),
+    emit(idle_steps_ == kEaseSteps ? AuFrame() : channels_.at(age_clock_seconds_ + age),
          *last_seconds_ + age);
   }
 }
 
-std::optional<double> LiveTimeline::idle_due() const {
+std::optional<double> LiveTimeline::idle_due_seconds() const {
   if (!said_anything_ || idle_steps_ == kEaseSteps) return std::nullopt;
   return kHoldSeconds + kEaseStepSeconds * static_cast<double>(idle_steps_);
 }

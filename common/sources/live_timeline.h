@@ -48,10 +48,10 @@ class LiveTimeline {
   /// Whether the source has a clock of its own, for the samples that follow.
   void set_clocked(bool clocked) { clocked_ = clocked; }
 
-  /// Nothing has come for `silence` seconds: makes the keyframes that are due by now.
-  void idle(double silence);
-  /// The silence, in seconds, after which to call idle(); nullopt once the face is neutral.
-  [[nodiscard]] std::optional<double> idle_due() const;
+  /// Nothing has come for that long: makes the keyframes that are due by now.
+  void idle(double silence_seconds);
+  /// The silence after which to call idle(); nullopt once the face is neutral.
+  [[nodiscard]] std::optional<double> idle_due_seconds() const;
 
   /// The keyframes since the last call.
   [[nodiscard]] std::vector<LiveKeyframe> take();
@@ -66,9 +66,9 @@ class LiveTimeline {
   Channels channels_;
   std::vector<LiveKeyframe> keyframes_;
   std::optional<double> last_seconds_;  ///< on the source's clock
-  double usual_ = 0.04;                 ///< seconds between two samples
-  double age_clock_ = 0;                ///< seconds; by this clock data gets old
-  double place_ = 0;                    ///< of the last sample, in seconds on the keyframes' clock
+  double usual_seconds_ = 0.04;         ///< between two samples
+  double age_clock_seconds_ = 0;        ///< by this clock data gets old
+  double place_seconds_ = 0;            ///< of the last sample, on the keyframes' clock
   std::int64_t emitted_ms_ = 0;         ///< place of the last keyframe
   std::size_t idle_steps_ = 0;          ///< keyframes that eased, since the last sample
   bool restarted_ = true;

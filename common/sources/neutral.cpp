@@ -32,15 +32,16 @@ void take_off(Signals& signals, const Signals& neutral) {
 
 bool NeutralMeter::add(double seconds, const Signals& signals) {
   if (done_) return false;
-  if (begin_ && seconds - *begin_ >= wanted_ - kSpanRounding) {
+  if (begin_seconds_ && seconds - *begin_seconds_ >= wanted_seconds_ - kSpanRounding) {
     done_ = true;
     return false;
   }
   if (std::none_of(signals.begin(), signals.end(), is_signal)) return true;
-  if (!begin_) begin_ = seconds;
-  if (seconds - begin_.value_or(seconds) >= kSecondsMax) return true;
-  if (last_ && seconds - *last_ < std::min(wanted_, kSecondsMax) / kRowsMax) return true;
-  last_ = seconds;
+  if (!begin_seconds_) begin_seconds_ = seconds;
+  if (seconds - begin_seconds_.value_or(seconds) >= kSecondsMax) return true;
+  if (last_seconds_ && seconds - *last_seconds_ < std::min(wanted_seconds_, kSecondsMax) / kRowsMax)
+    return true;
+  last_seconds_ = seconds;
   ++rows_;
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
     if (!is_signal(signals[channel])) continue;
@@ -52,8 +53,9 @@ bool NeutralMeter::add(double seconds, const Signals& signals) {
 }
 
 MeasuredNeutral NeutralMeter::measured() const {
-  const double span = begin_ ? std::round(*last_ - *begin_) : 0;
-  MeasuredNeutral neutral{no_signals(), wanted_ > kSecondsMax ? span : wanted_, rows_};
+  const double span = begin_seconds_ ? std::round(*last_seconds_ - *begin_seconds_) : 0;
+  MeasuredNeutral neutral{no_signals(), wanted_seconds_ > kSecondsMax ? span : wanted_seconds_,
+                          rows_};
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
     neutral.signals[channel] = median(sorted_[channel]);
   }

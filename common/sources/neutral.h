@@ -23,7 +23,7 @@ void take_off(Signals& signals, const Signals& neutral);
 class NeutralMeter {
  public:
   /// `seconds` above 0.
-  explicit NeutralMeter(double seconds) : wanted_(seconds) {}
+  explicit NeutralMeter(double seconds) : wanted_seconds_(seconds) {}
 
   /// Takes a sample, later than the last; one without any data does not count. False when the
   /// seconds have passed: it takes no more.
@@ -33,9 +33,9 @@ class NeutralMeter {
   [[nodiscard]] MeasuredNeutral measured() const;
 
  private:
-  double wanted_;
-  std::optional<double> begin_;
-  std::optional<double> last_;
+  double wanted_seconds_;
+  std::optional<double> begin_seconds_;
+  std::optional<double> last_seconds_;
   bool done_ = false;
   std::size_t rows_ = 0;
   std::array<std::vector<float>, kChannels> sorted_;

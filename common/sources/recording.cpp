@@ -203,7 +203,7 @@ NeutralMeter RecordingReader::measured_in(std::int64_t face, double seconds) {
     row.clear();
     format_.read(table_, row);
     if (names.of(row) != face) continue;
-    const auto time = clock.time_of(row, times);
+    const auto time = clock.seconds_of(row, times);
     if (!time) continue;
     const AuFrame update = update_of(row, found_.scale, sure(row));
     meter.add(*time, raw_signals(update, conditioning_));
@@ -258,7 +258,7 @@ void RecordingReader::play() {
 void RecordingReader::take(const Observation& row, Track& track) {
   Found& found = track.found;
   ++found.rows;
-  const auto time = clock_.time_of(row, track.times);
+  const auto time = clock_.seconds_of(row, track.times);
   if (!time) {
     ++found.left_out;
     return;

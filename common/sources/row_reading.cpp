@@ -51,32 +51,33 @@ std::int64_t FaceNames::of(const Observation& row) {
 }
 
 bool SourceClock::was_set_back(double seconds, FaceTimes& face) const {
-  face.refusals = face.refused && seconds > *face.refused ? face.refusals + 1 : 1;
-  face.refused = seconds;
+  face.refusals = face.refused_seconds && seconds > *face.refused_seconds ? face.refusals + 1 : 1;
+  face.refused_seconds = seconds;
   return refusals_max_ > 1 && face.refusals >= refusals_max_;
 }
 
-std::optional<double> SourceClock::time_of(const Observation& row, FaceTimes& face) {
+std::optional<double> SourceClock::seconds_of(const Observation& row, FaceTimes& face) {
   was_set_ = false;
   const double ordinal = face.rows++;
   std::optional<double> now = row.seconds;
   if (fps_) now = row.frame.value_or(ordinal) / *fps_;
   if (!now || std::abs(*now) > kClockSecondsMax) return std::nullopt;
-  if (!begin_) begin_ = *now;
-  double seconds = *now - *begin_;
+  if (!begin_seconds_) begin_seconds_ = *now;
+  double seconds = *now - *begin_seconds_;
   const bool again = std::exchange(restarted_, false);
-  if (latest_ && again && seconds + shift_ <= *latest_) shift_ = *latest_ + step_ - seconds;
-  if (face.last && seconds + shift_ <= *face.last) {
-    const auto before = face.refused;
+  if (latest_seconds_ && again && seconds + shift_seconds_ <= *latest_seconds_)
+    shift_seconds_ = *latest_seconds_ + step_seconds_ - seconds;
+  if (face.last_seconds && seconds + shift_seconds_ <= *face.last_seconds) {
+    const auto before = face.refused_seconds;
     if (!was_set_back(seconds, face)) return std::nullopt;
-    shift_ = *latest_ - *before;
+    shift_seconds_ = *latest_seconds_ - *before;
     was_set_ = true;
   }
-  seconds += shift_;
-  face.refused.reset();
-  if (face.last) step_ = seconds - *face.last;
-  face.last = seconds;
-  latest_ = std::max(latest_.value_or(seconds), seconds);
+  seconds += shift_seconds_;
+  face.refused_seconds.reset();
+  if (face.last_seconds) step_seconds_ = seconds - *face.last_seconds;
+  face.last_seconds = seconds;
+  latest_seconds_ = std::max(latest_seconds_.value_or(seconds), seconds);
   return seconds;
 }
 

@@ -38,10 +38,10 @@ class FaceNames {
 
 /// The times of one face on a SourceClock.
 struct FaceTimes {
-  std::optional<double> last;
+  std::optional<double> last_seconds;
   double rows = 0;
-  std::optional<double> refused;  ///< the last row's time, if it was not later than `last`
-  std::size_t refusals = 0;       ///< refused rows in a row, with ascending times
+  std::optional<double> refused_seconds;  ///< of the last row, if that was not later
+  std::size_t refusals = 0;               ///< refused rows in a row, with ascending times
 };
 
 /// Gives each row its time in seconds since the first row, by the source's own clock or by the
@@ -58,9 +58,9 @@ class SourceClock {
   void restart() { restarted_ = true; }
 
   /// nullopt when the row has no time, or one that is not later than the last of its face.
-  std::optional<double> time_of(const Observation& row, FaceTimes& face);
+  std::optional<double> seconds_of(const Observation& row, FaceTimes& face);
   /// The same for a source of which only one face is read.
-  std::optional<double> time_of(const Observation& row) { return time_of(row, only_); }
+  std::optional<double> seconds_of(const Observation& row) { return seconds_of(row, only_); }
   /// Whether the last row was the first after the clock was set back.
   [[nodiscard]] bool was_set() const { return was_set_; }
 
@@ -69,11 +69,11 @@ class SourceClock {
 
   std::optional<double> fps_;
   std::size_t refusals_max_;
-  std::optional<double> begin_;
-  std::optional<double> latest_;  ///< of all faces
+  std::optional<double> begin_seconds_;
+  std::optional<double> latest_seconds_;  ///< of all faces
   FaceTimes only_;
-  double shift_ = 0;
-  double step_ = 0.04;
+  double shift_seconds_ = 0;
+  double step_seconds_ = 0.04;
   bool restarted_ = false;
   bool was_set_ = false;
 };

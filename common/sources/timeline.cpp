@@ -15,19 +15,19 @@ constexpr double kReturnSecondsMax = 0.1;
 
 }  // namespace
 
-double remaining(double age) {
-  return std::clamp((kHoldSeconds + kEaseSeconds - age) / kEaseSeconds, 0.0, 1.0);
+double remaining(double age_seconds) {
+  return std::clamp((kHoldSeconds + kEaseSeconds - age_seconds) / kEaseSeconds, 0.0, 1.0);
 }
 
 void Channels::take(double seconds, const AuFrame& update) {
   for (std::size_t number = 1; number < kAuCount; ++number) {
     if (update.left[number] >= 0) {
       values_.left[number] = update.left[number];
-      left_seen_[number] = seconds;
+      left_seen_seconds_[number] = seconds;
     }
     if (update.right[number] >= 0) {
       values_.right[number] = update.right[number];
-      right_seen_[number] = seconds;
+      right_seen_seconds_[number] = seconds;
     }
   }
 }
@@ -35,8 +35,8 @@ void Channels::take(double seconds, const AuFrame& update) {
 AuFrame Channels::at(double seconds) const {
   AuFrame frame = values_;
   for (std::size_t number = 1; number < kAuCount; ++number) {
-    frame.left[number] *= static_cast<float>(remaining(seconds - left_seen_[number]));
-    frame.right[number] *= static_cast<float>(remaining(seconds - right_seen_[number]));
+    frame.left[number] *= static_cast<float>(remaining(seconds - left_seen_seconds_[number]));
+    frame.right[number] *= static_cast<float>(remaining(seconds - right_seen_seconds_[number]));
   }
   return frame;
 }
@@ -54,9 +54,9 @@ bool Timeline::add(double seconds, const AuFrame& update) {
 
 /// Stands in for missing rows: the held face, the neutral face, and the neutral face until just
 /// before the rows go on.
-void Timeline::bridge(double until) {
+void Timeline::bridge(double until_seconds) {
   const double from = *last_seconds_;
-  const double back = until - usual_seconds_;
+  const double back = until_seconds - usual_seconds_;
   if (back <= from + kHoldSeconds) return;
   store(from + kHoldSeconds);
   if (from + kHoldSeconds + kEaseSeconds < back) store(from + kHoldSeconds + kEaseSeconds);
@@ -73,13 +73,13 @@ void Timeline::store(double seconds) {
   if (!last_seconds_ || place > last_ms_) keep(seconds, place);
 }
 
-void Timeline::keep(double seconds, std::int64_t place) {
+void Timeline::keep(double seconds, std::int64_t place_ms) {
   protocol::Keyframe keyframe;
   keyframe.terms = canonical_terms(channels_.at(seconds));
-  keyframe.time_ms = static_cast<std::uint32_t>(last_seconds_ ? place - last_ms_ : 0);
+  keyframe.time_ms = static_cast<std::uint32_t>(last_seconds_ ? place_ms - last_ms_ : 0);
   stream_.keyframes.push_back(std::move(keyframe));
   last_seconds_ = seconds;
-  last_ms_ = place;
+  last_ms_ = place_ms;
 }
 
 protocol::StreamFile Timeline::finish() {

@@ -22,8 +22,8 @@ class Channels {
 
  private:
   AuFrame values_;
-  std::array<double, kAuCount> left_seen_{};
-  std::array<double, kAuCount> right_seen_{};
+  std::array<double, kAuCount> left_seen_seconds_{};
+  std::array<double, kAuCount> right_seen_seconds_{};
 };
 
 /// Turns the samples of a recording into keyframes. Times are differences of places rounded to
@@ -42,9 +42,9 @@ class Timeline {
   [[nodiscard]] protocol::StreamFile finish();
 
  private:
-  void bridge(double until);
+  void bridge(double until_seconds);
   void store(double seconds);
-  void keep(double seconds, std::int64_t place);
+  void keep(double seconds, std::int64_t place_ms);
 
   Conditioning conditioning_;
   Channels channels_;
@@ -54,8 +54,8 @@ class Timeline {
   std::int64_t last_ms_ = 0;
 };
 
-/// The share of a value that is left when its data is `age` seconds old: 1 while it is held, then
+/// The share of a value that is left when its data is that old: 1 while it is held, then
 /// less, then 0.
-[[nodiscard]] double remaining(double age);
+[[nodiscard]] double remaining(double age_seconds);
 
 }  // namespace aucast::sources
