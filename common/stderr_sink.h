@@ -15,6 +15,7 @@ namespace aucast {
 /// written at once (a pipe nobody reads, a stopped terminal) is dropped and counted, and the count
 /// is logged before the next line that can be. The descriptor stays blocking, since other programs
 /// may share it: if one fills the pipe between our look at it and our write, that write waits.
+/// Thread: any; spdlog's lock is held while it writes.
 class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   /// `colours`: whether the level is coloured.

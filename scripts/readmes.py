@@ -1,12 +1,13 @@
-"""What tidy.py asks of pages: READMEs name every file of their folders, in lines one can read, and no page names a
-class that is not there."""
+"""What tidy.py asks of pages: READMEs name every file and the thread of their folders, in lines one can
+read, and no page names a class that is not there."""
 
 import pathlib
 import re
 
 LINE_MAX = 140
+CLASS = re.compile(r"^class [^;]*\{", re.M)
 CODE = re.compile(r"```.*?```|`[^`]+`", re.S)
-CLASS = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
+NAME = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
 OTHERS = {"PascalCase", "TimeoutStopSec"}  # an example; a word of systemd
 
 
@@ -39,6 +40,18 @@ def unnamed(root: pathlib.Path, sources, readmes):
             yield path, 1, f"{readme} does not name `{file.stem}`"
 
 
+def threadless(root: pathlib.Path, sources, readmes):
+    """READMEs of classes that do not say on which thread these run; those of tests and scripts need not."""
+    owners = set()
+    for path in sources:
+        if path.endswith(".h") and not path.startswith(("tests/", "scripts/")):
+            if CLASS.search((root / path).read_text(encoding="utf-8")):
+                owners.add(nearest(path, readmes))
+    for readme in sorted(owners - {""}):
+        if "thread" not in (root / readme).read_text(encoding="utf-8").lower():
+            yield readme, 1, "does not say on which thread the folder runs"
+
+
 def too_wide(root: pathlib.Path, readmes):
     """Lines that are too long and neither of a table nor of a link."""
     for readme in readmes:
@@ -52,7 +65,7 @@ def gone(root: pathlib.Path, pages, words):
     for page in pages:
         text = (root / page).read_text(encoding="utf-8")
         for code in re.finditer(r"`([^`\n]+)`", text):
-            for name in CLASS.findall(code[1]):
+            for name in NAME.findall(code[1]):
                 if name not in words and name not in OTHERS:
                     yield page, text.count("\n", 0, code.start()) + 1, f"there is no `{name}`"
 
@@ -62,5 +75,6 @@ def findings(root: pathlib.Path, sources, pages, words):
     readmes = [page for page in pages if pathlib.PurePosixPath(page).name == "README.md"]
     if "README.md" in readmes:
         yield from unnamed(root, sources, readmes)
+        yield from threadless(root, sources, readmes)
         yield from too_wide(root, readmes)
         yield from gone(root, [page for page in pages if page != "CHANGELOG.md"], words)

@@ -5,8 +5,8 @@
 
 It checks which folder includes and links what, what pure folders touch, that view models know no file, that a file's
 own header comes first, the lengths of lines, functions and files, leftovers, names that only a unity build would find
-twice, texts that are translated but never said, and that READMEs name every file. It reads what git tracks; outside a
-git repository, everything below ROOT but build/.
+twice, texts that are translated but never said, and that READMEs name every file and the thread of their folder. It
+reads what git tracks; outside a git repository, everything below ROOT but build/.
 """
 
 import pathlib

@@ -210,6 +210,17 @@ class TidyTest(unittest.TestCase):
         self.assert_found(below, "server/live/a.cpp:1: no README.md of its folder")
         self.assert_clean(header)
 
+    def test_a_readme_of_classes_that_names_no_thread(self):
+        project = {"README.md": "x", "server/live/a.h": "#pragma once\nclass A {\n};\n"}
+        for text, found in (("`a`", True), ("`a`: the loop's thread", False), ("`a`. Threads: one.", False)):
+            tree = project | {"server/live/README.md": text}
+            if found:
+                self.assert_found(tree, "server/live/README.md:1: does not say on which thread the folder runs")
+            else:
+                self.assert_clean(tree)
+        functions = {"server/live/a.h": "#pragma once\nclass B;\nint a(const B& b);\n", "server/live/README.md": "`a`"}
+        self.assert_clean(project | functions)
+
     def test_a_readme_whose_lines_are_too_long(self):
         project = {"a/b.cpp": "", "a/README.md": "`b`\n"}
         for line, found in (("x" * 140, False), ("x" * 141, True), ("- " + "x" * 139, True),

@@ -37,6 +37,7 @@ struct MirrorState {
 };
 
 /// The user's own camera as the window knows it: a Mirror, or a substitute in tests.
+/// Thread: the player's.
 class OwnCamera {
  public:
   OwnCamera() = default;

@@ -7,6 +7,7 @@
 namespace aucast::net {
 
 /// How long to wait before the next attempt to connect: 1, 2, 4 ... 30 s, and 30 s from then on.
+/// Thread: none of its own.
 class BackOff {
  public:
   static constexpr Milliseconds kFirst{1'000};

@@ -10,6 +10,7 @@ namespace aucast::net {
 
 /// The keyframes of a server: a ServerConnection feeds them into the reader, and this class takes
 /// them out for the player. The class that runs the connection derives from it.
+/// Thread: the player's; only the reader is touched by the connection's too.
 class ConnectedSource : public playback::KeyframeSource {
  public:
   [[nodiscard]] std::optional<playback::Keyframe> take() final;

@@ -32,7 +32,7 @@ struct Refused {
 using Record = std::variant<Listening, Seen, Live, Private, Watching, Refused>;
 
 /// Takes records out of bytes that come in pieces. Keeps no more than one record and what was fed
-/// last. Pure.
+/// last. Pure. Thread: none of its own.
 class PreviewReader {
  public:
   void feed(std::string_view bytes) { bytes_ += bytes; }

@@ -11,6 +11,7 @@ namespace aucast::server {
 /// Presents what follows one join at an engine as a connection: its user gets the hello, the whole
 /// face and all that follows, as from any server. What the user sends is dropped, since an engine
 /// takes no answers.
+/// Thread: the loop's.
 class JoinedLink final : public link::Link, public std::enable_shared_from_this<JoinedLink> {
  public:
   /// Passes these packets to the user one by one, each as a moment of its own, unless the user has

@@ -20,6 +20,7 @@ namespace aucast::server {
 /// Reads to its end a regular file, or another input that epoll cannot wait for. With `follow` it
 /// goes on as the file grows, and begins again when the file has got shorter, or has been replaced
 /// or changed in a part already read.
+/// Thread: that of the io_context.
 class FileReader final : public InputReader {
  public:
   /// `path`: where to look for a file that replaces this one; "-" for stdin, which is read from its

@@ -15,6 +15,7 @@ namespace aucast::server {
 
 /// Reads an input for which the kernel tells when there is more, until its writer has gone: a pipe,
 /// a FIFO, a socket or a terminal.
+/// Thread: that of the io_context.
 class PipeReader final : public InputReader {
  public:
   /// Takes the descriptor if the kernel tells when there is more to read. nullopt otherwise, and it

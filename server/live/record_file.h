@@ -23,6 +23,7 @@ inline constexpr RecordForm kPagesForm{};
 /// A file that grows and is always complete: what is added is written together with a new tail, in
 /// one call, over the old tail. A program that is killed leaves a complete file; a power cut can
 /// damage only what was not yet synced. A file that is not empty is never overwritten.
+/// Thread: one at a time; after it was created, that of the RecordWriter.
 class RecordFile {
  public:
   /// Failed, with the reason, when the file cannot be created or locked, is not a regular file, or
