@@ -94,6 +94,8 @@ class AuReader {
   [[nodiscard]] Reaction speak(Instant now);
   /// The user leaves: returns the last bytes, to be sent if there is a connection.
   [[nodiscard]] std::string farewell();
+  /// Bytes of the protocol went out, without what a layer such as TLS adds.
+  void note_sent(std::size_t bytes) { status_.bytes_sent += bytes; }
   /// False while received bytes wait for room: read no more, so that flow control holds the server
   /// back.
   [[nodiscard]] bool wants_bytes() const;

@@ -26,9 +26,7 @@ bool ConnectedSource::ready() const {
 }
 
 playback::SourceStatus ConnectedSource::status() const {
-  auto status = reader_.with([](const AuReader& reader) { return reader.status(); });
-  status.bytes_sent = bytes_sent();
-  return status;
+  return reader_.with([](const AuReader& reader) { return reader.status(); });
 }
 
 void ConnectedSource::stop() {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "client/net/server_connection.h"
@@ -33,7 +32,6 @@ class ConnectedSource : public playback::KeyframeSource {
   /// As ServerConnection's. speak() is called when the reader may have something to send.
   virtual void speak() = 0;
   virtual void leave() = 0;
-  [[nodiscard]] virtual std::uint64_t bytes_sent() const = 0;
   void set_paused(bool paused);
 
   mutable SharedReader reader_;

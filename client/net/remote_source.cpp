@@ -72,7 +72,6 @@ class RemoteSource::Network {
   void post_leave() {
     asio::post(io_, [this] { connection_.leave(); });
   }
-  [[nodiscard]] std::uint64_t bytes_sent() const { return connection_.bytes_sent(); }
 
  private:
   void run() {
@@ -160,10 +159,6 @@ void RemoteSource::speak() {
 
 void RemoteSource::leave() {
   if (network_) network_->post_leave();
-}
-
-std::uint64_t RemoteSource::bytes_sent() const {
-  return network_ ? network_->bytes_sent() : 0;
 }
 
 }  // namespace aucast::net

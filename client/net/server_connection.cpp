@@ -120,7 +120,7 @@ void ServerConnection::carry_out(const Reaction& reaction) {
 }
 
 void ServerConnection::send(std::string_view words) {
-  bytes_sent_ += words.size();
+  reader_.with([&words](AuReader& reader) { reader.note_sent(words.size()); });
   link_->write(words);
 }
 

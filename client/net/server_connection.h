@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,7 +13,7 @@
 
 namespace aucast::net {
 
-/// What the player's and the network thread both use, besides two atomics that count and signal.
+/// What the player's and the network thread both use.
 using SharedReader = Shared<AuReader>;
 
 /// Carries out what an AuReader decides, on a link; when a connection is lost, on the next link.
@@ -45,9 +43,6 @@ class ServerConnection final : public link::LinkUser {
   /// The user leaves: sends the last bytes, then calls Owner::over.
   void leave();
 
-  /// How many bytes of the protocol were sent, without what a layer such as TLS adds. Any thread.
-  [[nodiscard]] std::uint64_t bytes_sent() const { return bytes_sent_; }
-
  private:
   void on_open() override;
   void on_bytes(std::string_view bytes) override;
@@ -70,7 +65,6 @@ class ServerConnection final : public link::LinkUser {
   std::string broke_;        ///< why the connection broke; empty: the peer closed its side
   bool leaving_ = false;
   bool over_ = false;
-  std::atomic<std::uint64_t> bytes_sent_{0};
 };
 
 }  // namespace aucast::net

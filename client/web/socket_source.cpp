@@ -49,8 +49,4 @@ void SocketSource::leave() {
   connection_.leave();
 }
 
-std::uint64_t SocketSource::bytes_sent() const {
-  return connection_.bytes_sent();
-}
-
 }  // namespace aucast::web

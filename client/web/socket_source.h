@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "client/net/connected_source.h"
@@ -21,7 +20,6 @@ class SocketSource final : public net::ConnectedSource {
   void dial();
   void speak() override;
   void leave() override;
-  [[nodiscard]] std::uint64_t bytes_sent() const override;
 
   Timer redial_;
   net::ServerConnection connection_;

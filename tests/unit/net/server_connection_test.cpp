@@ -57,7 +57,7 @@ TEST_F(PlayerConnection, CarriesHelloAnswersAndTheEnd) {
   EXPECT_EQ(ask("{-2}"), "");
   EXPECT_TRUE(over_);
   EXPECT_TRUE(link_->closed());
-  EXPECT_EQ(connection_->bytes_sent(), 30U);
+  EXPECT_EQ(status().bytes_sent, 30U);
 }
 
 TEST_F(PlayerConnection, ReadsNoFasterThanThePlayerMakesRoom) {
