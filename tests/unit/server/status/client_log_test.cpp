@@ -1,13 +1,12 @@
 #include "server/status/client_log.h"
 
 #include <chrono>
-#include <memory>
 #include <sstream>
 
 #include <gtest/gtest.h>
-#include <spdlog/sinks/ostream_sink.h>
 
 #include "server/settings/limits.h"
+#include "tests/support/kept_log.h"
 
 namespace aucast::server {
 namespace {
@@ -16,14 +15,6 @@ using namespace std::chrono_literals;
 
 class ClientLogTest : public ::testing::Test {
  protected:
-  ClientLogTest() : before_(spdlog::default_logger()) {
-    auto logger = std::make_shared<spdlog::logger>(
-        "clients", std::make_shared<spdlog::sinks::ostream_sink_st>(said_));
-    logger->set_pattern("%v");
-    spdlog::set_default_logger(std::move(logger));
-  }
-  ~ClientLogTest() override { spdlog::set_default_logger(before_); }
-
   /// So many lines at a moment.
   void say(Duration at, std::uint64_t count) {
     for (std::uint64_t line = 0; line < count; ++line) {
@@ -33,7 +24,7 @@ class ClientLogTest : public ::testing::Test {
 
   /// Lines of clients so far; the others are `rest_`.
   std::uint64_t count() {
-    std::istringstream lines(said_.str());
+    std::istringstream lines(kept_.said());
     std::uint64_t clients = 0;
     rest_.clear();
     for (std::string line; std::getline(lines, line);) {
@@ -50,8 +41,7 @@ class ClientLogTest : public ::testing::Test {
   std::string rest_;
 
  private:
-  std::ostringstream said_;
-  std::shared_ptr<spdlog::logger> before_;
+  const test::KeptLog kept_;
 };
 
 constexpr std::uint64_t kMost = kClientLogLinesPerSecond;
