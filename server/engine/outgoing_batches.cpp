@@ -27,7 +27,7 @@ void OutgoingBatches::collect(const protocol::LiveChannel& channel) {
     if (last_moment_ && moment.number <= *last_moment_) continue;
     const bool follows = last_moment_ && moment.number == *last_moment_ + 1 && !ended_;
     collect_spoken(channel);
-    waiting_ += follows ? moment.changes : moment.full;
+    waiting_ += follows && channel.has_changes() ? moment.changes : moment.full;
     last_moment_ = moment.number;
     full_ = moment.full;
     full_begin_ = moment.begin;

@@ -2,13 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "protocol/codec.h"
+#include "protocol/encoded_stream.h"
 #include "protocol/live_feed.h"
+#include "protocol/live_replay.h"
 
 namespace aucast::server {
 namespace {
+
+using namespace std::chrono_literals;
 
 using protocol::EngineJoin;
 using protocol::Keyframe;
@@ -57,6 +64,29 @@ TEST_F(OutgoingBatchesTest, SendsTheWholeFaceWhereAMomentWasMissed) {
   feed.add(face(31));
   smile(32);
   EXPECT_EQ(batches.next_batch(), "batch origin=org seq=1 place=0\n{1,12:30;40}{1,12:32;40}");
+}
+
+/// Such as the stream of the six expressions, of which there is no changes-only form.
+TEST_F(OutgoingBatchesTest, OfAStreamOfPlainNumbersItSendsEveryWholeFace) {
+  protocol::EncodedStream plain;
+  for (const char* const face : {"{1,2}", "{4}", "{12}"}) {
+    plain.classic.push_back(face);
+    plain.negotiated.push_back(face);
+    plain.times.emplace_back(250);
+  }
+  const Instant begin{};
+  protocol::LiveReplay replay(std::make_shared<const protocol::EncodedStream>(std::move(plain)),
+                              false, begin);
+  std::string sent;
+  for (const Milliseconds passed : {0ms, 250ms, 500ms}) {
+    EXPECT_TRUE(replay.advance(begin + passed));
+    batches.collect(replay);
+    sent += batches.next_batch() + "\n";
+  }
+  EXPECT_EQ(sent,
+            "batch origin=org seq=1 place=0\n{1,2}\n"
+            "batch origin=org seq=2 place=250\n{4}\n"
+            "batch origin=org seq=3 place=500\n{12}\n");
 }
 
 TEST_F(OutgoingBatchesTest, SaysThePlaceOfEveryVoicePacket) {
