@@ -58,14 +58,12 @@ std::shared_ptr<const protocol::LiveChannel> EngineOrigin::channel() {
   asked.relay = "nats";
   const auto catalogue = catalogue_();
   auto choice = protocol::choose_stream(*catalogue, asked);
+  if (choice.state == protocol::StreamChoice::State::Refused) say_why_not(choice.refusal.text);
   if (choice.state != protocol::StreamChoice::State::Ready) return nullptr;
   const protocol::ServedStream& stream = choice.stream;
   const auto& live = stream.live();
   if (!live) {
-    if (!std::exchange(said_recorded_, true)) {
-      spdlog::error("{}: it is not published: it is recorded where it comes from (--live there)",
-                    options_.stream);
-    }
+    say_why_not("it is recorded where it comes from (--live there)");
     return nullptr;
   }
   if (live == channel_) return channel_;
@@ -82,6 +80,12 @@ std::shared_ptr<const protocol::LiveChannel> EngineOrigin::channel() {
   hello_.servers = servers_told(*catalogue, stream, asked);
   begin(live);
   return channel_;
+}
+
+/// Called at every keyframe: says each reason once.
+void EngineOrigin::say_why_not(const std::string& why) {
+  if (std::exchange(said_why_not_, why) == why) return;
+  spdlog::error("{}: it is not published: {}", options_.stream, why);
 }
 
 /// Another channel has a clock of its own: who watches joins anew.

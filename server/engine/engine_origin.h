@@ -50,6 +50,7 @@ class EngineOrigin {
 
  private:
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> channel();
+  void say_why_not(const std::string& why);
   void begin(const std::shared_ptr<const protocol::LiveChannel>& channel);
   void on_message(const Bus::Message& message);
   void flush_soon();
@@ -64,8 +65,8 @@ class EngineOrigin {
   std::shared_ptr<const protocol::LiveChannel> channel_;  ///< that is sent
   protocol::HelloGranted hello_;
   std::optional<OutgoingBatches> batches_;
-  std::size_t runs_ = 0;  ///< channels so far
-  bool said_recorded_ = false;
+  std::size_t runs_ = 0;      ///< channels so far
+  std::string said_why_not_;  ///< why it is not published, as the log said last
   asio::steady_timer batch_timer_;
   bool batch_waits_ = false;
   asio::steady_timer beat_timer_;

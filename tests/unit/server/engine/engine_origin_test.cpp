@@ -1,66 +1,133 @@
-// What --publish does with the questions of an engine.
+// What --publish does, and says, with a bus that the test holds.
 #include "server/engine/engine_origin.h"
 
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <asio/io_context.hpp>
 
-#include "common/log.h"
+#include "protocol/encoded_stream.h"
 #include "protocol/live_feed.h"
+#include "tests/support/kept_log.h"
 
 namespace aucast::server {
 namespace {
 
-/// Counts what is said.
-class CountingBus final : public Bus {
+/// Keeps what is said.
+class KeepingBus final : public Bus {
  public:
-  explicit CountingBus(std::size_t& said) : said_(said) {}
+  explicit KeepingBus(std::vector<Message>& said) : said_(said) {}
   void subscribe(const std::string& /*subject*/) override {}
-  void send(const Message& message) override {
-    if (message.subject == "asker") ++said_;
-  }
+  void send(const Message& message) override { said_.push_back(message); }
   [[nodiscard]] std::string own_subject() const override { return "mine"; }
   [[nodiscard]] std::uint64_t left_out() const override { return 7; }
 
  private:
-  std::size_t& said_;
+  std::vector<Message>& said_;
 };
 
-TEST(EngineOrigin, AnswersSoManyQuestionsASecondAndCountsTheRest) {
-  const auto level_before = spdlog::get_level();
-  spdlog::set_level(spdlog::level::off);
-  const auto feed = std::make_shared<protocol::LiveFeed>(250, 20);
-  const auto catalogue = std::make_shared<protocol::ServerCatalogue>();
-  catalogue->id = "org";
-  catalogue->streams.emplace_back("talk", std::shared_ptr<const protocol::LiveChannel>(feed));
-  asio::io_context io;
-  EngineOrigin origin(io, {"talk", Milliseconds(0)}, [&] { return catalogue; });
-  std::size_t said = 0;
-  Bus::Events bus;
-  ASSERT_TRUE(origin.start([&](Bus::Events events) {
-    bus = std::move(events);
-    return Result<std::unique_ptr<Bus>>(std::make_unique<CountingBus>(said));
-  }));
-  protocol::Keyframe smile;
-  smile.terms.push_back({12, Side::Both, 50});
-  feed->add(smile);
-  origin.on_moment();
-  std::size_t questions = 0;
-  Status status;
-  // In how many seconds is the machine's business.
-  while (said == questions) {
-    bus.on_message({"au.talk.join", "asker", "join"});
-    ++questions;
+using LiveFeed = protocol::LiveFeed;
+
+/// Publishes the first stream of its catalogue as `talk`.
+class EngineOriginTest : public ::testing::Test {
+ protected:
+  EngineOriginTest() {
+    catalogue_->id = "org";
+    EXPECT_TRUE(origin_.start([this](Bus::Events events) {
+      bus_ = std::move(events);
+      return Result<std::unique_ptr<Bus>>(std::make_unique<KeepingBus>(said_));
+    }));
+    bus_.on_connected("a");
   }
-  origin.describe(status);
-  EXPECT_GE(said, EngineOrigin::kAnswersPerSecond);
+  ~EngineOriginTest() override { origin_.stop(); }
+
+  void serve(protocol::ServedStream::Kind kind) {
+    catalogue_->streams.assign(1, protocol::ServedStream("talk"));
+    catalogue_->streams[0].kind = std::move(kind);
+  }
+  void serve(const std::shared_ptr<LiveFeed>& feed) {
+    serve(std::shared_ptr<const protocol::LiveChannel>(feed));
+  }
+  /// The stream of another server, which comes from there through these servers.
+  std::shared_ptr<protocol::UpstreamStream> serve_upstream(const std::string& servers) {
+    const auto upstream = std::make_shared<protocol::UpstreamStream>();
+    upstream->name = "talk";
+    upstream->servers = servers;
+    upstream->content = std::shared_ptr<const protocol::LiveChannel>(feed_);
+    serve(std::shared_ptr<const protocol::UpstreamStream>(upstream));
+    return upstream;
+  }
+  /// The packets that are sent of the next face.
+  std::string smile() {
+    protocol::Keyframe face;
+    face.terms.push_back({12, Side::Both, 50});
+    feed_->add(face);
+    said_.clear();
+    origin_.on_moment();
+    std::string packets;
+    for (const Bus::Message& message : said_) {
+      packets += message.bytes.substr(message.bytes.find('\n') + 1);
+    }
+    return packets;
+  }
+  /// What somebody is told who joins.
+  std::string joined() {
+    said_.clear();
+    bus_.on_message({"au.talk.join", "asker", "join"});
+    return said_.empty() ? std::string() : said_.back().bytes;
+  }
+  [[nodiscard]] std::size_t times_said(const std::string& text) const {
+    const std::string all = log_.said();
+    std::size_t times = 0;
+    for (auto at = all.find(text); at != std::string::npos; at = all.find(text, at + 1)) ++times;
+    return times;
+  }
+
+  const test::KeptLog log_;
+  const std::shared_ptr<LiveFeed> feed_ = std::make_shared<LiveFeed>(250, 20);
+  const std::shared_ptr<protocol::ServerCatalogue> catalogue_ =
+      std::make_shared<protocol::ServerCatalogue>();
+  std::vector<Bus::Message> said_;
+  asio::io_context io_;
+  Bus::Events bus_;
+  EngineOrigin origin_{io_, {"talk", Milliseconds(0)}, [this] { return catalogue_; }};
+};
+
+TEST_F(EngineOriginTest, AnswersSoManyQuestionsASecondAndCountsTheRest) {
+  serve(feed_);
+  smile();
+  std::size_t answers = 0;
+  // In how many seconds is the machine's business.
+  while (!joined().empty()) ++answers;
+  Status status;
+  origin_.describe(status);
+  EXPECT_GE(answers, EngineOrigin::kAnswersPerSecond);
   ASSERT_TRUE(status.engine);
   EXPECT_EQ(status.engine->questions_left_out, 1U);
   EXPECT_EQ(status.engine->messages_left_out, 7U) << "by the bus";
-  origin.stop();
-  spdlog::set_level(level_before);
+}
+
+TEST_F(EngineOriginTest, SaysOnceThatARecordedStreamIsNotPublished) {
+  protocol::EncodedStream recorded;
+  recorded.classic = recorded.negotiated = {"{1}"};
+  recorded.times.assign(1, protocol::KeyframeTime(100));
+  serve(protocol::RecordedStream{
+      std::make_shared<const protocol::EncodedStream>(std::move(recorded))});
+  EXPECT_EQ(smile(), "");
+  EXPECT_EQ(smile(), "");
+  EXPECT_EQ(times_said("talk: it is not published: it is recorded where it comes from"), 1U);
+}
+
+TEST_F(EngineOriginTest, SaysOnceWhyAStreamThatCameTooFarIsNotPublished) {
+  serve_upstream("a,b,c,d,e,f,g,h");
+  EXPECT_EQ(smile(), "");
+  EXPECT_EQ(smile(), "");
+  EXPECT_EQ(times_said("talk: it is not published: the stream has come through 8 relays already"),
+            1U);
 }
 
 }  // namespace
