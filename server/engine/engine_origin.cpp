@@ -41,10 +41,7 @@ Result<void> EngineOrigin::start(const OpenBus& open) {
 }
 
 void EngineOrigin::stop() {
-  if (batches_) {
-    batches_->collect_end();
-    flush();
-  }
+  end();
   stopped_ = true;
   batch_timer_.cancel();
   beat_timer_.cancel();
@@ -88,12 +85,15 @@ void EngineOrigin::say_why_not(const std::string& why) {
   spdlog::error("{}: it is not published: {}", options_.stream, why);
 }
 
+void EngineOrigin::end() {
+  if (!batches_) return;
+  batches_->collect_end();
+  if (batches_->waiting_bytes() > 0) flush();
+}
+
 /// Another channel has a clock of its own: who watches joins anew.
 void EngineOrigin::begin(const std::shared_ptr<const protocol::LiveChannel>& channel) {
-  if (batches_) {
-    batches_->collect_end();
-    flush();
-  }
+  end();
   channel_ = channel;
   const std::string& id = catalogue_()->id;
   batches_.emplace(++runs_ == 1 ? id : id + '-' + std::to_string(runs_));
@@ -102,7 +102,11 @@ void EngineOrigin::begin(const std::shared_ptr<const protocol::LiveChannel>& cha
 void EngineOrigin::on_moment() {
   if (stopped_) return;
   const auto now_live = channel();
-  if (!now_live) return;
+  if (!now_live) {
+    // What was published until now has ended, however long its channel is kept.
+    end();
+    return;
+  }
   batches_->collect(*now_live);
   if (now_live->ended()) batches_->collect_end();
   if (batches_->waiting_bytes() > 0) flush_soon();

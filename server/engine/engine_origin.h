@@ -52,6 +52,7 @@ class EngineOrigin {
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> channel();
   void say_why_not(const std::string& why);
   void begin(const std::shared_ptr<const protocol::LiveChannel>& channel);
+  void end();
   void on_message(const Bus::Message& message);
   void flush_soon();
   void flush();

@@ -130,5 +130,16 @@ TEST_F(EngineOriginTest, SaysOnceWhyAStreamThatCameTooFarIsNotPublished) {
             1U);
 }
 
+TEST_F(EngineOriginTest, EndsForWhoFollowsWhenItMayNoLongerBePublished) {
+  const auto upstream = serve_upstream("a,b");
+  EXPECT_EQ(smile(), "{12:50}");
+  upstream->servers = "a,b,c,d,e,f,g,h";
+  EXPECT_EQ(smile(), "{-2}");
+  EXPECT_EQ(smile(), "") << "once";
+  EXPECT_EQ(joined(), "");
+  upstream->servers = "a,b";
+  EXPECT_EQ(smile(), "{12:50}") << "the whole face";
+}
+
 }  // namespace
 }  // namespace aucast::server
