@@ -63,19 +63,21 @@ std::shared_ptr<const protocol::LiveChannel> EngineOrigin::channel() {
     say_why_not("it is recorded where it comes from (--live there)");
     return nullptr;
   }
-  if (live == channel_) return channel_;
-  hello_ = {};
-  hello_.delta = live->has_changes();
-  hello_.stream = options_.stream;
-  hello_.live = true;
-  hello_.duration_ms = live->duration_ms();
-  hello_.keyframe_ms =
-      stream.upstream() != nullptr ? stream.upstream()->keyframe_ms : catalogue->keyframe_ms;
-  if (live->has_voice()) hello_.voice = protocol::kVoiceCodec;
-  hello_.text = live->has_captions();
-  hello_.title = stream.title;
+  if (live != channel_) {
+    hello_ = {};
+    hello_.delta = live->has_changes();
+    hello_.stream = options_.stream;
+    hello_.live = true;
+    hello_.duration_ms = live->duration_ms();
+    hello_.keyframe_ms =
+        stream.upstream() != nullptr ? stream.upstream()->keyframe_ms : catalogue->keyframe_ms;
+    if (live->has_voice()) hello_.voice = protocol::kVoiceCodec;
+    hello_.text = live->has_captions();
+    hello_.title = stream.title;
+    begin(live);
+  }
+  // The channel of a relay stays when its next parent gets the stream by another way.
   hello_.servers = servers_told(*catalogue, stream, asked);
-  begin(live);
   return channel_;
 }
 

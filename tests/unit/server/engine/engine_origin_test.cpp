@@ -141,5 +141,14 @@ TEST_F(EngineOriginTest, EndsForWhoFollowsWhenItMayNoLongerBePublished) {
   EXPECT_EQ(smile(), "{12:50}") << "the whole face";
 }
 
+TEST_F(EngineOriginTest, TellsThroughWhichServersTheStreamComesNow) {
+  const auto upstream = serve_upstream("a,b");
+  smile();
+  EXPECT_NE(joined().find(" origin=a,b,org}"), std::string::npos) << joined();
+  upstream->servers = "c";
+  smile();
+  EXPECT_NE(joined().find(" origin=c,org}"), std::string::npos) << joined();
+}
+
 }  // namespace
 }  // namespace aucast::server
