@@ -142,7 +142,11 @@ void LiveStream::show(const protocol::Keyframe& keyframe) {
 /// Does what is due while nothing comes.
 void LiveStream::rest(SteadyTime now) {
   reader_.idle(now);
-  for (const sources::LiveKeyframe& keyframe : reader_.take_keyframes()) send(keyframe, true, now);
+  const auto easing = reader_.take_keyframes();
+  // Of a stream that has ended nobody sees the face go to neutral.
+  if (!feed_->ended()) {
+    for (const sources::LiveKeyframe& keyframe : easing) send(keyframe, true, now);
+  }
   if (voice_ && !feed_->ended() && now >= beat()) fill_pause(now);
   const auto since = silent_since();
   if (!since) {

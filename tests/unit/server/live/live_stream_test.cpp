@@ -11,8 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "common/sources/hold.h"
+#include "common/sources/source_reader.h"
+#include "protocol/stream_file.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/steady_time.h"
+#include "tests/support/temp_folder.h"
 
 namespace aucast::server {
 namespace {
@@ -98,6 +101,25 @@ TEST_F(LiveStreamTest, EndsWhenItsWriterStaysAwayAndGoesOnWhenItComesBack) {
   EXPECT_TRUE(stream_->ended());
   EXPECT_EQ(fed("12:60;100\n"), Texts{"{12:60;100}"});
   EXPECT_FALSE(stream_->ended());
+}
+
+TEST_F(LiveStreamTest, OnceItHasEndedTheFaceThatGoesToNeutralIsNotSent) {
+  options_.timeout = Milliseconds(1000);
+  begin();
+  const test::TempFolder folder;
+  const auto record = folder.path() / "record.txt";
+  ASSERT_TRUE(stream_->record(record));
+  EXPECT_EQ(fed("12:50;100\n"), Texts{"{12:50;100}"});
+  stream_->end_input(now_, false);
+  Texts rest = after(100s);
+  EXPECT_EQ(std::count(rest.begin(), rest.end(), "end"), 1);
+  EXPECT_EQ(rest.back(), "end");
+  EXPECT_TRUE(stream_->ended());
+  EXPECT_EQ(fed("12:60;100\n"), Texts{"{12:60;100}"});
+  ASSERT_TRUE(stream_->finish_record());
+  const auto recorded = protocol::parse_stream_file(*sources::read_text(record), "record");
+  ASSERT_TRUE(recorded);
+  EXPECT_EQ(protocol::media_ms(*recorded, 250), 100U + 1000U + 100U) << "without what came later";
 }
 
 TEST_F(LiveStreamTest, EndsWithTheFaceWhenNobodyCanWriteAnyMore) {
