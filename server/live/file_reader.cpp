@@ -50,7 +50,17 @@ void FileReader::watch() {
   if (!changes.open()) return;
   std::error_code error;
   notify_.assign(changes.get(), error);
-  if (!error) ::inotify_add_watch(changes.release(), path_.c_str(), IN_MODIFY);
+  if (error) return;
+  static_cast<void>(changes.release());
+  watch_file();
+}
+
+/// Watches the file that is there now, and no longer the one before. Where that fails, we look
+/// every kLookEvery all the same.
+void FileReader::watch_file() {
+  if (!notify_.is_open()) return;
+  if (watch_ >= 0) ::inotify_rm_watch(notify_.native_handle(), watch_);
+  watch_ = ::inotify_add_watch(notify_.native_handle(), path_.c_str(), IN_MODIFY);
 }
 
 void FileReader::hold(bool held) {
@@ -151,9 +161,7 @@ void FileReader::begin_anew(const std::string& why) {
     Descriptor now(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (!now.open()) return;
     file_ = std::move(now);
-    if (notify_.is_open()) {
-      ::inotify_add_watch(notify_.native_handle(), path_.c_str(), IN_MODIFY);
-    }
+    watch_file();
   }
   position_ = 0;
   tail_.clear();

@@ -38,6 +38,7 @@ class FileReader final : public InputReader {
  private:
   [[nodiscard]] bool is_stdin() const { return path_ == "-"; }
   void watch();
+  void watch_file();
   void await();
   void read();
   void look_again();
@@ -53,6 +54,7 @@ class FileReader final : public InputReader {
   bool follow_;
   const Events& events_;
   asio::posix::stream_descriptor notify_;  ///< inotify
+  int watch_ = -1;                         ///< of the file in it; negative: none
   asio::steady_timer timer_;
   std::int64_t position_ = 0;
   std::string tail_;  ///< the last bytes that were read, to notice if they change

@@ -187,6 +187,28 @@ TEST_F(LiveInputTest, AFollowedFileThatDidNotJustGrowIsReadAnew) {
   EXPECT_TRUE(comes("3rd and on, grown")) << "the new one is followed";
 }
 
+/// How many files inotify watches for this process.
+std::size_t watched_files() {
+  std::size_t count = 0;
+  for (const auto& descriptor : std::filesystem::directory_iterator("/proc/self/fdinfo")) {
+    std::ifstream info(descriptor.path());
+    for (std::string line; std::getline(info, line);) count += line.starts_with("inotify wd:");
+  }
+  return count;
+}
+
+TEST_F(LiveInputTest, OfFilesThatWereReplacedOnlyTheLastIsWatched) {
+  const auto path = folder_.write("a.txt", "0");
+  ASSERT_TRUE(make(path, true).start());
+  EXPECT_TRUE(comes("0"));
+  for (const char* const next : {"1", "2", "3"}) {
+    std::filesystem::rename(path, folder_.path() / (std::string("old") + next));
+    std::filesystem::rename(folder_.write("b.txt", next), path);
+    EXPECT_TRUE(comes(next));
+  }
+  EXPECT_EQ(watched_files(), 1U);
+}
+
 TEST_F(LiveInputTest, AFollowedFileMayBeHeldWhileItGrows) {
   const auto path = folder_.write("a.txt", "one ");
   LiveInput& input = make(path, true);
