@@ -12,9 +12,10 @@
 namespace aucast::server {
 
 /// The error for a system call on the input at `path` that has just failed.
-[[nodiscard]] inline Error unreadable_now(const std::filesystem::path& path) {
+[[nodiscard]] inline Error unreadable_now(const std::filesystem::path& path,
+                                          int error_number = errno) {
   return {ErrorKind::Unreadable,
-          at_place(path.string(), "cannot be read: " + system_reason(errno))};
+          at_place(path.string(), "cannot be read: " + system_reason(error_number))};
 }
 
 /// Reads an open descriptor, which it owns, on the event loop: a PipeReader or a FileReader.

@@ -56,17 +56,28 @@ void PipeReader::await() {
                    [this, alive = alive_](const std::error_code& error) {
                      if (!*alive || stopped_) return;
                      waiting_ = false;
-                     if (!error) read();
+                     if (error) {
+                       fail(error.value());
+                     } else {
+                       read();
+                     }
                    });
+}
+
+void PipeReader::fail(int error_number) {
+  events_.on_failure(unreadable_now(path_, error_number));
+  events_.on_end();
 }
 
 void PipeReader::read() {
   const ssize_t got = ::read(pipe_.native_handle(), chunk_.data(), chunk_.size());
   if (got > 0) {
     events_.on_bytes({chunk_.data(), static_cast<std::size_t>(got)});
-  } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
-    if (got < 0) events_.on_failure(unreadable_now(path_));
+  } else if (got == 0) {
     events_.on_end();
+    return;
+  } else if (errno != EAGAIN && errno != EINTR) {
+    fail(errno);
     return;
   }
   await();

@@ -35,6 +35,7 @@ class PipeReader final : public InputReader {
  private:
   void await();
   void read();
+  void fail(int error_number);
 
   asio::posix::stream_descriptor pipe_;
   std::filesystem::path path_;

@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 #include <asio/executor_work_guard.hpp>
 
+#include "server/live/pipe_reader.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
@@ -207,6 +208,21 @@ TEST_F(LiveInputTest, OfFilesThatWereReplacedOnlyTheLastIsWatched) {
     EXPECT_TRUE(comes(next));
   }
   EXPECT_EQ(watched_files(), 1U);
+}
+
+/// The event loop can wait for no plain file.
+TEST_F(LiveInputTest, APipeThatCannotBeWaitedForHasEndedByAnError) {
+  std::vector<std::string> heard;
+  const InputReader::Events events{[&](std::string_view) { heard.emplace_back("bytes"); },
+                                   [&](const Error& error) { heard.push_back(error.message); },
+                                   [&] { heard.emplace_back("end"); }, [] {},
+                                   [](const std::string&) {}};
+  const auto path = folder_.write("a.txt", "a");
+  PipeReader reader({io_, ::open(path.c_str(), O_RDONLY | O_CLOEXEC)}, "pipe", events);
+  reader.start();
+  EXPECT_TRUE(test::run_until(io_, [&] { return !heard.empty(); }));
+  EXPECT_EQ(heard,
+            (std::vector<std::string>{"pipe: cannot be read: Operation not supported", "end"}));
 }
 
 TEST_F(LiveInputTest, AFollowedFileMayBeHeldWhileItGrows) {
