@@ -34,6 +34,11 @@ bool Pusher::ready() const {
   return stream->live() ? !stream->live()->ended() : stream->recorded() != nullptr;
 }
 
+bool Pusher::is_live() const {
+  const protocol::ServedStream* const stream = hooks_.stream();
+  return stream != nullptr && stream->live();
+}
+
 std::string Pusher::name() const {
   return "push " + stream_name();
 }
@@ -82,7 +87,7 @@ void Pusher::on_served(const ClientRecord& record, const std::string& why) {
   }
   if (record.end_reason == ClientEnd(protocol::CloseConnection::Why::Finished)) {
     if (record.keyframes > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
-    redialler_.again_in(kOfferAgain);
+    redialler_.again_in(is_live() ? Redialler::kNotReady : kOfferAgain);
   } else {
     ++losses_;
     redialler_.failed(why);

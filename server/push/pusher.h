@@ -22,7 +22,8 @@ namespace aucast::server {
 /// Sends a stream of this server to another one (--push): dials that server, offers the stream and,
 /// when it is taken, serves the connection like any client's. When that is lost or refused, it
 /// tries again, without end. A recorded stream that was sent whole is offered again every
-/// kOfferAgain, since a server that was restarted has forgotten it.
+/// kOfferAgain, since a server that was restarted has forgotten it; a live one that has ended, as
+/// soon as it goes on.
 /// Thread: that of the io_context, which must outlive it.
 class Pusher {
  public:
@@ -49,6 +50,7 @@ class Pusher {
 
  private:
   [[nodiscard]] bool ready() const;
+  [[nodiscard]] bool is_live() const;
   [[nodiscard]] std::string name() const;  ///< for the log
   [[nodiscard]] std::string stream_name() const;
   [[nodiscard]] std::string substitute() const;

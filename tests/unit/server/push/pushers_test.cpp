@@ -1,13 +1,20 @@
-// Streams that are brought to a server, which is the test.
+// Streams that are brought to a server which the test plays, on the same loop.
 #include "server/push/pushers.h"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <asio/buffer.hpp>
 #include <asio/ip/tcp.hpp>
+#include <asio/read_until.hpp>
+#include <asio/write.hpp>
 
+#include "protocol/live_feed.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 
@@ -26,28 +33,63 @@ class PushersTest : public ::testing::Test {
   [[nodiscard]] std::string here() const {
     return "aucast://127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port()) + "/one";
   }
-  /// Whether somebody has connected.
+  /// Takes whatever is brought.
+  void accept() {
+    acceptor_.async_accept([this](const std::error_code& error, tcp::socket socket) {
+      if (error) return;
+      auto peer = std::make_shared<tcp::socket>(std::move(socket));
+      auto hello = std::make_shared<std::string>();
+      asio::async_read_until(*peer, asio::dynamic_buffer(*hello), '}',
+                             [peer, hello](const std::error_code& cut_off, std::size_t) {
+                               if (cut_off) return;
+                               std::error_code ignored;
+                               asio::write(*peer, asio::buffer(kTakes), ignored);
+                             });
+      accept();
+    });
+  }
+  /// Whether somebody has connected whom accept() has not taken.
   [[nodiscard]] bool knocked() {
     acceptor_.non_blocking(true);
     std::error_code error;
     static_cast<void>(acceptor_.accept(error));
     return !error;
   }
+  [[nodiscard]] bool runs_until_taken(std::size_t times) {
+    return test::run_until(io_, [&] { return served_.size() == times; });
+  }
   /// Until it was looked so many times whether there is something to bring.
   [[nodiscard]] bool runs_until_asked(int times) {
     const int until = asked_ + times;
     return test::run_until(io_, [&] { return asked_ >= until; });
   }
+  /// The connection that was taken last has brought the stream to its end.
+  void finish_last() const {
+    ClientRecord record;
+    record.keyframes = 1;
+    record.end_reason = ClientEnd(protocol::CloseConnection::Why::Finished);
+    served_.back()(record, "");
+  }
+
+  static constexpr std::string_view kTakes = "{hello v=2 window=2 stream=one takes=1}";
+
   const test::QuietLog quiet_;
   asio::io_context io_;
   tcp::acceptor acceptor_{io_, {asio::ip::address_v4::loopback(), 0}};
+  std::optional<protocol::ServedStream> stream_;
   int asked_ = 0;
-  Pushers pushers_{io_,
-                   {[this](const std::string&) {
-                      ++asked_;
-                      return nullptr;
-                    },
-                    {}}};
+  std::vector<Pusher::OnServed> served_;
+  Pushers pushers_{
+      io_,
+      {[this](const std::string&) {
+         ++asked_;
+         return stream_ ? &*stream_ : nullptr;
+       },
+       [this](const std::string&, const std::string&, const std::shared_ptr<link::Link>& link,
+              std::string_view, Pusher::OnServed on_served) {
+         link->close();
+         served_.push_back(std::move(on_served));
+       }}};
 };
 
 TEST_F(PushersTest, EachAddressHasAConnectionOfItsOwn) {
@@ -74,6 +116,21 @@ TEST_F(PushersTest, NobodyIsDialledWhileThereIsNothingToBring) {
   pushers_.start();
   EXPECT_TRUE(runs_until_asked(2));
   EXPECT_FALSE(knocked());
+}
+
+TEST_F(PushersTest, ALiveStreamThatHasEndedIsBroughtAgainWhenItGoesOn) {
+  const auto feed = std::make_shared<protocol::LiveFeed>(250, 20);
+  stream_.emplace("one", std::shared_ptr<const protocol::LiveChannel>(feed));
+  ASSERT_TRUE(pushers_.open(to({here()}), "id", 0));
+  pushers_.start();
+  accept();
+  ASSERT_TRUE(runs_until_taken(1));
+  feed->end();
+  finish_last();
+  EXPECT_TRUE(runs_until_asked(2));
+  EXPECT_EQ(served_.size(), 1U) << "not before";
+  feed->add({});
+  EXPECT_TRUE(runs_until_taken(2));
 }
 
 TEST_F(PushersTest, WithoutAddressesNothingIsWaitedFor) {
