@@ -59,7 +59,7 @@ void Reload::read_sources(bool failed) {
   } else {
     ++failures_;
     spdlog::error("the sources were not read again: {}", started.error().message);
-    on_done_(false);
+    on_done_({});
   }
 }
 
@@ -77,8 +77,10 @@ void Reload::load() {
 void Reload::done(Result<Repertoire> loaded) {
   running_ = false;
   if (programme_.stopped()) return;
-  on_done_(take_over(std::move(loaded)));
-  if (const auto failed = std::exchange(next_failed_, std::nullopt)) read_sources(*failed);
+  const bool changed = take_over(std::move(loaded));
+  const auto next_failed = std::exchange(next_failed_, std::nullopt);
+  on_done_({changed, !next_failed});
+  if (next_failed) read_sources(*next_failed);
 }
 
 bool Reload::take_over(Result<Repertoire> loaded) {

@@ -25,8 +25,11 @@ namespace aucast::server {
 class Reload {
  public:
   using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;
-  /// `changed`: whether clients that connect from now on get other streams.
-  using OnDone = std::function<void(bool changed)>;
+  struct Outcome {
+    bool changed = false;  ///< clients that connect from now on get other streams
+    bool last = true;      ///< no other reload was waiting for this one
+  };
+  using OnDone = std::function<void(const Outcome& outcome)>;
 
   /// Replaces `certificates`, and the tokens and streams of `programme`. All references must
   /// outlive it. The destructor stops a load that is under way, and waits for it.

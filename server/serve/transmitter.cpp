@@ -55,7 +55,7 @@ class Transmitter {
                                         bytes, std::move(on_served));
                        }}),
         reload_(io_, options.credentials, certificates_, programme_, std::move(load),
-                [this](bool changed) { on_reloaded(changed); }),
+                [this](const Reload::Outcome& outcome) { on_reloaded(outcome); }),
         listeners_(io_, options, certificates_,
                    {[this] { return programme_.held_back_max(); },
                     [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
@@ -197,13 +197,14 @@ class Transmitter {
     });
   }
 
-  void on_reloaded(bool changed) {
-    if (changed) {
+  void on_reloaded(const Reload::Outcome& outcome) {
+    if (outcome.changed) {
       spdlog::info("serving {} now; for the {} here nothing changes",
                    counted(programme_.catalogue()->streams.size(), "stream"),
                    counted(clients_.size(), "client"));
     }
-    service_.reloaded();
+    // Who asked for the next one waits for what that reads.
+    if (outcome.last) service_.reloaded();
   }
 
   /// Whether we are to stop. While a camera is awaited the loop does not run yet, so signals are

@@ -31,9 +31,10 @@ class ReloadTest : public ::testing::Test {
  protected:
   Reload& make(Reload::Load load) {
     return reload_.emplace(io_, files_, certificates_, programme_, std::move(load),
-                           [this](bool changed) {
+                           [this](const Reload::Outcome& outcome) {
                              ++times_done_;
-                             changed_ = changed;
+                             changed_ = outcome.changed;
+                             if (outcome.last) ++times_all_done_;
                            });
   }
   /// Until nothing is being read.
@@ -58,6 +59,7 @@ class ReloadTest : public ::testing::Test {
   CredentialFiles files_;
   Programme programme_{io_, options_, only("a"), {[] {}, [] {}}};
   int times_done_ = 0;
+  int times_all_done_ = 0;
   bool changed_ = false;
   Certificates certificates_;
   std::optional<Reload> reload_;
@@ -106,6 +108,7 @@ TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
   for (int n = 0; n < 5; ++n) reload.start();
   run();
   EXPECT_EQ(times_done_, 2);
+  EXPECT_EQ(times_all_done_, 1) << "who asked last has not been served before";
   EXPECT_EQ(reload.successes(), 2U);
 }
 
