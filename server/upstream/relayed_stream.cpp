@@ -34,6 +34,10 @@ std::size_t keyframes_at_the_end(const protocol::EncodedStream& stream) {
   return static_cast<std::size_t>(last - stream.times.rbegin());
 }
 
+bool is_before(const protocol::CaptionData& one, const protocol::CaptionData& other) {
+  return one.place_ms < other.place_ms;
+}
+
 }  // namespace
 
 RelayedStream::RelayedStream(Options options)
@@ -104,6 +108,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
   forget_announced();
   if (auto wrong = objection(hello)) return wrong;
   shared_->servers = hello.servers;
+  caption_again_ = 0;
   if (begun()) {
     if (recorded_ && !whole()) recorded_->extent = Extent::Growing;
     if (recorded_) sent_again_ = keyframes_at_the_end(*recorded_);
@@ -215,13 +220,25 @@ std::optional<std::string> RelayedStream::add(const protocol::DeliverCaption& ca
     feed_->add_caption({static_cast<std::uint64_t>(place.count()), caption.caption.text});
   } else if (spoken_) {
     if (auto full = no_room()) return full;
-    auto& captions = spoken_->captions;
-    if (captions.empty() || caption.caption.place_ms > captions.back().place_ms) {
-      captions.push_back(caption.caption);
-      caption_bytes_ += sizeof(protocol::CaptionData) + caption.caption.text.size();
-    }
+    keep(caption.caption);
   }
   return std::nullopt;
+}
+
+/// Leaves out captions that are here already: a parent repeats the one that is shown where it was
+/// asked to begin, and those that came before the keyframe at which the last parent was lost.
+void RelayedStream::keep(const protocol::CaptionData& caption) {
+  auto& captions = spoken_->captions;
+  const auto again = captions.begin() + static_cast<std::ptrdiff_t>(caption_again_);
+  const auto [first, end] = std::equal_range(again, captions.end(), caption, is_before);
+  if (const auto here = std::find(first, end, caption); here != end) {
+    caption_again_ = static_cast<std::size_t>(here - captions.begin()) + 1;
+    return;
+  }
+  if (!captions.empty() && is_before(caption, captions.back())) return;
+  captions.push_back(caption);
+  caption_again_ = captions.size();
+  caption_bytes_ += sizeof(protocol::CaptionData) + caption.text.size();
 }
 
 std::optional<std::string> RelayedStream::end() {

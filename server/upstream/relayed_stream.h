@@ -73,6 +73,7 @@ class RelayedStream {
   [[nodiscard]] std::optional<std::string> objection(const protocol::HelloGranted& hello) const;
   [[nodiscard]] std::optional<std::string> keep(const protocol::EncodedKeyframe& keyframe,
                                                 std::uint32_t time_ms);
+  void keep(const protocol::CaptionData& caption);
   [[nodiscard]] std::optional<std::string> no_room();
 
   Options options_;
@@ -85,8 +86,9 @@ class RelayedStream {
   std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< of a recorded stream; null: it has none
   std::shared_ptr<protocol::EncodedTrack> voice_;  ///< of that; null: it has captions only
   std::size_t caption_bytes_ = 0;                  ///< of that
-  std::uint64_t looks_ = 0;  ///< at whether there is room for more of a recorded stream
-  Milliseconds shift_{0};    ///< live: from the clock of the connection to that of the feed
+  std::size_t caption_again_ = 0;  ///< the index of the next caption that may come once more
+  std::uint64_t looks_ = 0;        ///< at whether there is room for more of a recorded stream
+  Milliseconds shift_{0};          ///< live: from the clock of the connection to that of the feed
 };
 
 }  // namespace aucast::server

@@ -156,6 +156,25 @@ TEST_F(RelayOfTalk, KeepsTheVoiceOfARecordedStreamOnce) {
   EXPECT_TRUE(voice.complete());
 }
 
+TEST_F(RelayOfTalk, KeepsEachOfTheCaptionsOfOnePlaceOnce) {
+  const std::string kCaptioned =
+      "{hello v=2 window=256 stream=talk duration=120 keyframe=40 text=1";
+  connect();
+  hear(kCaptioned + "}{t@0}{t@0 SGk}{1;0}");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  connect();
+  hear(kCaptioned + "}{t@0}{t@0 SGk}{1;0}{1}{t@60}{t@60 SGk}{t@60}{2");
+  link_->end({Ending::Why::Lost, "reset by peer"});
+  connect();
+  hear(kCaptioned + " from=40}{t@0 SGk}{t@60}{t@60 SGk}{t@60}{t@60 SG8}{2}{0}{-2}");
+  std::string captions;
+  for (const auto& caption : stream_.shared()->recorded()->spoken->captions) {
+    captions += encode(caption);
+  }
+  EXPECT_EQ(captions, "{t@0}{t@0 SGk}{t@60}{t@60 SGk}{t@60}{t@60 SG8}");
+  EXPECT_TRUE(stream_.whole());
+}
+
 TEST_F(RelayOfTalk, VoiceOfTheNextLiveParentFollowsThatOfTheOneBefore) {
   const std::string kSpoken = "{hello v=2 window=50 delta=1 stream=talk live=1 voice=opus}";
   connect();
