@@ -133,6 +133,38 @@ Result<sources::SourceContent> read_any(const ConvertOptions& options,
       options.in, {options.source.recording, std::nullopt, conditioning, options.keyframe_ms});
 }
 
+/// What was found in the source, and how long its stream is.
+std::string found_report(const ConvertOptions& options, const sources::SourceContent& content) {
+  std::string said;
+  if (content.found) said += sources::found_sentence(*content.found) + "; ";
+  if (const std::string unused = options_of_recordings(options.source);
+      !content.found && !unused.empty()) {
+    said += "a stream file, not changed by " + unused + "; ";
+  }
+  return said + counted(content.stream.keyframes.size(), "keyframe") + ", " +
+         std::to_string(protocol::media_ms(content.stream, options.keyframe_ms)) + " ms\n";
+}
+
+/// Writes the stream as OUT wants it. `said`: the report so far.
+Result<Converted> write_out(const ConvertOptions& options, const protocol::StreamFile& stream,
+                            std::string said) {
+  std::string text;
+  if (options.out.extension() == ".csv") {
+    const std::uint64_t ms = protocol::media_ms(stream, options.keyframe_ms);
+    auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes);
+    if (!can) return can.error();
+    auto table = sources::write_openface_table(stream, options.keyframe_ms);
+    text = std::move(table.text);
+    said += at_place(options.out.string(), "a table of OpenFace 2, ") + counted(table.rows, "row") +
+            sides_sentence(table.uneven) + "\n";
+  } else {
+    text = protocol::format_stream_file(stream);
+  }
+  if (options.out == "-") return Converted{std::move(text), std::move(said)};
+  if (auto written = write_file_atomically(options.out, text); !written) return written.error();
+  return Converted{{}, std::move(said)};
+}
+
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
   std::error_code not_there;
   if (std::filesystem::equivalent(options.in, options.out, not_there)) {
@@ -149,38 +181,18 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
     auto done = resample(content->stream, *rate, options.keyframe_ms, options.in);
     if (!done) return done.error();
   }
-  if (!signal.save_profile.empty()) {
-    if (measures_neutral(signal) && !content->found) {
-      return Error{
-          ErrorKind::Usage,
-          at_place(options.in.string(), "a stream file has no neutral face to measure and save")};
-    }
-    const auto saved =
-        save_profile(signal, content->found ? content->found->neutral : std::nullopt);
-    if (!saved) return saved.error();
+  if (!signal.save_profile.empty() && measures_neutral(signal) && !content->found) {
+    return Error{
+        ErrorKind::Usage,
+        at_place(options.in.string(), "a stream file has no neutral face to measure and save")};
   }
-  std::string text;
-  if (content->found) said += sources::found_sentence(*content->found) + "; ";
-  if (const std::string unused = options_of_recordings(options.source);
-      !content->found && !unused.empty()) {
-    said += "a stream file, not changed by " + unused + "; ";
-  }
-  const std::uint64_t ms = protocol::media_ms(content->stream, options.keyframe_ms);
-  said +=
-      counted(content->stream.keyframes.size(), "keyframe") + ", " + std::to_string(ms) + " ms\n";
-  if (options.out.extension() == ".csv") {
-    auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes);
-    if (!can) return can.error();
-    auto table = sources::write_openface_table(content->stream, options.keyframe_ms);
-    text = std::move(table.text);
-    said += at_place(options.out.string(), "a table of OpenFace 2, ") + counted(table.rows, "row") +
-            sides_sentence(table.uneven) + "\n";
-  } else {
-    text = protocol::format_stream_file(content->stream);
-  }
-  if (options.out == "-") return Converted{std::move(text), std::move(said)};
-  if (auto written = write_file_atomically(options.out, text); !written) return written.error();
-  return Converted{{}, std::move(said)};
+  said += found_report(options, *content);
+  auto converted = write_out(options, content->stream, std::move(said));
+  if (!converted || signal.save_profile.empty()) return converted;
+  // Last: what could not be converted leaves the profile as it was.
+  const auto saved = save_profile(signal, content->found ? content->found->neutral : std::nullopt);
+  if (!saved) return Error{saved.error().kind, converted->said + saved.error().message};
+  return converted;
 }
 
 /// Converts each source to a stream file of its name in the folder.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,22 @@ TEST(Convert, ResamplesAndTakesTheSourcesOptions) {
   ASSERT_TRUE(converted);
   EXPECT_EQ(converted->text,
             "Beg_Stream\n1:25,52:50,53:50,56:50;100\n1:50,43:75,54;100\nEnd_Stream\n");
+}
+
+TEST(Convert, WhatCannotBeWrittenLeavesTheProfileAsItWas) {
+  const TempFolder folder;
+  const auto in = folder.write("in.csv", sources::tables::kOpenFace1).string();
+  const auto profile = folder.write("profile.toml", "of before");
+  const std::vector<std::string> options{"--neutral", "1", "--save-profile", profile.string(), in};
+  const auto to = [&options](const std::filesystem::path& out) {
+    std::vector<std::string> all = options;
+    all.push_back(out.string());
+    return run_convert(all);
+  };
+  EXPECT_FALSE(to(folder.path() / "not_there" / "out.txt"));
+  EXPECT_EQ(folder.read("profile.toml"), "of before");
+  EXPECT_TRUE(to(folder.path() / "out.txt"));
+  EXPECT_NE(folder.read("profile.toml"), "of before");
 }
 
 TEST(Convert, WrongCommandLinesAreRefused) {
