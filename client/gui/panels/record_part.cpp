@@ -58,8 +58,8 @@ void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
   }
   label(look, tr("play.size"));
   int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;
-  const std::array<const char*, 3> sizes = {tr("play.size_window"), "1920 x 1080",
-                                            tr("play.size_other")};
+  const std::array<Word, 3> sizes = {
+      {{tr("play.size_window")}, {"1920 x 1080"}, {tr("play.size_other")}}};
   if (choice("size", sizes, kind)) {
     wanted.width = kind == 0 ? 0 : kind == 1 ? 1920 : 800;
     wanted.height = kind == 0 ? 0 : kind == 1 ? 1080 : 1000;

@@ -44,9 +44,9 @@ void number(const Look& look, const char* name, const char* id, int& value, cons
   tip(help);
 }
 
-/// One field for host, port and stream, with a list of the recent ones.
-bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
-  label(look, tr("play.address"));
+/// One field for host, port and stream, with a list of the recent ones. It has the width of the
+/// panel, or a whole address would not fit; the heading above it says what it is.
+bool address(const GuiModel& model, RemoteForm& form) {
   const float arrow = ImGui::GetFrameHeight();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow - gap);
@@ -58,6 +58,8 @@ bool address(const Look& look, const GuiModel& model, RemoteForm& form) {
     form.wrong = take_address(form.address.data(), form.settings);
     form.renamed = true;
   }
+  const std::string written = form.address.data();
+  tip(written + (written.empty() ? "" : "\n") + tr("tip.address"));
   ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(model.recent.empty());
   if (ImGui::BeginCombo("##recent", "", ImGuiComboFlags_NoPreview)) {
@@ -162,8 +164,10 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
 /// The choice of gui::Behind, and its numbers.
 void behind_server(const Look& look, RemoteSettings& settings) {
   label(look, tr("play.behind"), tr("tip.behind"));
-  const std::array<const char*, 4> ways = {tr("play.behind_sets"), tr("play.behind_live"),
-                                           tr("play.behind_auto"), tr("play.behind_time")};
+  const std::array<Word, 4> ways = {{{tr("play.behind_sets"), tr("tip.behind_sets")},
+                                     {tr("play.behind_live"), tr("tip.behind_live")},
+                                     {tr("play.behind_auto"), tr("tip.behind_auto")},
+                                     {tr("play.behind_time"), tr("tip.behind_time")}}};
   int way = static_cast<int>(settings.behind);
   if (choice("behind", ways, way)) settings.behind = static_cast<Behind>(way);
   if (settings.behind == Behind::Time) {
@@ -228,7 +232,7 @@ void server_heading(const Look& look, RemoteForm& form) {
 
 void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
   server_heading(look, form);
-  const bool entered = address(look, model, form);
+  const bool entered = address(model, form);
   stream(look, model, form, commands);
   const auto wrong = form.wrong ? form.wrong : problem(form.settings);
   connect_buttons(model, form, entered, wrong, commands);
@@ -295,7 +299,8 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
   AnimationSettings settings = model.animation;
   bool changed = false;
   label(look, tr("play.mixer"), tr("tip.mixer"));
-  const std::array<const char*, 2> mixers = {tr("play.maximum"), tr("play.average")};
+  const std::array<Word, 2> mixers = {
+      {{tr("play.maximum"), tr("tip.maximum")}, {tr("play.average"), tr("tip.average")}}};
   int mixer = settings.mixer == face::Mixer::Average ? 1 : 0;
   if (choice("mixer", mixers, mixer)) {
     settings.mixer = mixer == 1 ? face::Mixer::Average : face::Mixer::Maximum;
@@ -304,7 +309,9 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
   changed |= in_between(look, "interpolation", settings.interpolation);
   label(look, tr("play.rules"), tr("tip.rules"));
   const auto found = std::find(kRules.begin(), kRules.end(), settings.rules);
-  const std::array<const char*, 3> words = {kRules[0], kRules[1], tr("play.no_rules")};
+  const std::array<Word, 3> words = {{{kRules[0], tr("tip.rules_facs")},
+                                      {kRules[1], tr("tip.rules_kumar")},
+                                      {tr("play.no_rules"), tr("tip.no_rules")}}};
   int rules = found == kRules.end() ? -1 : static_cast<int>(found - kRules.begin());
   if (choice("rules", words, rules)) {
     settings.rules = kRules[static_cast<std::size_t>(rules)];

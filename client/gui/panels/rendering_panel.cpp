@@ -83,9 +83,10 @@ bool light(const Look& look, RenderingSettings& settings) {
   bool changed = false;
   label(look, tr("view.background"));
   int ground = static_cast<int>(settings.ground);
-  std::array<const char*, kGrounds.size()> grounds{};
+  std::array<Word, kGrounds.size()> grounds{};
   std::transform(kGrounds.begin(), kGrounds.end(), grounds.begin(),
-                 [](TextKey key) { return tr(key); });
+                 [](TextKey key) { return Word{tr(key)}; });
+  grounds.back().tip = tr("view.none_help");
   if (choice("ground", grounds, ground)) {
     settings.ground = static_cast<Ground>(ground);
     changed = true;

@@ -72,9 +72,12 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"gallery.aus", "Action Units"},
     {"gallery.aus_tip", "each AU that the face has"},
     {"gallery.prototypes", "Emotions"},
-    {"gallery.prototypes_tip", "the prototypes of emotions"},
+    {"gallery.prototypes_tip",
+     "happiness, sadness, surprise, fear, anger, disgust and others, by the AUs that authors give "
+     "for "
+     "them"},
     {"gallery.combinations", "Combinations"},
-    {"gallery.combinations_tip", "pairs of basic expressions"},
+    {"gallery.combinations_tip", "two emotions in one face, for each pair of them"},
     {"gallery.appendix_a", "Appendix A"},
     {"gallery.appendix_a_tip", "the AUs of the thesis' appendix A"},
     {"gallery.appendix_b", "Appendix B"},

@@ -115,7 +115,6 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"play.or_connect", "Or connect to a server, at the right. ? lists the keys."},
     {"play.or_connect_hidden", "Or connect to a server: p shows the panel. ? lists the keys."},
     {"play.server", "Server"},
-    {"play.address", "Address"},
     {"play.address_hint", "HOST, HOST:PORT, aucast://HOST/STREAM"},
     {"play.stream", "Stream"},
     {"play.first_stream", "the server's first"},

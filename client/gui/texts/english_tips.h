@@ -39,6 +39,9 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.delay", "how long a live keyframe waits before it is played, so that jitter is not seen"},
     {"tip.protocol",
      "classic is level 1, the protocol of the thesis; level 2 has intensities, sides and times"},
+    {"tip.address",
+     "where the au-transmitter is: HOST, HOST:PORT or aucast://HOST/STREAM; aucasts:// is over "
+     "TLS"},
     {"tip.tls",
      "Transport Layer Security: what is sent can be neither read nor changed on its way"},
     {"tip.authorities",
@@ -86,6 +89,20 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
      "how far the face is behind the server. Live: as little as the network allows, at the risk of "
      "stalls. Auto: as much as it needs. Time: so many ms. Sets: until the buffers are as full as "
      "is set below, as in the thesis"},
+    {"tip.behind_sets",
+     "as in the thesis: it plays once the buffers hold as many sets of AUs as is set below"},
+    {"tip.behind_live", "as little as the network allows; where it is late, the face stalls"},
+    {"tip.behind_auto", "as much as this network needs, measured while it plays"},
+    {"tip.behind_time",
+     "always so many milliseconds; where the network is later than that, the face stalls"},
+    {"tip.maximum", "of AUs that move the same muscle, the strongest counts"},
+    {"tip.average", "AUs that move the same muscle share it: the mean of what they ask for"},
+    {"tip.linear", "evenly, at the same speed all the way"},
+    {"tip.cosine", "with a soft beginning and a soft end"},
+    {"tip.rules_facs",
+     "what FACS (2002) says of codes that exclude each other, made soft for intensities"},
+    {"tip.rules_kumar", "the table of Kumar (2010) as it was published, to compare with"},
+    {"tip.no_rules", "every AU is shown as it came"},
     {"tip.level_meter", "of the sound, from 48 dB below the most there can be"},
 });
 

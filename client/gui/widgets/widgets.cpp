@@ -426,17 +426,19 @@ void au_table(const Look& look, const AuTableWords& words, const std::vector<AuR
   ImGui::EndTable();
 }
 
-bool choice_of(const char* id, const char* const* words, int count, int& chosen) {
+bool choice(const char* id, std::span<const Word> words, int& chosen) {
   ImGui::PushID(id);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const int count = static_cast<int>(words.size());
   // What is left beside the words is shared evenly, so that a long one has room.
   float left = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1);
-  for (int i = 0; i < count; ++i) left -= ImGui::CalcTextSize(words[i]).x;
+  for (const Word& word : words) left -= ImGui::CalcTextSize(word.text).x;
   const float around = left / static_cast<float>(count);
   bool changed = false;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(gap / 2, ImGui::GetStyle().FramePadding.y));
   for (int i = 0; i < count; ++i) {
+    const Word& word = words[static_cast<std::size_t>(i)];
     if (i > 0) ImGui::SameLine(0, gap);
     const bool on = i == chosen;
     // What is chosen looks so under the pointer too.
@@ -446,11 +448,12 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
                             ImGui::GetStyleColorVec4(ImGuiCol_HeaderHovered));
       ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     }
-    if (ImGui::Button(words[i], ImVec2(ImGui::CalcTextSize(words[i]).x + around, 0)) && !on) {
+    if (ImGui::Button(word.text, ImVec2(ImGui::CalcTextSize(word.text).x + around, 0)) && !on) {
       chosen = i;
       changed = true;
     }
     if (on) ImGui::PopStyleColor(3);
+    tip(word.tip);
   }
   ImGui::PopStyleVar();
   ImGui::PopID();
@@ -458,7 +461,8 @@ bool choice_of(const char* id, const char* const* words, int count, int& chosen)
 }
 
 bool in_between(const Look& look, const char* id, playback::Interpolation& way) {
-  const std::array<const char*, 2> ways = {tr("panel.linear"), tr("panel.cosine")};
+  const std::array<Word, 2> ways = {
+      {{tr("panel.linear"), tr("tip.linear")}, {tr("panel.cosine"), tr("tip.cosine")}}};
   label(look, tr("panel.in_between"), tr("tip.in_between"));
   int chosen = way == playback::Interpolation::Cosine ? 1 : 0;
   if (!choice(id, ways, chosen)) return false;

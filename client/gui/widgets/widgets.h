@@ -128,15 +128,13 @@ struct AuTableWords {
 };
 void au_table(const Look& look, const AuTableWords& words, const std::vector<AuRow>& rows);
 
+/// A word to choose, and its tooltip.
+struct Word {
+  const char* text = "";
+  const char* tip = "";
+};
 /// A choice among a few words on one line; returns whether it changed `chosen`.
-template <std::size_t N>
-[[nodiscard]] bool choice(const char* id, const std::array<const char*, N>& words, int& chosen);
-[[nodiscard]] bool choice_of(const char* id, const char* const* words, int count, int& chosen);
-
-template <std::size_t N>
-bool choice(const char* id, const std::array<const char*, N>& words, int& chosen) {
-  return choice_of(id, words.data(), static_cast<int>(N), chosen);
-}
+[[nodiscard]] bool choice(const char* id, std::span<const Word> words, int& chosen);
 
 /// The line "In between", which sets how values go from one keyframe to the next; returns whether
 /// it changed `way`.

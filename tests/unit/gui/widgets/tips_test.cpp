@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "client/gui/texts/texts.h"
@@ -37,6 +38,54 @@ TEST_F(Tips, WhatIsSaidOfAControlHidesNoOther) {
     EXPECT_FALSE(tooltip()->Rect().Overlaps(panel));
   }
   EXPECT_GT(said, 1);
+}
+
+TEST_F(Tips, AWholeAddressFitsIntoItsFieldAndIsSaid) {
+  model_.remote_settings.address = "lectures.faculty.university.example.org";
+  model_.remote_settings.stream = "an-introduction-to-the-faces-of-monday";
+  gui_.reset();  // one context at a time
+  gui_ = std::make_unique<Gui>(1.0F);
+  use_by_hand(ImVec2(800, 800));
+  frames(3);
+  const ImRect panel = rect_of("panel");
+  ASSERT_TRUE(go_to("##address"));
+  const ImRect field = ImGui::GetCurrentContext()->NavWindow->NavRectRel[ImGuiNavLayer_Main];
+  EXPECT_GT(field.GetWidth(), 0.75F * panel.GetWidth());
+  press(ImGuiKey_Escape);
+  press(ImGuiKey_Escape);
+  const ImVec2 from = contents()->Pos;
+  point_at(from.x + field.GetCenter().x, from.y + field.GetCenter().y);
+  ASSERT_NE(tooltip(), nullptr);
+  const float lines = ImGui::CalcTextSize("a\na\na").y;
+  EXPECT_GT(tooltip()->Rect().GetHeight(), lines) << "what was typed is longer than the field";
+}
+
+TEST_F(Tips, EveryWordOfAChoiceIsExplained) {
+  ImGui::GetIO().DisplaySize = ImVec2(800, 1600);
+  frames(3);
+  const ImRect panel = rect_of("panel");
+  ASSERT_TRUE(go_to(tr("play.next_connection")));
+  press(ImGuiKey_Enter);
+  press(ImGuiKey_Escape);
+  const auto words_of = [](const char* choice, std::initializer_list<const char*> words) {
+    std::set<ImGuiID> ids;
+    for (const char* word : words) ids.insert(ImHashStr(word, 0, id_of(choice)));
+    return ids;
+  };
+  std::set<ImGuiID> silent;
+  silent.merge(words_of("behind", {tr("play.behind_sets"), tr("play.behind_live"),
+                                   tr("play.behind_auto"), tr("play.behind_time")}));
+  silent.merge(words_of("mixer", {tr("play.maximum"), tr("play.average")}));
+  silent.merge(words_of("interpolation", {tr("panel.linear"), tr("panel.cosine")}));
+  silent.merge(words_of("rules", {"facs", "kumar2010", tr("play.no_rules")}));
+  ASSERT_EQ(silent.size(), 11U);
+  for (float y = panel.Min.y; y < panel.Max.y; y += 12) {
+    for (float x = panel.Min.x + 10; x < panel.Max.x; x += 20) {
+      point_at(x, y);
+      if (tooltip() != nullptr) silent.erase(ImGui::GetHoveredID());
+    }
+  }
+  EXPECT_TRUE(silent.empty()) << silent.size() << " without a tooltip";
 }
 
 TEST_F(Tips, WhatIsSaidOfAButtonGoesWhenItIsClicked) {

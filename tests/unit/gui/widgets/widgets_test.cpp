@@ -250,7 +250,7 @@ TEST_F(Widgets, ADisabledWideButtonIsNotPressed) {
 }
 
 TEST_F(Widgets, AChoiceChangesOnlyToAnotherWord) {
-  const std::array<const char*, 2> words = {"one", "two"};
+  const std::array<Word, 2> words = {{{"one"}, {"two"}}};
   int chosen = 0;
   int changes = 0;
   draw([&] {
