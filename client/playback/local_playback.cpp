@@ -6,8 +6,36 @@
 #include "common/check.h"
 
 namespace aucast::playback {
+namespace {
 
-LocalPlayback::LocalPlayback(const std::vector<Milliseconds>& times) {
+/// Slower keyframes are faces that somebody wrote, not pictures of a film.
+constexpr Milliseconds kPictureMax{100};
+/// Times are whole milliseconds: of 1/30 s some are 33 and some 34.
+constexpr Milliseconds kRounding{1};
+
+/// As picture_time(). The first keyframe may have a time of its own; one in ten may be missing.
+std::optional<Duration> steady_time(const std::vector<Milliseconds>& times) {
+  if (times.size() < 4) return std::nullopt;
+  std::vector<Milliseconds> sorted(times.begin() + 1, times.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const Milliseconds usual = *middle;
+  if (usual <= Milliseconds::zero() || usual > kPictureMax) return std::nullopt;
+  Duration sum{0};
+  Duration::rep alike = 0;
+  for (const Milliseconds time : sorted) {
+    if (time < usual - kRounding || time > usual + kRounding) continue;
+    sum += time;
+    ++alike;
+  }
+  if (10 * static_cast<std::size_t>(alike) < 9 * sorted.size()) return std::nullopt;
+  return sum / alike;
+}
+
+}  // namespace
+
+LocalPlayback::LocalPlayback(const std::vector<Milliseconds>& times)
+    : picture_time_(steady_time(times)) {
   AUCAST_CHECK(!times.empty());
   Duration end{0};
   for (const Milliseconds time : times) {
@@ -96,6 +124,31 @@ void LocalPlayback::step_frame(int direction, int fps, Instant now) {
     while (k > 0 && frame(k) >= at) --k;
   }
   anchor(std::min(frame(k), total()), now);
+}
+
+Duration LocalPlayback::picture_after(Duration position) const {
+  const auto end = std::upper_bound(ends_.begin(), ends_.end(), position);
+  if (end == ends_.end()) return total();
+  const Duration begin = end == ends_.begin() ? Duration::zero() : *std::prev(end);
+  const Duration next = begin + ((position - begin) / *picture_time_ + 1) * *picture_time_;
+  return *end - next < *picture_time_ / 2 ? *end : next;
+}
+
+Duration LocalPlayback::picture_before(Duration position) const {
+  const auto end = std::lower_bound(ends_.begin(), ends_.end(), position);
+  if (position <= Duration::zero()) return Duration::zero();
+  const Duration begin = end == ends_.begin() ? Duration::zero() : *std::prev(end);
+  Duration before = begin + (position - begin - Duration(1)) / *picture_time_ * *picture_time_;
+  // As picture_after(), which does not stop that close to a keyframe.
+  if (before > begin && *end - before < *picture_time_ / 2) before -= *picture_time_;
+  return before;
+}
+
+void LocalPlayback::step_picture(int direction, Instant now) {
+  AUCAST_CHECK(picture_time_.has_value());
+  const Duration at = position(now);
+  pause(now);
+  anchor(direction > 0 ? picture_after(at) : picture_before(at), now);
 }
 
 void LocalPlayback::set_speed(int percent, Instant now) {

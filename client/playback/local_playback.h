@@ -40,6 +40,9 @@ class LocalPlayback {
   [[nodiscard]] Duration position(Instant now) const;
   /// The keyframe under way at a position; where one ends and the next begins, the one that ends.
   [[nodiscard]] StreamPlace place(Duration position) const;
+  /// The time of one picture of a source that has a steady rate of 10 a second or more, such as a
+  /// camera, even if some are missing; nullopt: the keyframes are no pictures of a film.
+  [[nodiscard]] std::optional<Duration> picture_time() const { return picture_time_; }
   /// Whether the clock runs. Stays true at the end until pause().
   [[nodiscard]] bool playing() const { return playing_; }
   /// Whether it has played to the end.
@@ -61,6 +64,9 @@ class LocalPlayback {
   /// The same by the pictures of a film of the stream, `fps` a second from its beginning. The
   /// stream's end counts as the last picture.
   void step_frame(int direction, int fps, Instant now);
+  /// The same by the pictures of the source, which must have a picture_time(): each keyframe is
+  /// one, and where some are missing steps are as long as elsewhere.
+  void step_picture(int direction, Instant now);
   /// Clamped to the limits.
   void set_speed(int percent, Instant now);
   /// Goes to the next of kSpeeds, up (+1) or down (-1).
@@ -91,10 +97,14 @@ class LocalPlayback {
   [[nodiscard]] Duration run(Instant now) const;
   [[nodiscard]] Passed passed(Instant now) const;
   [[nodiscard]] Passed between(Duration from, Duration to) const;
+  /// The next place to step to, and the one before, for step_picture().
+  [[nodiscard]] Duration picture_after(Duration position) const;
+  [[nodiscard]] Duration picture_before(Duration position) const;
   /// From here on the position is counted from `position` at `now`.
   void anchor(Duration position, Instant now);
 
   std::vector<Duration> ends_;
+  std::optional<Duration> picture_time_;
   bool playing_ = false;
   int speed_percent_ = 100;
   Instant anchor_at_{};

@@ -269,6 +269,28 @@ TEST_F(LocalPlaybackTest, RoundsOfALoopCount) {
   EXPECT_EQ(playback_.keyframes_played(clock_.now()), 10U);
 }
 
+TEST(LocalPlaybackJumps, WherePicturesAreMissingStepsAreAsLongAsElsewhere) {
+  aucast::test::ManualClock clock;
+  std::vector<Milliseconds> times(20, Milliseconds(40));
+  times[1] = Milliseconds(121);  // two pictures without a face
+  LocalPlayback playback(times);
+  ASSERT_EQ(playback.picture_time(), Milliseconds(40));
+  std::vector<Duration> on;
+  for (int i = 0; i < 5; ++i) {
+    playback.step_picture(+1, clock.now());
+    on.push_back(playback.position(clock.now()));
+  }
+  EXPECT_EQ(on, (std::vector<Duration>{Milliseconds(40), Milliseconds(80), Milliseconds(120),
+                                       Milliseconds(161), Milliseconds(201)}));
+  for (std::size_t i = on.size() - 1; i-- > 0;) {
+    playback.step_picture(-1, clock.now());
+    EXPECT_EQ(playback.position(clock.now()), on[i]) << i;
+  }
+  playback.step_picture(-1, clock.now());
+  playback.step_picture(-1, clock.now());
+  EXPECT_EQ(playback.position(clock.now()), Duration::zero());
+}
+
 TEST(LocalPlaybackJumps, KeyframesOfNoTimeArePassedOver) {
   aucast::test::ManualClock clock;
   LocalPlayback playback({Milliseconds(0), Milliseconds(100), Milliseconds(0)});

@@ -1,9 +1,11 @@
 #include "client/app/window/playing/local_stream.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
+#include "client/app/window/recording/session_video.h"
 #include "client/gui/texts/texts.h"
 #include "common/overloaded.h"
 
@@ -12,7 +14,7 @@ namespace aucast::app {
 using playback::PlaybackState;
 
 LocalStream::LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name,
-                         int step_fps, Notices& notices)
+                         std::optional<int> step_fps, Notices& notices)
     : playback_(std::move(playback)),
       name_(std::move(name)),
       step_fps_(step_fps),
@@ -22,6 +24,17 @@ LocalStream::LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, s
 bool LocalStream::resume(Instant now) {
   playback_->resume(now);
   return true;
+}
+
+void LocalStream::step_frame(playback::LocalPlayback& playhead, int direction, Instant now) const {
+  if (!step_fps_ && playhead.picture_time()) return playhead.step_picture(direction, now);
+  playhead.step_frame(direction, step_fps(), now);
+}
+
+int LocalStream::step_fps() const {
+  if (step_fps_) return *step_fps_;
+  const auto time = std::as_const(*playback_).playhead().picture_time();
+  return time ? static_cast<int>(std::lround(1 / seconds(*time))) : SessionVideo::kFps;
 }
 
 /// Shows a notice, because the bar with its button may be hidden when the key is pressed.
@@ -47,7 +60,7 @@ bool LocalStream::apply(const gui::LocalCommand& command, Instant now) {
                                return true;
                              },
                              [&](const gui::StepFrame& one) {
-                               playhead.step_frame(one.direction, step_fps_, now);
+                               step_frame(playhead, one.direction, now);
                                return true;
                              },
                              [&](const gui::SetSpeed& one) {
@@ -99,7 +112,7 @@ gui::LocalView LocalStream::local_view() const {
   view.loop_begin = playhead.loop_begin();
   view.loop_end = playhead.loop_end();
   view.repeats = playhead.repeats();
-  view.step_fps = step_fps_;
+  view.step_fps = step_fps();
   view.curves = curves_;
   return view;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "client/app/notices.h"
@@ -14,9 +15,10 @@ namespace aucast::app {
 /// end.
 class LocalStream final : public PlayingStream {
  public:
-  /// `step_fps`: a step by frame is 1 / step_fps s. `notices` must outlive this object.
-  LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name, int step_fps,
-              Notices& notices);
+  /// `step_fps`: a step by frame is 1 / step_fps s; nullopt: a picture of the source if that has a
+  /// steady rate, else one of the window's videos. `notices` must outlive this object.
+  LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name,
+              std::optional<int> step_fps, Notices& notices);
 
   [[nodiscard]] playback::SeekablePlayback& playback() override { return *playback_; }
   [[nodiscard]] const playback::SeekablePlayback& playback() const override { return *playback_; }
@@ -37,11 +39,13 @@ class LocalStream final : public PlayingStream {
   [[nodiscard]] gui::LocalView local_view() const override;
 
  private:
+  void step_frame(playback::LocalPlayback& playhead, int direction, Instant now) const;
+  [[nodiscard]] int step_fps() const;
   void toggle_repeat(playback::LocalPlayback& playhead, Instant now);
 
   std::unique_ptr<playback::SeekablePlayback> playback_;
   std::string name_;
-  int step_fps_;
+  std::optional<int> step_fps_;
   Notices& notices_;
   std::shared_ptr<const gui::AuCurves> curves_;
 };

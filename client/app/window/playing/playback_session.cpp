@@ -7,7 +7,6 @@
 #include "client/app/live_text.h"
 #include "client/app/remote_options.h"
 #include "client/app/window/playing/local_stream.h"
-#include "client/app/window/recording/session_video.h"
 #include "client/gui/model/view_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/playback/seekable_playback.h"
@@ -38,7 +37,7 @@ PlaybackSession::PlaybackSession(const pipeline::AuMapping& mapping, const Playe
 
 // === Playing.
 
-/// A step by frame is a picture of the window's videos or, with --fps, of what is exported.
+/// With --fps, a step by frame is a picture of what is exported.
 std::unique_ptr<PlayingStream> PlaybackSession::stream_of(
     std::unique_ptr<playback::Playback> playback, std::string name) {
   if (playback == nullptr) return nullptr;
@@ -47,8 +46,8 @@ std::unique_ptr<PlayingStream> PlaybackSession::stream_of(
                                           RemoteStream::Server::Chosen);
   }
   std::unique_ptr<playback::SeekablePlayback> whole(playback.release()->seekable());
-  return std::make_unique<LocalStream>(std::move(whole), std::move(name),
-                                       options_.output.fps.value_or(SessionVideo::kFps), notices_);
+  return std::make_unique<LocalStream>(std::move(whole), std::move(name), options_.output.fps,
+                                       notices_);
 }
 
 void PlaybackSession::begin(std::unique_ptr<PlayingStream> stream, Instant now) {

@@ -1,6 +1,7 @@
 #include "client/app/window/playing/local_stream.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -73,6 +74,38 @@ TEST_F(LocalStreamTest, OnlyWhatMovesTheFaceShowsIt) {
   EXPECT_EQ(stream_.local_view().speed_percent, 75);
   EXPECT_FALSE(ask(gui::MarkLoop{}));
   EXPECT_EQ(stream_.local_view().loop_begin, Milliseconds(200));
+}
+
+/// Keyframes of these times.
+std::unique_ptr<playback::SeekablePlayback> of_times(const std::vector<int>& times) {
+  std::vector<playback::Keyframe> keyframes;
+  for (const int ms : times) keyframes.push_back(marked(1, Milliseconds(ms)));
+  return std::make_unique<playback::SeekablePlayback>(std::move(keyframes), Milliseconds(300));
+}
+
+TEST_F(LocalStreamTest, AFrameIsAPictureOfWhatWasRecorded) {
+  LocalStream film(of_times({500, 33, 33, 34, 33, 33, 34}), "camera.csv", std::nullopt, notices_);
+  EXPECT_EQ(film.local_view().step_fps, 30);
+  film.apply(gui::Seek{Milliseconds(500)}, clock_.now());
+  std::vector<Duration> places;
+  const auto step = [&](int direction) {
+    film.apply(gui::StepFrame{direction}, clock_.now());
+    while (film.playback().advance(clock_.now())) {
+    }
+    places.push_back(film.local_view().position);
+  };
+  for (const int direction : {1, 1, 1, -1, -1}) step(direction);
+  const std::vector<Duration> wanted{Milliseconds(533), Milliseconds(566), Milliseconds(600),
+                                     Milliseconds(566), Milliseconds(533)};
+  EXPECT_EQ(places, wanted);
+}
+
+TEST_F(LocalStreamTest, AFrameOfWrittenFacesIsOneOfTheVideos) {
+  for (const std::vector<int>& times :
+       {std::vector{300}, std::vector{500, 500, 500, 500, 500}, std::vector{40, 70, 90, 40, 20}}) {
+    const LocalStream faces(of_times(times), "faces.txt", std::nullopt, notices_);
+    EXPECT_EQ(faces.local_view().step_fps, 25) << times.size();
+  }
 }
 
 TEST_F(LocalStreamTest, WhetherItRepeatsIsSaid) {
