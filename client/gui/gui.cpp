@@ -206,9 +206,8 @@ struct Gui::State {
   FaceForm faces;
   GalleryForm gallery;
   bool panel = true;
-  bool bare = false;         ///< the user wants the face alone
-  bool hidden = false;       ///< panel and bar, until the mouse moves
-  bool full_screen = false;  ///< panel and bar lie over the face
+  bool bare = false;    ///< the user wants the face alone
+  bool hidden = false;  ///< panel and bar, until the mouse moves
   bool keys = false;
   bool drawn = false;  ///< once at least
 
@@ -374,10 +373,6 @@ bool Gui::show_panel() {
   return !std::exchange(state_->panel, true);
 }
 
-void Gui::set_full_screen(bool full_screen) {
-  state_->full_screen = full_screen;
-}
-
 void Gui::set_hidden(bool hidden) {
   state_->hidden = hidden;
 }
@@ -406,7 +401,7 @@ bool Gui::close_notice() {
 }
 
 float Gui::covered_width() const {
-  return state_->shows_panel() && !state_->full_screen ? state_->panel_width() : 0;
+  return state_->shows_panel() ? state_->panel_width() : 0;
 }
 
 bool Gui::wants_keys() const {

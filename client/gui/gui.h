@@ -46,8 +46,6 @@ class Gui {
   bool end_bare();
   /// Shows the panel again; returns whether it was hidden.
   bool show_panel();
-  /// In full screen, panel and bar lie over the face and not beside it.
-  void set_full_screen(bool full_screen);
   /// Hides panel, bar and pointer for now, or shows them again.
   void set_hidden(bool hidden);
   /// Whether the keyboard focus is shown: arrows, Space and the like are for the item that has it.
@@ -59,8 +57,8 @@ class Gui {
   bool close_keys();
   /// Closes the notice about the connection; returns whether there was one.
   bool close_notice();
-  /// The width that the panel takes at the window's right, in ImGui's units; 0 if it is hidden or
-  /// lies over the face.
+  /// The width that the panel takes at the window's right, in ImGui's units; 0 if it is hidden. The
+  /// face is drawn in what is left, in full screen too.
   [[nodiscard]] float covered_width() const;
   /// Whether a text is being typed or a question asked, so that keys are not for the player.
   [[nodiscard]] bool wants_keys() const;

@@ -119,7 +119,6 @@ void WindowOverlay::move_to(float x, float y) {
 
 void WindowOverlay::set_full_screen(bool full_screen, Instant now) {
   curtain_.set_full_screen(full_screen, now);
-  gui_.set_full_screen(full_screen);
 }
 
 bool WindowOverlay::move_curtain(Instant now) {

@@ -175,13 +175,14 @@ TEST_F(Panels, ThePanelLeavesTheFaceFreeAndCanBeHidden) {
   EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
 }
 
-TEST_F(Panels, InFullScreenThePanelLiesOverTheFaceAndGoesAway) {
-  gui_->set_full_screen(true);
-  EXPECT_EQ(gui_->covered_width(), 0) << "the face does not move when the panel goes";
+TEST_F(Panels, WhatAHiddenPanelTookIsTheFaces) {
   EXPECT_GT(bright_pixels(picture(), 0, kWidth), 2000U);
-  gui_->set_hidden(true);
+  const float taken = gui_->covered_width();
+  gui_->set_hidden(true);  // as in full screen, while the mouse is still
+  EXPECT_EQ(gui_->covered_width(), 0);
   EXPECT_EQ(bright_pixels(picture(), 0, kWidth), 0U);
   gui_->set_hidden(false);
+  EXPECT_EQ(gui_->covered_width(), taken);
   EXPECT_GT(bright_pixels(picture(), 0, kWidth), 2000U);
 }
 
