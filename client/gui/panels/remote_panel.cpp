@@ -141,8 +141,8 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   const PlayingView& playing = model.playing;
   const bool connecting = playing.activity == Activity::Connecting;
   const bool paused = playing.activity == Activity::Paused;
-  const bool running =
-      !playing.local && (connecting || paused || playing.activity == Activity::Playing);
+  const bool moves = connecting || paused || playing.activity == Activity::Playing;
+  const bool running = !playing.local && moves;
   // What is mistyped may be corrected while it is tried, and who waits for a server that was lost
   // may try it now.
   const bool corrected = form.settings != model.remote_settings;
@@ -150,15 +150,17 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   const bool may_connect = (!running || corrected || lost) && !wrong;
   const bool pressed = wide_button(tr("play.connect"), 0, 3, may_connect, may_connect);
   if ((pressed && may_connect) || (entered && !wrong)) commands.push_back(Connect{form.settings});
-  const bool resumes = running && paused;
-  if (wide_button(resumes ? tr("play.resume") : tr("play.pause"), 1, 3, running && !connecting)) {
-    if (resumes) {
+  if (wide_button(paused ? tr("play.resume") : tr("play.pause"), 1, 3, moves && !connecting)) {
+    if (paused) {
       commands.push_back(Resume{});
     } else {
       commands.push_back(Pause{});
     }
   }
-  if (wide_button(tr("play.stop"), 2, 3, running)) commands.push_back(Stop{});
+  if (!wide_button(tr("play.stop"), 2, 3, moves)) return;
+  commands.push_back(Stop{});
+  // What is there whole can be played again: it stands at its beginning, not where it was.
+  if (playing.local) commands.push_back(LocalCommand(Seek{}));
 }
 
 /// The choice of gui::Behind, and its numbers.
