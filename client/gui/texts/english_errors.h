@@ -67,6 +67,8 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
      "farthest vertex from the face itself: median {median} mm, nine of ten below {most} mm, worst "
      "{worst} mm ({count} samples)"},
     {"made.no_glb", "stopped; no GLB file was written"},
+    {"bad.no_models",
+     "{file}: the models that read faces are not installed; '{command}' fetches them"},
     // Comes before "made.rows", which matches it too.
     {"bad.no_rows", "{place}: the recording has no rows"},
     {"made.row", "{format}: {rows} row"},

@@ -46,8 +46,14 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"camera.live_one", "Live at {address}, 1 watches."},
     {"camera.live_many", "Live at {address}, {count} watch."},
     {"camera.not_installed",
-     "au-transmitter, which opens the camera, is not installed: it belongs beside face-player or "
-     "in a folder of PATH"},
+     "The camera cannot be opened: the program for it, au-transmitter, is not on this computer. "
+     "Ask "
+     "whoever installed face-player: it belongs beside it, or in a folder of PATH."},
+    {"camera.no_models",
+     "The camera cannot be used yet: what finds a face in its pictures is not on this computer. It "
+     "is free, comes from Google and is fetched once over the Internet. You, or whoever looks "
+     "after this computer, can do that in a terminal:\n\n{command}\n\nThen press Start again. All "
+     "else works without it."},
     {"camera.no_film", "{file}: there is no such film."},
     {"camera.is_folder", "{file} is a folder: name a camera, or a film in it."},
     {"camera.is_picture", "{file} is a picture: name a camera or a film."},

@@ -64,6 +64,10 @@ std::string in_used_language(const std::string& english) {
   return translated(english).value_or(english);
 }
 
+std::vector<std::string> places_said(TextKey row, const std::string& english) {
+  return places_in(english, kEnglish[row.row()].text).value_or(Values());
+}
+
 std::string error_in_used_language(const Error& error) {
   const auto known = translated(error.message);
   if (known || !other_language()) return known.value_or(error.message);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "client/gui/texts/texts.h"
 #include "common/result.h"
 
 namespace aucast::gui {
@@ -13,5 +15,9 @@ namespace aucast::gui {
 /// The same for an error. If no part of it can be translated, a translated sentence about its kind
 /// comes first.
 [[nodiscard]] std::string error_in_used_language(const Error& error);
+
+/// What `english` has at the places of this row of english_errors.h, in their order; empty: it says
+/// something else.
+[[nodiscard]] std::vector<std::string> places_said(TextKey row, const std::string& english);
 
 }  // namespace aucast::gui

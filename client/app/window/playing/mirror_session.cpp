@@ -29,6 +29,9 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
     case Kind::None:
       break;
     case Kind::Said:
+      if (const auto missing = gui::places_said("bad.no_models", trouble.said); !missing.empty()) {
+        return gui::tr("camera.no_models", missing.back());
+      }
       return gui::in_used_language(trouble.said);
     case Kind::NoPictures:
       return film ? gui::tr("camera.film_over") : gui::tr("camera.no_more");

@@ -174,6 +174,22 @@ TEST_F(MirrorSessionTest, WhatItDiedOfStaysToBeReadUntilItStartsAgain) {
   EXPECT_EQ(session_.view().phase, Phase::Starting);
 }
 
+TEST_F(MirrorSessionTest, WhoLacksTheModelsIsToldWhatToDoAndNotWhichFileIsMissing) {
+  session_.apply(gui::StartMirror{"camera"});
+  script_.state.over = true;
+  script_.state.ended = {
+      Trouble::Kind::Said,
+      "/usr/share/aucast/models/detection.tflite: the models that read faces are "
+      "not installed; '/usr/share/aucast/scripts/install_models.sh "
+      "/usr/share/aucast' fetches them"};
+  static_cast<void>(session_.advance());
+  const std::string& trouble = session_.view().trouble;
+  EXPECT_NE(trouble.find("\n/usr/share/aucast/scripts/install_models.sh /usr/share/aucast\n"),
+            std::string::npos)
+      << trouble;
+  EXPECT_EQ(trouble.find("tflite"), std::string::npos) << trouble;
+}
+
 TEST_F(MirrorSessionTest, AnAddressThatIsNoneIsASentenceThatStays) {
   session_.apply(gui::StartMirror{"camera"});
   see();
