@@ -10,6 +10,7 @@
 #include "client/gui/panels/key_list.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/kept_place.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/style.h"
 #include "client/gui/widgets/tips.h"
@@ -196,6 +197,7 @@ struct Gui::State {
   DisplayView display;  ///< what font and style were made for
   Fonts fonts;
   KeyboardFocus focus;
+  KeptPlace kept_place;
   RemoteForm remote;
   ExpressionForm expression;
   EditorForm editor;
@@ -209,7 +211,8 @@ struct Gui::State {
   bool bare = false;    ///< the user wants the face alone
   bool hidden = false;  ///< panel and bar, until the mouse moves
   bool keys = false;
-  bool drawn = false;  ///< once at least
+  bool rows_moved = false;  ///< in the last frame
+  bool drawn = false;       ///< once at least
 
   [[nodiscard]] bool shows_bar() const { return !bare && !hidden; }
   [[nodiscard]] bool shows_panel() const { return panel && shows_bar(); }
@@ -255,7 +258,11 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
             ImGui::BeginChild("contents", ImVec2(room + kScrollBar * look.scale, 0), false,
                               ImGuiWindowFlags_NavFlattened);
         ImGui::PopStyleVar();  // or what pops up from here would have none either
-        if (visible) contents();
+        if (visible) {
+          kept_place.begin();
+          contents();
+          rows_moved = kept_place.end();
+        }
         ImGui::EndChild();
         ImGui::EndTabItem();
       };
@@ -314,6 +321,7 @@ bool Gui::prepare(const DisplayView& display) {
 }
 
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
+  state_->rows_moved = false;
   state_->focus.before_frame(model.browser.open);
   ImGui::NewFrame();
   state_->focus.begin();
@@ -342,6 +350,10 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   if (model.asks_to_leave) leave_question(state_->look, model, commands);
   state_->focus.end();
   ImGui::Render();
+}
+
+bool Gui::rows_moved() const {
+  return state_->rows_moved;
 }
 
 void Gui::set_camera_texture(std::uintptr_t texture) {

@@ -31,6 +31,10 @@ class Gui {
   /// the user asks for is appended to `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);
 
+  /// Whether rows of the panel have moved under the pointer in the last frame; the next one has
+  /// them in their place again, so that one should not be seen.
+  [[nodiscard]] bool rows_moved() const;
+
   /// Sets the texture that has the picture of `mirror.seen`, as ImGui's texture ID; 0: none.
   void set_camera_texture(std::uintptr_t texture);
 

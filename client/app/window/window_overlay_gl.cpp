@@ -39,13 +39,13 @@ void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands)
     ImGui_ImplOpenGL3_CreateFontsTexture();
   }
   // Frames that are made only for pending input are not put on the screen, where each would take
-  // the time of a picture.
+  // the time of a picture; those in which rows have moved would flicker there.
   do {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     feed();
     gui_.draw(model, commands);
-  } while (input_waits() && commands.empty() && keys_.empty());
+  } while ((input_waits() || gui_.rows_moved()) && commands.empty() && keys_.empty());
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -6,6 +6,7 @@
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/kept_place.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 #include "common/action_unit.h"
@@ -220,6 +221,7 @@ void split_row(const Look& look, const ChannelRow& row, GuiCommands& commands) {
 
 void channel_row(const Look& look, const ChannelRow& row, GuiCommands& commands) {
   ImGui::PushID(row.left);
+  mark_row(row.name);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   fitted_text(row.name, at.x + 146 * look.scale);
@@ -264,6 +266,7 @@ void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiComma
   for (const ChannelGroup& group : model.editor.groups) {
     if (another) ImGui::SetNextItemOpen(in_use(group));
     const std::string name(group.name);
+    mark_row(name);
     ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
     const bool open = ImGui::CollapsingHeader(name.c_str());
     ImGui::PopStyleColor();

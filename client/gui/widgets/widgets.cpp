@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/kept_place.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 #include "common/text.h"
@@ -110,6 +111,7 @@ void toned_text(Tone tone, const std::string& text) {
 }
 
 void heading(const Look& look, const std::string& text, const char* help) {
+  mark_row(text);
   ImGui::Dummy(ImVec2(0, 5 * look.scale));
   ImGui::PushFont(look.bold);
   ImGui::TextUnformatted(text.c_str());
@@ -132,6 +134,7 @@ void fitted_text(const std::string& text, float right, unsigned colour) {
 }
 
 void label(const Look& look, const char* text, const char* help) {
+  mark_row(text);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
   tip(help);
@@ -179,6 +182,7 @@ bool wide_button(const char* text, int share, int shares, bool enabled, bool imp
   const float needed = ImGui::CalcTextSize(text).x + 2 * padding.x;
   const float each = std::min(std::max(even, needed), width);
   if (share > 0 && has_room_beside(each)) ImGui::SameLine();
+  mark_row(text);
   if (important) {
     const ImVec4 lighter = ImGui::GetStyleColorVec4(ImGuiCol_PlotLinesHovered);
     ImGui::PushStyleColor(ImGuiCol_Button, accent());
@@ -410,6 +414,7 @@ void au_table(const Look& look, const AuTableWords& words, const std::vector<AuR
   for (const AuRow& row : rows) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    mark_row(row.label);
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name.c_str());

@@ -221,17 +221,6 @@ TEST_F(Panels, EscapeClosesADropDown) {
   EXPECT_FALSE(gui_->wants_keys());
 }
 
-TEST_F(Panels, AFileThatPlaysCanBePausedAndStoppedToo) {
-  model_.playing.local = true;
-  model_.local = three_keyframes();
-  EXPECT_TRUE(find_by_clicking<Pause>(590, 100, 260).has_value());
-  const auto begin = find_by_clicking<Seek>(700, 100, 260);
-  ASSERT_TRUE(begin.has_value()) << "back to its beginning";
-  EXPECT_EQ(begin->position, Duration::zero());
-  model_.playing.activity = Activity::Paused;
-  EXPECT_TRUE(find_by_clicking<Resume>(590, 100, 260).has_value());
-}
-
 TEST_F(Panels, WhatPlaysCanBePausedAndStopped) {
   EXPECT_TRUE(find_by_clicking<Pause>(590, 100, 260).has_value());
   EXPECT_TRUE(find_by_clicking<Stop>(700, 100, 260).has_value());

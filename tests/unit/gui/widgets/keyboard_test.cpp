@@ -552,5 +552,23 @@ TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {
   EXPECT_NE(ImGui::GetCurrentContext()->NavWindow, welcome);
 }
 
+TEST_F(Keyboard, AFileThatPlaysIsPausedAndStoppedBesideConnectToo) {
+  play_something();
+  model_.playing.local = true;
+  model_.playing.activity = Activity::Playing;
+  ASSERT_TRUE(go_to(tr("play.pause")));
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<Pause>());
+  ASSERT_TRUE(go_to(tr("play.stop")));
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<Seek>()) << "back to its beginning";
+  EXPECT_EQ(asked<Seek>()->position, Duration::zero());
+  model_.playing.activity = Activity::Paused;
+  frames(2);
+  ASSERT_TRUE(go_to(tr("play.resume")));
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<Resume>());
+}
+
 }  // namespace
 }  // namespace aucast::gui
