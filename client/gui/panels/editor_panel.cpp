@@ -118,7 +118,11 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
     if (entry.number == number) shown = title_of(entry);
   }
   if (number >= 0 && shown == none) shown = tr("editor.new", number);
-  if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+  const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
+  if (!open) {
+    if (number >= 0) tip(shown);  // it may be cut
+    return false;
+  }
   bool chosen = false;
   for (const AuEntry& entry : *model.known_aus) {
     if (list_item(title_of(entry), entry.number == number)) {

@@ -75,9 +75,10 @@ bool face_tile(const Look& look, const FaceEntry& face, const std::string& name,
                  (shown ? 2.0F : 1.0F) * look.scale);
   }
   name_below(look, name, ImVec2(at.x, to.y + 2 * look.scale), width);
-  if (unreadable || face.kind != FaceKind::Shipped) {
-    tip(face.folder + (unreadable ? "\n" + in_used_language(wrong->second) : ""));
-  }
+  std::string about = ImGui::CalcTextSize(name.c_str()).x > width ? name + "\n" : std::string();
+  if (unreadable || face.kind != FaceKind::Shipped) about += face.folder;
+  if (unreadable) about += "\n" + in_used_language(wrong->second);
+  tip(about);
   return chosen;
 }
 

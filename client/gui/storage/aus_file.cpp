@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "client/gui/texts/texts.h"
+#include "common/action_unit.h"
 #include "common/text.h"
 #include "common/toml_document.h"
 #include "common/toml_writer.h"
@@ -147,8 +149,12 @@ Drive drive_of(const face::Face& face, const std::vector<float>& activations) {
 std::string drive_in_words(const Drive& drive) {
   std::string text;
   for (const auto& [name, value] : drive) {
-    std::string plain = name;
+    const auto [side, base] = split_side(name);
+    std::string plain(base);
     std::replace(plain.begin(), plain.end(), '_', ' ');
+    plain = data_word(plain);
+    if (side == Side::Left) plain = tr("editor.left_one", plain);
+    if (side == Side::Right) plain = tr("editor.right_one", plain);
     std::array<char, 16> number{};
     std::snprintf(number.data(), number.size(), "%.3g", static_cast<double>(value));
     text += (text.empty() ? "" : ", ") + plain + ' ' + number.data();

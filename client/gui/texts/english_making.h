@@ -52,6 +52,8 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
      "Choose an AU, or begin with the face as it is: move the muscles below, then save it under a "
      "number."},
     {"editor.muscles", "Muscles"},
+    {"editor.left_one", "left {muscle}"},
+    {"editor.right_one", "right {muscle}"},
     {"editor.show_tip", "the face shows something else: show what these sliders say, and pause"},
     {"expression.none_found", "none has these words"},
     {"expression.more", "more"},

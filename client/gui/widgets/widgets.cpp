@@ -417,7 +417,10 @@ void au_table(const Look& look, const AuTableWords& words, const std::vector<AuR
     mark_row(row.label);
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.name.c_str());
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const bool cut = ImGui::CalcTextSize(row.name.c_str()).x > ImGui::GetContentRegionAvail().x;
+    fitted_text(row.name, right);
+    if (cut) tip(row.name);
     if (!row.why.empty()) {
       quiet_text(row.why);
       tip(tr("tip.rule"));

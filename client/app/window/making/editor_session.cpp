@@ -161,6 +161,7 @@ AuFrame EditorSession::explained(std::span<float> target) {
 }
 
 void EditorSession::change_language() {
+  list_aus();
   if (compound_.empty()) return;
   std::vector<float> unused(shown_.size());
   static_cast<void>(explained(unused));

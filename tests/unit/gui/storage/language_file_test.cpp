@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include "client/face/face_folder.h"
 #include "common/action_unit.h"
 #include "common/toml_document.h"
 #include "tests/support/temp_folder.h"
@@ -60,6 +61,19 @@ TEST(LanguageFile, FrenchIsWhole) {
     const TomlValue* label = one.find("label");
     if (label == nullptr) continue;
     EXPECT_TRUE(french->words.contains(label->text)) << label->text;
+  }
+}
+
+TEST(LanguageFile, FrenchHasTheNamesOfWhatMovesTheFace) {
+  const auto french = load_language(kShipped / "languages" / "fr.toml");
+  ASSERT_TRUE(french) << french.error().message;
+  const auto face = face::load_face(kShipped / "faces" / "default", kShipped);
+  ASSERT_TRUE(face) << face.error().message;
+  for (const face::Channel& channel : face->channels) {
+    std::string name(split_side(channel.name).base);
+    if (!face->channel_index(sided_name(Side::Left, name))) name = channel.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    EXPECT_TRUE(french->words.contains(name)) << name;
   }
 }
 

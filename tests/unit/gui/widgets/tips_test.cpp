@@ -88,6 +88,23 @@ TEST_F(Tips, EveryWordOfAChoiceIsExplained) {
   EXPECT_TRUE(silent.empty()) << silent.size() << " without a tooltip";
 }
 
+TEST_F(Tips, ANameThatATableCutsIsWholeInItsTip) {
+  ImGui::GetIO().DisplaySize = ImVec2(800, 1600);
+  const auto said_of = [&](const std::string& name) {
+    model_.playing.aus = {{"97", name, 100, 100, ""}};
+    frames(3);
+    const ImRect panel = rect_of("panel");
+    int said = 0;
+    for (float y = contents()->DC.CursorMaxPos.y; y > contents()->DC.CursorMaxPos.y - 30; y -= 5) {
+      point_at(panel.Min.x + 70, y);
+      said += tooltip() == nullptr ? 0 : 1;
+    }
+    return said;
+  };
+  EXPECT_EQ(said_of("Short"), 0);
+  EXPECT_GT(said_of("A name of one's own that has more words than a table of this width"), 0);
+}
+
 TEST_F(Tips, WhatIsSaidOfAButtonGoesWhenItIsClicked) {
   const ImRect panel = rect_of("panel");
   ImGuiIO& io = ImGui::GetIO();
