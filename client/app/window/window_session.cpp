@@ -285,6 +285,7 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
     const std::string name = file.empty() ? gui::tr("said.composed") : file.filename().string();
     playback_.open(std::move(keyframes), name, now);
     show(Shown::Playback);
+    if (composer_.begun()) say(gui::tr("said.not_added"), false, now);
   }
   if (std::holds_alternative<gui::SaveComposition>(command)) files_.save_composition(now);
 }
@@ -455,8 +456,7 @@ gui::GuiModel WindowSession::model() const {
   model.notice = notices_.view();
   model.animation = settings_.animation();
   model.editor = editor_.view(shown_ == Shown::Editor);
-  model.composer = composer_.view();
-  model.composer.active = shown_ == Shown::Composer;
+  model.composer = composer_.view(shown_ == Shown::Composer);
   if (shown_ != Shown::Playback) {
     model.playing.aus = model.editor.active && !model.editor.compound.empty()
                             ? model.editor.compound

@@ -37,6 +37,8 @@ class Composer {
   [[nodiscard]] const std::string& file() const { return history_.now().file; }
   /// Whether there are changes to be saved, or a new keyframe that was not added.
   [[nodiscard]] bool unsaved() const;
+  /// Whether a new keyframe was begun and has not been added.
+  [[nodiscard]] bool begun() const { return history_.now().fresh_touched; }
   [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
   [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
   /// A number that grows with every change.

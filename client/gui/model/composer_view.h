@@ -30,6 +30,7 @@ struct ComposedAu {
 
 struct ComposerView {
   bool active = false;    ///< the face shows the keyframe being composed
+  bool aside = false;     ///< something is being composed, but the face shows something else
   bool can_take = false;  ///< the face shows AUs that do not come from the composer
   std::shared_ptr<const std::vector<TimelineRow>> rows;  ///< never null
   std::string total;                                     ///< "3 keyframes, 1.5 s"
@@ -77,6 +78,8 @@ struct MoveKeyframe {
 struct UndoComposing {};
 struct RedoComposing {};
 struct NewComposition {};
+/// Shows the keyframe being composed on the face again.
+struct ShowComposed {};
 struct PlayComposition {};
 /// Saves in the file that the stream came from; asks for one if there is none.
 struct SaveComposition {};
@@ -84,6 +87,6 @@ struct SaveComposition {};
 using ComposerCommand =
     std::variant<ComposeAu, ComposeMood, ComposeNeutral, ComposeShown, ComposeTime, AddKeyframe,
                  ChooseKeyframe, RemoveKeyframe, MoveKeyframe, UndoComposing, RedoComposing,
-                 NewComposition, PlayComposition, SaveComposition>;
+                 NewComposition, ShowComposed, PlayComposition, SaveComposition>;
 
 }  // namespace aucast::gui

@@ -216,24 +216,10 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) 
   quiet_text(tr("play.next_help"));
 }
 
-/// The heading, and at its right a way to the table of AUs, which is last and may be far below.
-void server_heading(const Look& look, RemoteForm& form) {
-  const float top = ImGui::GetCursorPosY() + 5 * look.scale + ImGui::GetStyle().ItemSpacing.y;
-  heading(look, tr("play.server"));
-  const ImVec2 below = ImGui::GetCursorPos();
-  const char* const text = tr("play.aus");
-  const float width = ImGui::CalcTextSize(text).x + ImGui::GetStyle().FramePadding.x * 2;
-  const float inset = 2 * look.scale;
-  ImGui::SetCursorPos(ImVec2(ImGui::GetContentRegionMax().x - width, top - inset));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, inset));
-  form.to_aus |= ImGui::Button(with_id(text, "jump").c_str());
-  ImGui::PopStyleVar();
-  tip(tr("play.to_aus_tip"));
-  ImGui::SetCursorPos(below);
-}
-
 void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
-  server_heading(look, form);
+  // The table of AUs is last and may be far below.
+  form.to_aus |= heading_with_button(look, tr("play.server"), "", tr("play.aus"), "jump",
+                                     tr("play.to_aus_tip"));
   const bool entered = address(model, form);
   stream(look, model, form, commands);
   const auto wrong = form.wrong ? form.wrong : problem(form.settings);

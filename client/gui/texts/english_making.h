@@ -25,6 +25,7 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"compose.double", "Copy"},
     {"compose.add", "Add it"},
     {"compose.take", "Take"},
+    {"compose.show_tip", "the face shows something else: show this keyframe, and pause"},
     {"compose.take_tip", "the AUs that the face shows now, playing or as an expression"},
     {"curves.title", "Curves of {count} AUs"},
     {"curves.help", "Percent at the playing position, or at the pointer; a click seeks."},

@@ -213,6 +213,9 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"said.saved", "saved in {file}"},
     {"said.saved_kept", "saved in {file}; the previous version is {kept}"},
     {"said.nothing_to_save", "there are no keyframes to save: add one first"},
+    {"said.not_added",
+     "the new keyframe is not played, since it has not been added yet: it waits on the Compose "
+     "tab"},
     {"said.composed", "composed stream"},
     {"said.face_copied", "{face} is a face of your own, in {folder}"},
     {"said.face_renamed", "the face is called {face} now, in {folder}"},

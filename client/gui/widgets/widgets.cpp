@@ -120,6 +120,23 @@ void heading(const Look& look, const std::string& text, const char* help) {
   ImGui::Dummy(ImVec2(0, 0));
 }
 
+bool heading_with_button(const Look& look, const std::string& text, const char* help,
+                         const char* button, const char* id, const char* button_help) {
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const float inset = 2 * look.scale;
+  const float top = ImGui::GetCursorPosY() + 5 * look.scale + ImGui::GetStyle().ItemSpacing.y;
+  heading(look, text, help);
+  const ImVec2 below = ImGui::GetCursorPos();
+  const float width = ImGui::CalcTextSize(button).x + 2 * padding.x;
+  ImGui::SetCursorPos(ImVec2(ImGui::GetContentRegionMax().x - width, top - inset));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(padding.x, inset));
+  const bool pressed = ImGui::Button(with_id(button, id).c_str());
+  ImGui::PopStyleVar();
+  tip(button_help);
+  ImGui::SetCursorPos(below);
+  return pressed;
+}
+
 void fitted_text(const std::string& text, float right, unsigned colour) {
   const float offset = ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
   const ImVec2 at = ImGui::GetCursorScreenPos();

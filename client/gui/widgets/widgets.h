@@ -47,6 +47,10 @@ void toned_text(Tone tone, const std::string& text);
 
 /// Writes a heading with space above it. `help`: its tooltip.
 void heading(const Look& look, const std::string& text, const char* help = "");
+/// The same with a small button at the right end of its line, whose identity is `id`. Returns
+/// whether that was pressed.
+[[nodiscard]] bool heading_with_button(const Look& look, const std::string& text, const char* help,
+                                       const char* button, const char* id, const char* button_help);
 /// Writes one line, cut short with "..." if it would go beyond the screen position `right`.
 /// `colour` 0: the normal one.
 void fitted_text(const std::string& text, float right, unsigned colour = 0);

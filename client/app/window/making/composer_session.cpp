@@ -51,6 +51,7 @@ bool ComposerSession::apply(const gui::ComposerCommand& command) {
       std::holds_alternative<gui::SaveComposition>(command)) {
     return false;
   }
+  if (std::holds_alternative<gui::ShowComposed>(command)) return true;
   const bool shows = !std::holds_alternative<gui::ComposeTime>(command);
   if (shows) pad_at_.reset();
   const Overloaded carry_out{
@@ -79,6 +80,7 @@ bool ComposerSession::apply(const gui::ComposerCommand& command) {
       [&](const gui::RedoComposing&) { composer_.redo(); },
       [&](const gui::NewComposition&) { composer_.begin_anew(); },
       [](const gui::ComposeShown&) {},
+      [](const gui::ShowComposed&) {},
       [](const gui::PlayComposition&) {},
       [](const gui::SaveComposition&) {}};
   std::visit(carry_out, command);
@@ -139,8 +141,10 @@ std::vector<playback::Keyframe> ComposerSession::keyframes() const {
   return keyframes;
 }
 
-gui::ComposerView ComposerSession::view() const {
+gui::ComposerView ComposerSession::view(bool active) const {
   gui::ComposerView view;
+  view.active = active;
+  view.aside = !active && composes();
   const gui::ComposedKeyframe& current = composer_.current();
   view.rows = rows_;
   view.total = total_;

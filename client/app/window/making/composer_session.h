@@ -44,11 +44,15 @@ class ComposerSession {
   /// The AUs of the current keyframe.
   [[nodiscard]] const AuFrame& aus() const { return composer_.current().aus; }
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
+  /// Whether a new keyframe was begun and has not been added to the stream.
+  [[nodiscard]] bool begun() const { return composer_.begun(); }
+  /// Whether there is a keyframe being composed: a new one that was begun, or a chosen one.
+  [[nodiscard]] bool composes() const { return begun() || composer_.chosen(); }
   /// The file that the stream was loaded from or saved to; empty: none yet.
   [[nodiscard]] std::filesystem::path file() const { return composer_.file(); }
   [[nodiscard]] std::vector<playback::Keyframe> keyframes() const;
-  /// The view without `active`, which the caller sets.
-  [[nodiscard]] gui::ComposerView view() const;
+  /// `active`: whether the composer's face is shown.
+  [[nodiscard]] gui::ComposerView view(bool active) const;
 
  private:
   void list_keyframes();

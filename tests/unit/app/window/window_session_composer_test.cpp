@@ -64,6 +64,25 @@ TEST_F(WindowSessionComposerTest, WhatIsComposedIsPlayed) {
   EXPECT_EQ(shown("jaw"), 0);
 }
 
+TEST_F(WindowSessionComposerTest, AKeyframeThatWasBegunWaitsWhileSomethingElsePlays) {
+  make_two();
+  compose(gui::PlayComposition{});
+  EXPECT_EQ(model().notice.text, "") << "all of it is played";
+  compose(gui::ComposeAu{26, 40, 40, false});
+  EXPECT_FALSE(model().composer.aside);
+  const float jaw = shown("jaw");
+  compose(gui::PlayComposition{});
+  EXPECT_NE(model().notice.text, "") << "the new keyframe is not played";
+  EXPECT_TRUE(model().composer.aside);
+  EXPECT_TRUE(model().composer.unsaved);
+  go_on(Milliseconds(100));
+  compose(gui::ShowComposed{});
+  EXPECT_TRUE(model().composer.active);
+  EXPECT_FALSE(model().composer.aside);
+  EXPECT_FLOAT_EQ(shown("jaw"), jaw);
+  EXPECT_EQ(model().playing.activity, gui::Activity::Paused);
+}
+
 TEST_F(WindowSessionComposerTest, ThePadBlendsThePrototypesOfTheData) {
   ASSERT_GE(model().composer.pad->size(), 6U);
   for (const gui::PadPoint& point : *model().composer.pad) {

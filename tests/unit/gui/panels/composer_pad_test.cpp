@@ -52,5 +52,22 @@ TEST_F(Pad, AClickOnAWordChoosesItsPrototype) {
   hold(word, false);
 }
 
+TEST_F(Pad, WhoComesBackSeesWhatIsComposedUnlessSomethingPlays) {
+  model_.composer.aside = true;
+  ASSERT_TRUE(go_to_tab("View"));
+  commands_.clear();
+  model_.playing.activity = Activity::Playing;
+  ASSERT_TRUE(go_to_tab("Compose"));
+  EXPECT_FALSE(asked<ShowComposed>());
+  ASSERT_TRUE(go_to("###composed"));
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<ShowComposed>()) << "but it is a click away";
+  ASSERT_TRUE(go_to_tab("View"));
+  commands_.clear();
+  model_.playing.activity = Activity::Over;
+  ASSERT_TRUE(go_to_tab("Compose"));
+  EXPECT_TRUE(asked<ShowComposed>());
+}
+
 }  // namespace
 }  // namespace aucast::gui
