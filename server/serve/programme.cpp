@@ -70,12 +70,13 @@ bool Programme::is_own(const std::string& name) const {
 
 std::optional<protocol::ErrorReply> Programme::publish_refused(
     const protocol::HelloAsked& hello) const {
-  if (stopped_) return protocol::ErrorReply{503, "the server stops"};
   if (is_own(hello.publish)) {
     return protocol::ErrorReply{
         409, "the stream '" + hello.publish + "' is one of this server's own; use another name"};
   }
-  return pushed_.refusal(hello);
+  if (auto refusal = pushed_.refusal(hello)) return refusal;
+  if (stopped_) return protocol::ErrorReply{503, "the server stops"};
+  return std::nullopt;
 }
 
 /// Replaces the pushed streams in the catalogue by the present ones, after our own.

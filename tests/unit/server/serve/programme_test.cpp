@@ -160,6 +160,20 @@ TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
   EXPECT_NE(programme.catalogue()->streams[0].recorded(), nullptr);
 }
 
+TEST_F(ProgrammeTest, APublisherOfATakenNameHearsThatBeforeThatTheServerStops) {
+  options_.credentials.publishers = "publishers";
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  const auto publish_refused = programme.catalogue()->publish_refused;
+  programme.stop();
+  protocol::HelloAsked hello;
+  hello.publish = "a";
+  ASSERT_TRUE(publish_refused(hello));
+  EXPECT_EQ(publish_refused(hello)->code, 409) << "the order of PROTOCOL.md";
+  hello.publish = "talk";
+  ASSERT_TRUE(publish_refused(hello));
+  EXPECT_EQ(publish_refused(hello)->code, 503);
+}
+
 TEST_F(ProgrammeTest, NeedsNoStreamOfItsOwnWherePublishersBringThem) {
   options_.credentials.publishers = "publishers";
   Programme& programme = begin(catalogue_of({}));
