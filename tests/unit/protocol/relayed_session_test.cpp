@@ -144,6 +144,14 @@ TEST_F(RelayedSession, AHalfClosedClientGetsWhatStillComesWhileItHasAnswersLeft)
   EXPECT_EQ(wake(), "{1}{-2}|!finished");
 }
 
+TEST_F(RelayedSession, AHalfClosedClientMayWaitForItsStreamToo) {
+  EXPECT_EQ(hear("11"), "");
+  EXPECT_EQ(half_close(), "") << "nothing is known yet";
+  auto stream = grow();
+  stream->extent = Extent::Whole;
+  EXPECT_EQ(wake(), "{1}{-2}|!finished");
+}
+
 TEST_F(RelayedSession, AHalfClosedClientIsGoneWhenWhatCameCannotBeAnswered) {
   auto stream = grow();
   EXPECT_EQ(hear("1"), "{1}");
