@@ -92,6 +92,7 @@ Reaction AuReader::connected(Instant now, Duration round_trip) {
   status_.connected = true;
   status_.receive_seconds = 0;
   waiting_.clear();
+  called_for_speak_ = false;  // the call may have come while there was no connection to speak on
   Reaction reaction;
   reaction.changed = true;
   react(session_.on_connected(now), reaction, now);
@@ -175,6 +176,7 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
 }
 
 Reaction AuReader::speak(Instant now) {
+  called_for_speak_ = false;
   Reaction reaction;
   answer(reaction.send);
   reaction.changed = !reaction.send.empty();
@@ -386,6 +388,12 @@ bool AuReader::ready() const {
 bool AuReader::has_words() const {
   if (status_.end != EndReason::NotEnded || !status_.connected) return false;
   return (!waiting_.empty() && digests()) || ledger_.has_words(session_, wishes(), now_);
+}
+
+bool AuReader::calls_for_speak() {
+  if (called_for_speak_ || !has_words()) return false;
+  called_for_speak_ = true;
+  return true;
 }
 
 void AuReader::set_paused(bool paused) {

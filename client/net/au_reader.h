@@ -110,6 +110,9 @@ class AuReader {
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
   [[nodiscard]] bool has_words() const;
+  /// Whether speak() must be called: it would do something, and this has not been answered with
+  /// true since it was called last.
+  [[nodiscard]] bool calls_for_speak();
   void set_paused(bool paused);
   /// The user leaves: take() returns nullopt from now on.
   void leave();
@@ -150,6 +153,7 @@ class AuReader {
   std::deque<playback::Keyframe> kept_;      ///< case A: came when both buffers were full
   std::string waiting_;                      ///< received bytes that wait for room in kept_
   AnswerLedger ledger_;
+  bool called_for_speak_ = false;
   bool user_paused_ = false;
   bool stopped_ = false;           ///< by leave()
   playback::SourceStatus status_;  ///< what status() does not get from the other members

@@ -3,13 +3,13 @@
 namespace aucast::net {
 
 std::optional<playback::Keyframe> ConnectedSource::take() {
-  bool has_words = false;
-  auto keyframe = reader_.with([&has_words](AuReader& reader) {
+  bool speaks = false;
+  auto keyframe = reader_.with([&speaks](AuReader& reader) {
     auto taken = reader.take();
-    has_words = reader.has_words();
+    speaks = reader.calls_for_speak();
     return taken;
   });
-  if (has_words) speak();
+  if (speaks) speak();
   return keyframe;
 }
 

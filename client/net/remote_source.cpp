@@ -1,6 +1,5 @@
 #include "client/net/remote_source.h"
 
-#include <atomic>
 #include <chrono>
 #include <system_error>
 #include <thread>
@@ -63,11 +62,7 @@ class RemoteSource::Network {
 
   /// The player has asked the reader for something, after which it may have something to send.
   void post_speak() {
-    if (speak_posted_.exchange(true)) return;
-    asio::post(io_, [this] {
-      speak_posted_ = false;
-      connection_.speak(std::chrono::steady_clock::now());
-    });
+    asio::post(io_, [this] { connection_.speak(std::chrono::steady_clock::now()); });
   }
   void post_leave() {
     asio::post(io_, [this] { connection_.leave(); });
@@ -130,7 +125,6 @@ class RemoteSource::Network {
                                peer_names(options_),
                                {[this](Milliseconds wait) { dial_after(wait); }, [this] { end(); },
                                 [this] { tell_player(); }}};
-  std::atomic<bool> speak_posted_{false};
   std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };
 

@@ -46,10 +46,10 @@ struct RemoteOptions {
 };
 
 /// The keyframes of a server. A thread of its own, the network thread, dials and runs a
-/// ServerConnection. This and the player's thread share the AuReader, behind a lock, and a flag
-/// of a post under way; what the player asks of the network thread is posted to it. A failure shows
-/// in status(): Unreachable, ConnectionLost, ProtocolError or Refused, with a sentence for the
-/// user. Keyframes received before are still returned.
+/// ServerConnection. This and the player's thread share the AuReader, behind a lock; what the
+/// player asks of the network thread is posted to it. A failure shows in status(): Unreachable,
+/// ConnectionLost, ProtocolError or Refused, with a sentence for the user. Keyframes received
+/// before are still returned.
 class RemoteSource final : public ConnectedSource {
  public:
   explicit RemoteSource(RemoteOptions options);  ///< starts connecting at once

@@ -189,6 +189,21 @@ TEST(AuReader, PausesInsteadOfAnsweringWhenBothBuffersAreFull) {
   EXPECT_EQ(reading.reader.status().resumes_sent, 2U);
 }
 
+TEST(AuReader, CallsForSpeakOnceUntilItHasSpoken) {
+  Reading reading(kTiny, true);
+  for (const auto* packet : {"{1}", "{2}", "{4}"}) reading.feed(packet);
+  EXPECT_FALSE(reading.reader.calls_for_speak());
+  reading.take();
+  EXPECT_TRUE(reading.reader.calls_for_speak());
+  EXPECT_FALSE(reading.reader.calls_for_speak()) << "one is on its way";
+  EXPECT_EQ(reading.speak(), "-3");
+  EXPECT_EQ(reading.feed("{5}"), "-1");
+  reading.take();
+  EXPECT_TRUE(reading.reader.calls_for_speak()) << "again";
+  static_cast<void>(reading.reader.connected(reading.clock.now()));
+  EXPECT_TRUE(reading.reader.calls_for_speak()) << "the last connection's call was in vain";
+}
+
 TEST(AuReader, PlaysTheKeptKeyframeWhenTheConnectionIsLost) {
   Reading reading(kTiny, true);
   for (const auto* packet : {"{1}", "{2}", "{4}"}) reading.feed(packet);
