@@ -117,6 +117,10 @@ void Reception::on_over(const Parent::Outcome& outcome) {
     silent_since_ = steady_clock::now();
     await_giving_up();
     if (!outcome.in_order) ++losses_;
+  } else if (state_ == State::GivenUp) {
+    // Since its hello, clients have been waiting for what it would send.
+    stream_.give_up();
+    events_.on_moment();
   }
   if (stream_.whole() && state_ != State::Whole) {
     state_ = State::Whole;
