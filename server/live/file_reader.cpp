@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <utility>
@@ -159,7 +160,11 @@ std::string FileReader::changed() const {
 void FileReader::begin_anew(const std::string& why) {
   if (replaced()) {
     Descriptor now(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-    if (!now.open()) return;
+    if (!now.open()) {
+      // One that has just gone may be replaced in its turn.
+      if (errno != ENOENT) events_.on_failure(unreadable_now(path_));
+      return;
+    }
     file_ = std::move(now);
     watch_file();
   }

@@ -188,6 +188,21 @@ TEST_F(LiveInputTest, AFollowedFileThatDidNotJustGrowIsReadAnew) {
   EXPECT_TRUE(comes("3rd and on, grown")) << "the new one is followed";
 }
 
+TEST_F(LiveInputTest, AFollowedFileWhoseReplacementCannotBeOpenedIsAnErrorUntilOneCan) {
+  const auto path = folder_.write("a.txt", "one");
+  LiveInput& input = make(path, true);
+  ASSERT_TRUE(input.start());
+  EXPECT_TRUE(comes("one"));
+  std::filesystem::remove(path);
+  EXPECT_TRUE(catches_up());
+  EXPECT_FALSE(input.failure()) << "the next one may come";
+  ASSERT_EQ(::mknod(path.c_str(), S_IFSOCK | 0600, 0), 0);
+  EXPECT_TRUE(test::run_until(io_, [&] { return input.failure().has_value(); }));
+  std::filesystem::rename(folder_.write("b.txt", "two"), path);
+  EXPECT_TRUE(comes("two"));
+  EXPECT_FALSE(input.failure());
+}
+
 /// How many files inotify watches for this process.
 std::size_t watched_files() {
   std::size_t count = 0;
