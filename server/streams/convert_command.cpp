@@ -200,6 +200,11 @@ Result<Converted> convert_each(const ConvertOptions& options, const SayProgress&
   std::vector<std::filesystem::path> sources{options.in};
   if (!options.out.empty()) sources.push_back(options.out);
   sources.insert(sources.end(), options.more.begin(), options.more.end());
+  const SignalOptions& signal = options.source.signal;
+  if (sources.size() > 1 && !signal.save_profile.empty() && measures_neutral(signal)) {
+    return convert_usage("--save-profile with --neutral takes one source, and there are " +
+                         std::to_string(sources.size()));
+  }
   std::set<std::string> names;
   for (const std::filesystem::path& source : sources) {
     if (!names.insert(source.stem().string()).second) {

@@ -82,6 +82,21 @@ TEST(Convert, WhatCannotBeWrittenLeavesTheProfileAsItWas) {
   EXPECT_NE(folder.read("profile.toml"), "of before");
 }
 
+TEST(Convert, AProfileIsMeasuredInOneSource) {
+  const TempFolder folder;
+  const auto a = folder.write("a.csv", sources::tables::kOpenFace1).string();
+  const auto b = folder.write("b.csv", sources::tables::kOpenFace1).string();
+  const auto to = (folder.path() / "to").string();
+  std::filesystem::create_directory(to);
+  const auto profile = (folder.path() / "me.toml").string();
+  const auto both = run_convert({"--neutral", "1", "--save-profile", profile, "--to", to, a, b});
+  ASSERT_FALSE(both);
+  EXPECT_EQ(both.error().message,
+            "--save-profile with --neutral takes one source, and there are 2 (try convert --help)");
+  EXPECT_FALSE(std::filesystem::exists(profile));
+  EXPECT_TRUE(run_convert({"--neutral", "1", "--save-profile", profile, "--to", to, a}));
+}
+
 TEST(Convert, WrongCommandLinesAreRefused) {
   EXPECT_EQ(run_convert({"a"}).error().message,
             "convert needs two files, IN and OUT, or --to DIR and files (try convert --help)");
