@@ -7,11 +7,12 @@
 
 namespace aucast::app {
 
-/// Warns on the terminal of each loss of the connection after which it is tried again, once.
+/// Finds each loss of the connection after which it is tried again, once.
 class LossWarnings {
  public:
-  /// Call it often while there is nothing to play.
-  void look_at(const playback::Playback& playback);
+  /// The warning of a loss that was not told of before; else empty. Call it often while there is
+  /// nothing to play.
+  [[nodiscard]] std::string look_at(const playback::Playback& playback);
 
  private:
   std::string said_;          ///< the last warning

@@ -11,7 +11,13 @@ ProgressLine::ProgressLine(bool wanted)
     : wanted_(wanted), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-  if (shown_ && terminal_) std::fputc('\n', stderr);
+  interrupt();
+}
+
+void ProgressLine::interrupt() {
+  if (shown_) std::fputc('\n', stderr);
+  shown_ = false;
+  length_ = 0;
 }
 
 bool ProgressLine::is_due(bool last) {
@@ -37,9 +43,8 @@ void ProgressLine::write(const std::string& text) {
 
 void ProgressLine::end_with(const std::string& text) {
   if (!wanted_) return;
-  std::fprintf(stderr, "%s%s\n", shown_ ? "\n" : "", text.c_str());
-  shown_ = false;
-  length_ = 0;
+  interrupt();
+  std::fprintf(stderr, "%s\n", text.c_str());
 }
 
 }  // namespace aucast::app

@@ -21,6 +21,8 @@ class ProgressLine {
     if (is_due(last)) write(text());
   }
 
+  /// Ends the line, so that something else can be written; show() begins another one.
+  void interrupt();
   /// Ends the line and writes one of its own below it.
   void end_with(const std::string& text);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <thread>
 
 #include "client/app/live_text.h"
@@ -67,7 +68,10 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     sound.advanced();
     sound.face_shown();
     if (sound.take_loss()) spdlog::warn("the sound device plays no more; going on without it");
-    if (!playback.next_position_at()) losses.look_at(playback);
+    if (!playback.next_position_at()) {
+      if (const std::string loss = losses.look_at(playback); !loss.empty())
+        spdlog::warn("{}", loss);
+    }
     if (playback.state() != state) {
       state = playback.state();
       spdlog::info("{}", playback::name(state));

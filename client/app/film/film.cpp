@@ -129,6 +129,11 @@ class Film {
 
   [[nodiscard]] pipeline::Player& player() { return player_; }
 
+  void warn(const std::string& text) {
+    progress_.interrupt();
+    spdlog::warn("{}", text);
+  }
+
   Result<void> finish() {
     stats_.sound.voice = sound_.counts();
     if (sinks_.video) {
@@ -241,7 +246,7 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
   while (!playback.over()) {
     // The film clock stands still until the source has something or has ended.
     while (!playback.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
-      losses.look_at(playback);
+      if (const std::string loss = losses.look_at(playback); !loss.empty()) film.warn(loss);
     }
     if (stop()) {
       playback.stop(film_now());
