@@ -84,7 +84,9 @@ void Reception::begin_anew() {
 }
 
 void Reception::on_moved_on() {
-  if (state_ != State::Receiving && parent_->keyframes() > 0) {
+  // A parent may repeat the end of what is here whole.
+  const bool whole = state_ == State::Whole;
+  if (state_ != State::Receiving && !whole && parent_->keyframes() > 0) {
     state_ = State::Receiving;
     timer_.cancel();
     say_goes_on();

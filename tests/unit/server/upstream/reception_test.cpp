@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/fake_link.h"
+#include "tests/support/kept_log.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 
@@ -66,6 +67,18 @@ TEST_F(ReceptionTest, AfterItWasGivenUpOneWhoSendsNothingLeavesItSo) {
   EXPECT_GT(moments_, before) << "who waited meanwhile is told";
   connect(std::string(kFrom40) + "{2}{3}{-2}");
   EXPECT_TRUE(reception_.whole());
+}
+
+/// As a publisher does that offers its recording again: it begins with the keyframes of 0 ms.
+TEST_F(ReceptionTest, WhatIsHereWholeDoesNotGoOnWhenItsEndComesAgain) {
+  connect(std::string(kFrom0) + "{1;120}{2;0}{-2}");
+  ASSERT_TRUE(reception_.whole());
+  const test::KeptLog log;
+  connect("{hello v=2 window=256 stream=talk duration=120 keyframe=40 from=120}{2;0}");
+  EXPECT_FALSE(reception_.status().receiving);
+  link_->say("{-2}");
+  EXPECT_EQ(log.said(), "");
+  EXPECT_EQ(reception_.shared()->recorded()->encoded->times.size(), 2U);
 }
 
 }  // namespace
