@@ -3,7 +3,6 @@
 #include <pty.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -22,15 +21,21 @@ std::string on_terminal(const Act& act) {
   int theirs = -1;
   EXPECT_EQ(::openpty(&ours, &theirs, nullptr, nullptr, nullptr), 0);
   const Descriptor reader(ours);
-  const Descriptor terminal(theirs);
-  const Descriptor before(::dup(STDERR_FILENO));
-  ::dup2(terminal.get(), STDERR_FILENO);
-  act();
-  std::fflush(stderr);
-  ::dup2(before.get(), STDERR_FILENO);
+  {
+    const Descriptor terminal(theirs);
+    const Descriptor before(::dup(STDERR_FILENO));
+    ::dup2(terminal.get(), STDERR_FILENO);
+    act();
+    std::fflush(stderr);
+    ::dup2(before.get(), STDERR_FILENO);
+  }
+  // A terminal hands on what was written piece by piece, and fails once nobody can write any more.
+  std::string written;
   std::array<char, 512> bytes{};
-  const ssize_t got = ::read(reader.get(), bytes.data(), bytes.size());
-  return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0))};
+  for (ssize_t got = 0; (got = ::read(reader.get(), bytes.data(), bytes.size())) > 0;) {
+    written.append(bytes.data(), static_cast<std::size_t>(got));
+  }
+  return written;
 }
 
 TEST(ProgressLine, AWarningGetsALineOfItsOwnOnATerminal) {

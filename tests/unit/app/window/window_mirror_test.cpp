@@ -110,7 +110,8 @@ TEST_F(WindowMirror, WithoutAuTransmitterIsASentence) {
   options_.shows_mirror = true;
   session_.emplace(*assets_, options_, nullptr, stats_);
   session_->advance(clock_.now());
-  EXPECT_NE(model().mirror.trouble.find("is not installed"), std::string::npos);
+  EXPECT_NE(model().mirror.trouble.find("au-transmitter, is not on this computer"),
+            std::string::npos);
   EXPECT_EQ(model().mirror.phase, Phase::Off);
 }
 
