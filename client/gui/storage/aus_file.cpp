@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "client/gui/storage/toml_edit.h"
 #include "client/gui/texts/texts.h"
 #include "common/action_unit.h"
 #include "common/text.h"
@@ -22,24 +23,6 @@ std::string drive_text(const Drive& drive) {
     text += toml_key(name) + " = " + toml_real(value);
   }
   return text + " }";
-}
-
-/// Columns count characters: in UTF-8, all bytes but continuation bytes.
-std::optional<std::size_t> byte_at(std::string_view text, LinePosition place) {
-  std::size_t at = 0;
-  for (std::size_t line = 1; line < place.line; ++line) {
-    at = text.find('\n', at);
-    if (at == std::string_view::npos) return std::nullopt;
-    ++at;
-  }
-  const auto continues = [&](std::size_t i) {
-    return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
-  };
-  for (std::size_t column = 1; column < place.column && at < text.size(); ++column) {
-    ++at;
-    while (continues(at)) ++at;
-  }
-  return at;
 }
 
 /// The position after the brace that closes the one at `open`, which must be on the same line.
@@ -84,20 +67,6 @@ std::string with_new_au(std::string_view text, int number, const Drive& drive,
   return result + aus_text(number, drive, name ? std::string(*name) : note);
 }
 
-/// The position after the quote that closes the one at `open`; nullopt for a text over several
-/// lines.
-std::optional<std::size_t> end_of_quotes(std::string_view text, std::size_t open) {
-  const char quote = text[open];
-  for (std::size_t i = open + 1; i < text.size() && text[i] != '\n'; ++i) {
-    if (text[i] == '\\' && quote == '"') {
-      ++i;
-    } else if (text[i] == quote) {
-      return text.substr(i, 2) == std::string(2, quote) ? std::nullopt : std::optional(i + 1);
-    }
-  }
-  return std::nullopt;
-}
-
 /// `text` with the note replaced for the AU whose drive ends at `drive_end`.
 Result<std::string> with_note(std::string text, std::string_view file, const TomlValue& table,
                               std::size_t drive_end, const std::string& note) {
@@ -109,13 +78,8 @@ Result<std::string> with_note(std::string text, std::string_view file, const Tom
     return text.insert(line_end, "\n" + line);
   }
   if (old->text == note) return text;
-  const auto begin = byte_at(text, old->place);
-  const auto end = begin ? end_of_quotes(text, *begin) : std::nullopt;
-  if (!end) {
-    return Error{ErrorKind::BadData, at_place(file, old->place.line, old->place.column,
-                                              "this note is not a text on one line")};
-  }
-  return text.replace(*begin, *end - *begin, toml_text(note));
+  if (auto put = put_text(text, file, *old, note); !put) return put.error();
+  return text;
 }
 
 /// The drive in the order of the table; names that are new to the table come last.

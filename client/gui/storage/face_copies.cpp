@@ -8,6 +8,7 @@
 
 #include "client/face/face_folder.h"
 #include "client/gui/model/face_names.h"
+#include "client/gui/storage/toml_edit.h"
 #include "client/gui/storage/user_face.h"
 #include "common/files.h"
 #include "common/text.h"
@@ -37,33 +38,13 @@ fs::path without_slash(const fs::path& folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Where a text of a TOML file ends, behind its quotes; `at` is that of the first quote.
-std::size_t end_of_text(std::string_view toml, std::size_t at) {
-  const char quote = toml[at];
-  const bool three = toml.substr(at).starts_with(std::string(3, quote));
-  const std::string closing(three ? 3 : 1, quote);
-  std::size_t end = at + closing.size();
-  while (end < toml.size() && !toml.substr(end).starts_with(closing)) {
-    end += quote == '"' && toml[end] == '\\' ? 2U : 1U;
-  }
-  end += closing.size();
-  // The text itself may end with quotes.
-  while (three && end < toml.size() && toml[end] == quote) ++end;
-  return std::min(end, toml.size());
-}
-
 /// Gives a key of `file`, which has this text, another text as its value, if it has the key.
-Result<void> put_text(std::string& toml, const char* key, const std::string& text,
-                      const fs::path& file) {
+Result<void> put_key(std::string& toml, const char* key, const std::string& text,
+                     const fs::path& file) {
   const auto document = parse_toml(toml, file.string());
   if (!document) return document.error();
-  const TomlValue* value = document->find(key);
-  if (value == nullptr || value->kind != TomlValue::Kind::Text) return {};
-  std::size_t line = 0;
-  for (std::size_t i = 1; i < value->place.line; ++i) line = toml.find('\n', line) + 1;
-  const std::size_t at = toml.find_first_of("\"'", line + value->place.column - 1);
-  toml.replace(at, end_of_text(toml, at) - at, toml_text(text));
-  return {};
+  const TomlValue* const value = document->find(key);
+  return value == nullptr ? Result<void>() : put_text(toml, file.string(), *value, text);
 }
 
 /// Copies a folder and what is in it. Shipped folders may be read-only, which fs::copy would make
@@ -97,7 +78,7 @@ Result<void> make_whole(const fs::path& copy, const fs::path& from) {
     std::string name = file.filename().string();
     if (fs::exists(copy / name)) name = file.parent_path().filename().string() + "_" + name;
     fs::copy_file(from / file, copy / name);
-    if (auto put = put_text(*text, key, name, description); !put) return put;
+    if (auto put = put_key(*text, key, name, description); !put) return put;
   }
   return write_file_atomically(description, *text);
 }
@@ -109,7 +90,7 @@ Result<void> name_copy(const fs::path& copy, const std::string& name, const std:
   if (!is_there(description)) return {};
   auto text = read_file(description);
   if (!text) return text.error();
-  if (auto put = put_text(*text, "name", name, description); !put) return put;
+  if (auto put = put_key(*text, "name", name, description); !put) return put;
   const auto document = parse_toml(*text, description.string());
   if (!document) return document.error();
   const TomlValue* named = document->find("name");

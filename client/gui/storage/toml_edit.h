@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/result.h"
+#include "common/toml_document.h"
+
+namespace aucast::gui {
+
+/// Where a place of a TOML file is among its bytes; nullopt: the file has not so many lines.
+[[nodiscard]] std::optional<std::size_t> byte_at(std::string_view toml, LinePosition place);
+
+/// Replaces a text of the file, all else stays as it is. `old`: the value to replace, as it was
+/// read from this `toml`. Bad data if it is no text.
+[[nodiscard]] Result<void> put_text(std::string& toml, std::string_view file, const TomlValue& old,
+                                    const std::string& text);
+
+}  // namespace aucast::gui
