@@ -6,6 +6,7 @@
 
 #include "client/app/film/glb_export.h"
 #include "client/app/gallery/gallery_command.h"
+#include "client/app/window/making/face_commands.h"
 #include "client/gui/model/view_text.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
@@ -291,50 +292,11 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
 }
 
 void WindowSession::apply_face(const gui::FaceCommand& command, Instant now) {
-  const Overloaded carry_out{[&](const gui::ShowFace& one) -> Result<std::string> {
-                               if (auto shown = show_face(one.folder, now); !shown)
-                                 return shown.error();
-                               return std::string();
-                             },
-                             [&](const gui::CopyFace& one) { return copy_face(one, now); },
-                             [&](const gui::RenameFace& one) { return rename_face(one, now); },
-                             [&](const gui::DeleteFace& one) { return delete_face(one, now); }};
-  const Result<std::string> done = std::visit(carry_out, command);
+  const auto done = carry_out(command, faces_, [this, now](const std::filesystem::path& folder) {
+    return show_face(folder, now);
+  });
   if (!done) return say(done.error().message, true, now);
   if (!done->empty()) say(*done, false, now);
-}
-
-Result<std::string> WindowSession::copy_face(const gui::CopyFace& wanted, Instant now) {
-  const auto copy = faces_.copy(wanted.folder, wanted.name);
-  if (!copy) return copy.error();
-  if (auto shown = show_face(*copy, now); !shown) return shown.error();
-  return gui::tr("said.face_copied", wanted.name, copy->string());
-}
-
-Result<std::string> WindowSession::rename_face(const gui::RenameFace& wanted, Instant now) {
-  const bool is_shown = faces_.view().shown == wanted.folder;
-  const auto renamed = faces_.rename(wanted.folder, wanted.name);
-  if (!renamed) return renamed.error();
-  if (is_shown) {
-    if (auto shown = show_face(*renamed, now); !shown) return shown.error();
-  }
-  return gui::tr("said.face_renamed", wanted.name, renamed->string());
-}
-
-/// The face in the window is exchanged before it is deleted, so that it is never one that is gone.
-Result<std::string> WindowSession::delete_face(const gui::DeleteFace& wanted, Instant now) {
-  const auto origin = faces_.origin(wanted.folder);
-  if (!origin) return origin.error();
-  const bool is_shown = faces_.view().shown == wanted.folder;
-  if (is_shown) {
-    if (auto shown = show_face(*origin, now); !shown) return shown.error();
-  }
-  if (auto removed = faces_.remove(wanted.folder); !removed) {
-    // It is still there, unless the disk is at fault: what was wrong there is what is said.
-    if (is_shown) static_cast<void>(show_face(wanted.folder, now));
-    return removed.error();
-  }
-  return gui::tr("said.face_deleted", std::filesystem::path(wanted.folder).filename().string());
 }
 
 /// Shows the face that was saved to, also at the next start. It is read anew because the user's

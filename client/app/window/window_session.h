@@ -133,9 +133,6 @@ class WindowSession {
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void apply_face(const gui::FaceCommand& command, Instant now);
-  [[nodiscard]] Result<std::string> copy_face(const gui::CopyFace& wanted, Instant now);
-  [[nodiscard]] Result<std::string> rename_face(const gui::RenameFace& wanted, Instant now);
-  [[nodiscard]] Result<std::string> delete_face(const gui::DeleteFace& wanted, Instant now);
   void save_all(Instant now);
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || composer_.unsaved(); }
   void show_saved_face(Instant now);
