@@ -98,7 +98,9 @@ void FileReader::read() {
   // What changes from here on is noticed again.
   while (notify_.is_open() && ::read(notify_.native_handle(), chunk_.data(), chunk_.size()) > 0) {
   }
-  if (const std::string why = follow_ ? changed() : ""; !why.empty()) begin_anew(why);
+  if (const std::string why = follow_ ? changed() : ""; !why.empty() && !begin_anew(why)) {
+    return look_again();
+  }
   // stdin has its own place, which whoever gave it to us may have chosen.
   const ssize_t got = is_stdin() ? ::read(file_.get(), chunk_.data(), chunk_.size())
                                  : ::pread(file_.get(), chunk_.data(), chunk_.size(), position_);
@@ -110,7 +112,7 @@ void FileReader::read() {
     stopped_ = true;
     events_.on_end();
   } else {
-    events_.on_caught_up();
+    if (got == 0) events_.on_caught_up();
     look_again();
   }
 }
@@ -157,13 +159,14 @@ std::string FileReader::changed() const {
   return now == tail_ ? "" : "it was rewritten";
 }
 
-void FileReader::begin_anew(const std::string& why) {
+/// False: there is another file, which cannot be opened.
+bool FileReader::begin_anew(const std::string& why) {
   if (replaced()) {
     Descriptor now(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (!now.open()) {
       // One that has just gone may be replaced in its turn.
       if (errno != ENOENT) events_.on_failure(unreadable_now(path_));
-      return;
+      return false;
     }
     file_ = std::move(now);
     watch_file();
@@ -171,6 +174,7 @@ void FileReader::begin_anew(const std::string& why) {
   position_ = 0;
   tail_.clear();
   events_.on_anew(why);
+  return true;
 }
 
 }  // namespace aucast::server

@@ -45,7 +45,7 @@ class FileReader final : public InputReader {
   void on_look(const std::error_code& error);
   [[nodiscard]] bool replaced() const;
   [[nodiscard]] std::string changed() const;
-  void begin_anew(const std::string& why);
+  [[nodiscard]] bool begin_anew(const std::string& why);
   void pass_on(std::string_view bytes);
 
   asio::io_context& io_;

@@ -23,7 +23,11 @@ LiveInput::LiveInput(asio::io_context& io, std::filesystem::path path, bool foll
                        events_.on_bytes(bytes);
                      },
                      [this](Error failure) { note_failure(std::move(failure)); },
-                     [this] { on_reader_end(); }, [this] { events_.on_caught_up(); },
+                     [this] { on_reader_end(); },
+                     [this] {
+                       failure_.reset();
+                       events_.on_caught_up();
+                     },
                      [this](const std::string& why) { events_.on_anew(why); }} {}
 
 Result<Descriptor> LiveInput::open_path() const {
