@@ -78,10 +78,11 @@ std::shared_ptr<const protocol::LiveChannel> EngineOrigin::channel() {
   }
   // The channel of a relay stays when its next parent gets the stream by another way.
   hello_.servers = servers_told(*catalogue, stream, asked);
+  said_why_not_.clear();
   return channel_;
 }
 
-/// Called at every keyframe: says each reason once.
+/// Called at every keyframe: says a reason once for as long as it lasts.
 void EngineOrigin::say_why_not(const std::string& why) {
   if (std::exchange(said_why_not_, why) == why) return;
   spdlog::error("{}: it is not published: {}", options_.stream, why);
