@@ -159,9 +159,8 @@ void Delivery::pump_latest(std::string& out) {
 // === Recorded
 
 void Delivery::send_recorded(std::string& out) {
-  const std::size_t room_ends = out.size() + kOutputBytesMax;
   while (may_send() && has_next()) {
-    if (out.size() >= room_ends) {
+    if (out.size() >= kOutputBytesMax) {
       held_ = true;
       return;
     }

@@ -42,8 +42,8 @@ class Delivery {
   /// into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
-  /// Appends everything that may be sent now. Of a recorded stream, after kOutputBytesMax at once,
-  /// it holds itself instead: hold(false) and another call send more.
+  /// Appends everything that may be sent now. A recorded stream holds itself when `out` has
+  /// kOutputBytesMax: hold(false) and another call send more.
   void pump(std::string& out);
   /// The same when a live channel has new moments: a client that keeps up gets each of them, even
   /// if several began at once.

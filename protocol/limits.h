@@ -67,7 +67,8 @@ inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
 
 /// How many bytes are read from a client in its turn.
 inline constexpr std::size_t kReadBytesMax = 1024;
-/// While this many bytes or more wait to be sent to a client, nothing is read from it.
+/// While this many bytes or more wait to be sent to a client, nothing is read from it; and so much
+/// of a recorded stream is handed out at once.
 inline constexpr std::size_t kOutputBytesMax = 65536;
 /// The most wrong tokens from one address within kWrongTokensTime; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;

@@ -87,7 +87,8 @@ struct ServerSession::State {
 
   void begin_call(Instant at);
   [[nodiscard]] std::vector<ServerEvent> take_events() { return std::exchange(events, {}); }
-  void send(std::string_view bytes);
+  [[nodiscard]] std::string& output();
+  void send(std::string_view bytes) { output() += bytes; }
   void close(Why why, std::string reason);
   void say_last(std::string_view bytes, Why why, std::string reason);
   void refuse(int code, const std::string& text);
@@ -113,10 +114,11 @@ void ServerSession::State::begin_call(Instant at) {
   due = delivery.in_flight();
 }
 
-void ServerSession::State::send(std::string_view bytes) {
+/// What the running call has to send so far.
+std::string& ServerSession::State::output() {
   auto* last = events.empty() ? nullptr : std::get_if<SendBytes>(&events.back());
   if (last == nullptr) last = &std::get<SendBytes>(events.emplace_back(SendBytes{}));
-  last->bytes += bytes;
+  return last->bytes;
 }
 
 void ServerSession::State::close(Why why, std::string reason) {
@@ -311,11 +313,10 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
 
 /// Sends what may be sent now, and {-2} when everything has been answered.
 void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
-  std::string bytes;
   const std::uint64_t before = delivery.sent().keyframes;
-  (delivery.*pump)(bytes);
+  (delivery.*pump)(output());
+  if (output().empty()) events.pop_back();
   spare_codes.earn(delivery.sent().keyframes - before);
-  if (!bytes.empty()) send(bytes);
   if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
   if (delivery.broken_off())
     close(Why::BrokenOff, "its server is gone, and no other sends the rest");
@@ -337,7 +338,7 @@ void ServerSession::State::settle_peer_end() {
     default:
       break;
   }
-  if (phase != Phase::Streaming) return;
+  if (phase != Phase::Streaming && phase != Phase::AwaitingStream) return;
   // What it waits for is still to come: a live stream's next moment, the rest of what a relay
   // receives, the voice, or room. Whether a banked answer is left for it shows then.
   if (!delivery.paused() && delivery.in_flight() == 0) return;
@@ -434,9 +435,9 @@ std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
 }
 
 std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
-  if (held == state_->delivery.held() || (held && !live())) return {};
+  if (state_->phase != State::Phase::Streaming || held == state_->delivery.held()) return {};
   state_->delivery.hold(held);
-  if (held || state_->phase != State::Phase::Streaming) return {};
+  if (held) return {};
   state_->begin_call(now);
   state_->send_due(&Delivery::pump);
   state_->settle_peer_end();

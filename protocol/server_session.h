@@ -114,9 +114,9 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
   /// The voice of this session's stream has grown. Without effect where it has none.
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);
-  /// While `held` is true, because the socket takes no more, no keyframe of a live stream is handed
-  /// out; `false` hands out the newest. A recorded stream, which waits for answers, holds itself
-  /// when it has handed out much at once; `false` hands out more.
+  /// While `held` is true, because the socket takes no more, no keyframe is handed out; `false`
+  /// goes on, with the newest of a live stream. A recorded stream also holds itself when a call has
+  /// handed out kOutputBytesMax.
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);

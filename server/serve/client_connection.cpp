@@ -267,16 +267,11 @@ std::size_t ClientConnection::output_bytes() const {
 void ClientConnection::go_on() {
   if (finishing_) return;
   flush();
-  if (session_->live()) {
+  do {
     carry_out(session_->hold(link_->blocked(), link_->now()));
     if (finishing_) return;
     flush();
-  }
-  while (session_->held() && !link_->blocked()) {
-    carry_out(session_->hold(false, link_->now()));
-    if (finishing_) return;
-    flush();
-  }
+  } while (session_->held() && !link_->blocked());
   const std::optional<Instant> patience = earlier(session_->deadline(), patience_ends());
   link_->wake_at(earlier(patience, gathered_until_));
 }
@@ -288,8 +283,9 @@ std::optional<Instant> ClientConnection::patience_ends() {
   const bool owes = session_->awaiting_answer();
   if (!owes) owed_since_.reset();
   if (owes && !owed_since_) owed_since_ = link_->now();
-  const bool waits = session_->live() || session_->held();
-  const auto stuck = waits ? link_->stuck_since() : std::nullopt;
+  // Who has sent all answers beforehand owes none, and is held when it takes nothing.
+  const bool takes = session_->live() || (session_->held() && !owes && !session_->paused());
+  const auto stuck = takes ? link_->stuck_since() : std::nullopt;
   if (!owed_since_ && !stuck) return std::nullopt;
   return std::min(owed_since_.value_or(Instant::max()), stuck.value_or(Instant::max())) +
          settings_.client_timeout;

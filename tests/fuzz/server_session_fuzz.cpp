@@ -1,7 +1,7 @@
 // A hostile client: the input is a script of lines. '>' sends the rest of the line, 't' lets time
 // pass (10 ms a letter), 'e' ends the client's side, 'x' breaks the connection,
-// 's' stops the server, 'h' holds a live one back (more letters) or lets it go on; any other line
-// is sent as it is.
+// 's' stops the server, 'h' holds it back (more letters) or lets it go on; any other line is sent
+// as it is.
 
 #include <optional>
 #include <vector>
@@ -17,6 +17,8 @@ using namespace aucast::protocol;
 
 namespace {
 
+constexpr std::size_t kLargePacket = 3000;
+
 /// Follows the events and checks what must hold for any peer.
 class Watch {
  public:
@@ -26,6 +28,7 @@ class Watch {
       if (const auto* send = std::get_if<SendBytes>(&event)) {
         AUCAST_CHECK(!shut_);
         AUCAST_CHECK(!send->bytes.empty());
+        AUCAST_CHECK(send->bytes.size() < kOutputBytesMax + 3 * kLargePacket);
       } else if (std::holds_alternative<ShutdownSending>(event)) {
         AUCAST_CHECK(!shut_);
         shut_ = true;
@@ -52,6 +55,15 @@ std::shared_ptr<const SpokenTrack> spoken_words() {
   return std::make_shared<const SpokenTrack>(SpokenTrack{voice, {{0, "a"}, {260, ""}}});
 }
 
+/// A stream of one short packet, "b", and one of packets that soon fill what is sent at once, "c".
+void add_plain_streams(ServerCatalogue& catalogue) {
+  const std::string large = '{' + std::string(kLargePacket - 2, ' ') + '}';
+  catalogue.streams.push_back(
+      {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});
+  catalogue.streams.push_back({"c", std::make_shared<const EncodedStream>(EncodedStream{
+                                        {large, large}, {large, large}, {}, {}, {}})});
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -73,8 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (spoken) a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
     catalogue.streams = {{"a", RecordedStream{std::make_shared<const EncodedStream>(a), spoken}}};
   }
-  catalogue.streams.push_back(
-      {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});
+  add_plain_streams(catalogue);
   if ((kind & 8U) != 0) {
     using Publisher = Publishers::Publisher;
     catalogue.publishers = std::make_shared<const Publishers>(

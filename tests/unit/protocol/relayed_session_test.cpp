@@ -103,6 +103,11 @@ TEST_F(RelayedSession, AClassicClientGetsItsFirstKeyframeWhenThereIsOne) {
   EXPECT_EQ(wake(), "{1}");
 }
 
+TEST_F(RelayedSession, WhoEndsWhilePausedDoesNotWaitForTheStream) {
+  EXPECT_EQ(hear("{hello v=2 window=8 stream=talk}-1"), "");
+  EXPECT_EQ(half_close(), "!peer gone");
+}
+
 TEST_F(RelayedSession, StopWhileWaitingIsTheEnd) {
   EXPECT_EQ(hear("{hello v=2}-4"), "{-2}|");
 }

@@ -239,13 +239,14 @@ TEST_F(LiveServer, ClosesWhoHasShutItsSideWhilePaused) {
   EXPECT_EQ(peer_end(), "close peer gone");
 }
 
-TEST_F(LiveServer, IsNotHeldNorMovedWhenRecorded) {
+TEST_F(LiveServer, IsHeldButNotMovedWhenRecorded) {
   start_recorded();
   get("{hello v=2 window=1}");
   EXPECT_FALSE(session_->live());
   EXPECT_EQ(hold(true), "");
   EXPECT_EQ(text_of(session_->on_moment(now_)), "");
-  EXPECT_EQ(get("1"), "send {2:30}");
+  EXPECT_EQ(get("1"), "") << "the socket takes no more";
+  EXPECT_EQ(hold(false), "send {2:30}");
 }
 
 class RecordedChanges : public LiveServer {

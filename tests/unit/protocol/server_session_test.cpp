@@ -253,6 +253,13 @@ TEST_F(Server, HandsOutAtMostSixtyFourKibibytesAtOnce) {
   EXPECT_GT(more, 4);
   EXPECT_EQ(session_->sent().keyframes, kEarlyAnswersMax + 1);
   EXPECT_TRUE(session_->awaiting_answer());
+
+  start();
+  get("{hello v=2 window=1}");
+  events = session_->on_bytes(std::string(kEarlyAnswersMax, '1'), now_);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + packet.size())
+      << "without a pause, too";
 }
 
 TEST_F(Server, WhatIsHeldGoesToAClientThatHasEndedItsSide) {
