@@ -308,18 +308,14 @@ void au_sliders(const Look& look, const ComposerView& composer, bool linked,
 
 /// Which keyframe is being composed. If the face shows something else, it says so by a button that
 /// ends that.
-void keyframe_heading(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  const ComposerView& composer = model.composer;
+void keyframe_heading(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   const std::string text = composer.chosen >= 0 ? tr("compose.keyframe", composer.chosen + 1)
                                                 : tr("compose.new_keyframe");
   if (!composer.aside) return heading(look, text, tr("tip.keyframe"));
-  // Who comes back to it sees what is composed, unless something moves meanwhile.
-  const bool moves =
-      model.playing.activity == Activity::Playing || model.playing.activity == Activity::Connecting;
-  const bool comes = ImGui::IsWindowAppearing() && !moves;
+  // Only the button does: what the face shows may be there to be taken.
   const bool asked = heading_with_button(look, text, tr("tip.keyframe"), tr("button.show"),
                                          "composed", tr("compose.show_tip"));
-  if (comes || asked) ask(commands, ShowComposed{});
+  if (asked) ask(commands, ShowComposed{});
 }
 
 }  // namespace
@@ -330,7 +326,7 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   if (composer.rows == nullptr || composer.pad == nullptr || model.known_aus == nullptr) return;
   timeline_part(look, composer, form, commands);
   const bool chosen = composer.chosen >= 0;
-  keyframe_heading(look, model, commands);
+  keyframe_heading(look, composer, commands);
   const char* add = chosen ? tr("compose.double") : tr("compose.add");
   if (wide_button(add, 0, 5, true, !chosen)) ask(commands, AddKeyframe{});
   if (wide_button(tr("button.neutral"), 1, 5, true)) ask(commands, ComposeNeutral{});

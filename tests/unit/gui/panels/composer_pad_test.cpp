@@ -52,20 +52,20 @@ TEST_F(Pad, AClickOnAWordChoosesItsPrototype) {
   hold(word, false);
 }
 
-TEST_F(Pad, WhoComesBackSeesWhatIsComposedUnlessSomethingPlays) {
+TEST_F(Pad, WhoComesBackMayTakeWhatTheFaceShows) {
   model_.composer.aside = true;
+  model_.composer.can_take = true;
+  model_.playing.activity = Activity::Over;
   ASSERT_TRUE(go_to_tab("View"));
   commands_.clear();
-  model_.playing.activity = Activity::Playing;
   ASSERT_TRUE(go_to_tab("Compose"));
+  EXPECT_FALSE(asked<ShowComposed>()) << "the face to be taken stays";
+  ASSERT_TRUE(go_to(tr("compose.take")));
+  press(ImGuiKey_Enter);
+  EXPECT_TRUE(asked<ComposeShown>());
   EXPECT_FALSE(asked<ShowComposed>());
   ASSERT_TRUE(go_to("###composed"));
   press(ImGuiKey_Enter);
-  EXPECT_TRUE(asked<ShowComposed>()) << "but it is a click away";
-  ASSERT_TRUE(go_to_tab("View"));
-  commands_.clear();
-  model_.playing.activity = Activity::Over;
-  ASSERT_TRUE(go_to_tab("Compose"));
   EXPECT_TRUE(asked<ShowComposed>());
 }
 
