@@ -157,10 +157,8 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
       commands.push_back(Pause{});
     }
   }
-  if (!wide_button(tr("play.stop"), 2, 3, moves)) return;
-  commands.push_back(Stop{});
-  // What is there whole can be played again: it stands at its beginning, not where it was.
-  if (playing.local) commands.push_back(LocalCommand(Seek{}));
+  const bool stopped = playing.local && paused && model.local.position == Duration::zero();
+  if (wide_button(tr("play.stop"), 2, 3, moves && !stopped)) commands.push_back(Stop{});
 }
 
 /// The choice of gui::Behind, and its numbers.

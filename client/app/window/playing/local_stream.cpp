@@ -21,6 +21,11 @@ LocalStream::LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, s
       notices_(notices),
       curves_(std::make_shared<const gui::AuCurves>(gui::curves_of(playback_->keyframes()))) {}
 
+void LocalStream::stop(Instant now) {
+  playback_->pause(now);
+  playback_->playhead(now).seek(Duration::zero(), now);
+}
+
 bool LocalStream::resume(Instant now) {
   playback_->resume(now);
   return true;

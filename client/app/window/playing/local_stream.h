@@ -25,8 +25,8 @@ class LocalStream final : public PlayingStream {
   [[nodiscard]] std::unique_ptr<playback::Playback> hand_out() override {
     return std::move(playback_);
   }
-  /// Only pauses, so that it can go on from there.
-  void stop(Instant now) override { playback_->pause(now); }
+  /// Pauses at the beginning: what is there whole can be played again.
+  void stop(Instant now) override;
   bool resume(Instant now) override;
   bool apply(const gui::LocalCommand& command, Instant now) override;
   [[nodiscard]] bool stands() const override;

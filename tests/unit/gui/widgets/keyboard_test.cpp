@@ -561,13 +561,22 @@ TEST_F(Keyboard, AFileThatPlaysIsPausedAndStoppedBesideConnectToo) {
   EXPECT_TRUE(asked<Pause>());
   ASSERT_TRUE(go_to(tr("play.stop")));
   press(ImGuiKey_Enter);
-  ASSERT_TRUE(asked<Seek>()) << "back to its beginning";
-  EXPECT_EQ(asked<Seek>()->position, Duration::zero());
+  EXPECT_TRUE(asked<Stop>());
+  EXPECT_FALSE(asked<Seek>()) << "which would show the stream in place of what is edited";
   model_.playing.activity = Activity::Paused;
   frames(2);
   ASSERT_TRUE(go_to(tr("play.resume")));
   press(ImGuiKey_Enter);
   EXPECT_TRUE(asked<Resume>());
+  const auto asks_to_stop = [this] {
+    commands_.clear();
+    if (go_to(tr("play.stop"))) press(ImGuiKey_Enter);
+    return asked<Stop>().has_value();
+  };
+  EXPECT_FALSE(asks_to_stop()) << "it stands at its beginning";
+  model_.local.position = Milliseconds(100);
+  frames(2);
+  EXPECT_TRUE(asks_to_stop());
 }
 
 }  // namespace

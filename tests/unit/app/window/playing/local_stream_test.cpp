@@ -38,16 +38,17 @@ class LocalStreamTest : public testing::Test {
       "three.txt", 10, notices_};
 };
 
-TEST_F(LocalStreamTest, StopOnlyHoldsItAndResumePlaysOn) {
+TEST_F(LocalStreamTest, StopHoldsItAtItsBeginningAndResumePlaysIt) {
   EXPECT_FALSE(stream_.stands());
   go_on(Milliseconds(50));
   stream_.stop(clock_.now());
   EXPECT_TRUE(stream_.stands());
   EXPECT_TRUE(stream_.running());
   go_on(Milliseconds(1'000));
+  EXPECT_EQ(stream_.local_view().position, Milliseconds(0));
   EXPECT_TRUE(stream_.resume(clock_.now()));
   go_on(Milliseconds(10));
-  EXPECT_EQ(stream_.local_view().position, Milliseconds(60));
+  EXPECT_EQ(stream_.local_view().position, Milliseconds(10));
 }
 
 TEST_F(LocalStreamTest, AfterItsEndItBeginsAnew) {
