@@ -211,8 +211,9 @@ struct Gui::State {
   bool bare = false;    ///< the user wants the face alone
   bool hidden = false;  ///< panel and bar, until the mouse moves
   bool keys = false;
-  bool rows_moved = false;  ///< in the last frame
-  bool drawn = false;       ///< once at least
+  bool rows_moved = false;   ///< in the last frame
+  std::size_t tab_seen = 0;  ///< the last one; that panels were hidden changes nothing
+  bool drawn = false;        ///< once at least
 
   [[nodiscard]] bool shows_bar() const { return !bare && !hidden; }
   [[nodiscard]] bool shows_panel() const { return panel && shows_bar(); }
@@ -259,6 +260,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
                               ImGuiWindowFlags_NavFlattened);
         ImGui::PopStyleVar();  // or what pops up from here would have none either
         if (visible) {
+          editor.comes = std::exchange(tab_seen, which) != which;
           kept_place.begin();
           contents();
           rows_moved = kept_place.end();

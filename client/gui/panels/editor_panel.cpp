@@ -246,12 +246,12 @@ bool in_use(const ChannelGroup& group) {
 
 /// Says that the face shows something else than the sliders, and ends that. The button is at the
 /// end of a line that is always there, so that nothing moves.
-void show_edited(const GuiModel& model, GuiCommands& commands) {
+void show_edited(const GuiModel& model, bool comes, GuiCommands& commands) {
   if (!model.editor.aside) return;
   // Who comes back to it sees what is edited, unless something moves meanwhile.
   const bool moves =
       model.playing.activity == Activity::Playing || model.playing.activity == Activity::Connecting;
-  if (ImGui::IsWindowAppearing() && !moves) commands.push_back(ShowEdited{});
+  if (comes && !moves) commands.push_back(ShowEdited{});
   const std::string text = with_id(tr("button.show"), "edited");
   const float width =
       ImGui::CalcTextSize(tr("button.show")).x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -264,7 +264,7 @@ void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiComma
   heading(look, tr("editor.muscles"), tr("tip.muscles"));
   bool linked = model.editor.linked;
   if (ImGui::Checkbox(tr("panel.linked"), &linked)) commands.push_back(SetLinked{linked});
-  show_edited(model, commands);
+  show_edited(model, form.comes, commands);
   // What another AU drives is opened, so that it is there to be changed.
   const bool another = std::exchange(form.opened_for, model.editor.au) != model.editor.au;
   for (const ChannelGroup& group : model.editor.groups) {

@@ -78,6 +78,7 @@ struct EditorForm {
   std::string name_taken;       ///< of the model
   bool to_name = false;         ///< give the focus to the name
   int opened_for = -1;          ///< the AU for which the groups of its muscles were opened
+  bool comes = false;           ///< its tab was chosen in this frame
 };
 
 /// The expression editor: one AU and its muscles.

@@ -450,6 +450,10 @@ TEST_F(Panels, WhoComesBackToTheEditorSeesWhatIsEdited) {
   model_.playing.activity = Activity::Paused;
   EXPECT_TRUE(first_of<ShowEdited>(click(590, 54)).has_value());
   EXPECT_FALSE(first_of<ShowEdited>(frame()).has_value()) << "once";
+  gui_->set_hidden(true);
+  static_cast<void>(frame());
+  gui_->set_hidden(false);
+  EXPECT_FALSE(first_of<ShowEdited>(frame()).has_value()) << "the tab was only out of sight";
   model_.editor.aside = false;
   EXPECT_FALSE(find_by_clicking<ShowEdited>(770, 400, 600).has_value()) << "the face shows it";
 }
