@@ -47,10 +47,13 @@ Result<protocol::StreamList> list_streams(const RemoteOptions& options, Duration
   const Instant begun = std::chrono::steady_clock::now();
   RemoteOptions one = options;
   std::string failures;
-  for (std::size_t turn = 0; turn <= options.others.size(); ++turn) {
+  const std::size_t hosts = options.others.size() + 1;
+  for (std::size_t turn = 0; turn < hosts; ++turn) {
     const Duration left = time_max - (std::chrono::steady_clock::now() - begun);
     if (left <= Duration::zero()) break;
-    one.connect_timeout = std::min(options.connect_timeout, left);
+    // A silent server leaves time for those after it.
+    const Duration share = left / static_cast<Duration::rep>(hosts - turn);
+    one.connect_timeout = std::min<Duration>(options.connect_timeout, share);
     const link::DialOptions dial = dial_options(one, turn);
     if (!failures.empty()) failures += '\n';
     // Asio throws when the system has no descriptor left for it.
