@@ -19,7 +19,7 @@
 namespace aucast {
 namespace {
 
-constexpr std::size_t kLastWordsBytesMax = 2048;  ///< kept; more than shown, for ends of lines
+constexpr std::size_t kLastWordsBytesMax = 2048;  ///< kept; the last line may have all of it
 constexpr std::size_t kLastWordsShown = 300;
 constexpr int kSendBufferBytes = 1 << 20;
 
@@ -211,8 +211,7 @@ std::string Child::last_words() const {
 std::string Child::last_line() const {
   std::string_view words = last_words_;
   while (words.ends_with('\n')) words.remove_suffix(1);
-  words = words.substr(words.rfind('\n') + 1);
-  return escaped(words, kLastWordsShown);
+  return printable(words.substr(words.rfind('\n') + 1));
 }
 
 }  // namespace aucast

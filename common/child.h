@@ -54,7 +54,8 @@ class Child {
   [[nodiscard]] int wait();
   /// The last 300 bytes or less that it wrote to stderr, joined into one line, safe to print.
   [[nodiscard]] std::string last_words() const;
-  /// Only the last line of it.
+  /// The last line that it wrote there, of at most 2048 bytes, as it is where that is safe to
+  /// print: it may be known by its words and have names of files in it.
   [[nodiscard]] std::string last_line() const;
 
  private:

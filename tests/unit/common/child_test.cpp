@@ -144,6 +144,15 @@ TEST(Child, SaysItsLastWordsInOneLineThatIsSafeToPrint) {
   EXPECT_EQ(child->last_words(), "no \\x1b[2J room on the disk");
 }
 
+TEST(Child, SaysItsLastLineWholeAndInItsLetters) {
+  const auto child = shell(
+      "printf 'first\\n/home/ren\\303\\251/\\033' >&2;"
+      "head -c 900 /dev/zero | tr '\\0' e >&2; echo ' fetches them' >&2; exit 1");
+  EXPECT_EQ(child->wait(), 1);
+  EXPECT_EQ(child->last_line(),
+            "/home/ren\xc3\xa9/\\x1b" + std::string(900, 'e') + " fetches them");
+}
+
 TEST(Child, TellsTheSignalThatKilledIt) {
   EXPECT_EQ(shell("kill -9 $$")->wait(), 128 + SIGKILL);
 }
