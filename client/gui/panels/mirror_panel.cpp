@@ -90,14 +90,19 @@ std::string waiting_text(const MirrorView& mirror, const MirrorForm& form) {
   return std::string(source.substr(source.find_last_of("/:") + 1));
 }
 
-/// Says in place of a picture why there is none. Nothing below moves if the text is longer.
+/// What is left free around the text that is written in place of a picture.
+float margin_of(const Look& look) {
+  return 12 * look.scale;
+}
+
+/// Says in place of a picture why there is none.
 void no_picture(const Look& look, const MirrorView& mirror, const MirrorForm& form, ImVec2 at,
                 ImVec2 size) {
   if (mirror.trouble.empty()) {
     say_in_the_middle(waiting_text(mirror, form).c_str(), at, size);
     return;
   }
-  const float margin = 12 * look.scale;
+  const float margin = margin_of(look);
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
                                       ImVec2(at.x + margin, at.y + margin),
                                       colour_of(mirror.expected ? Tone::Quiet : Tone::Bad),
@@ -108,7 +113,14 @@ void picture(const Look& look, const MirrorView& mirror, MirrorForm& form) {
   const preview::Seen* seen = mirror.seen.get();
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 frame(width, width * kUsualShape);
+  ImVec2 frame(width, width * kUsualShape);
+  // Large letters may need more for what is written in it.
+  if (seen == nullptr && !mirror.trouble.empty()) {
+    const float margin = margin_of(look);
+    const char* const text = mirror.trouble.c_str();
+    const float needed = ImGui::CalcTextSize(text, nullptr, false, width - 2 * margin).y;
+    frame.y = std::max(frame.y, needed + 2 * margin);
+  }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = 6 * look.scale;
   list.AddRectFilled(at, ImVec2(at.x + frame.x, at.y + frame.y),
