@@ -67,12 +67,7 @@ void line_labels(const Look& look, std::span<const PlotLine> lines, float x, flo
 bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark) {
   constexpr float kSamplesWide = 121;  // half a minute, four a second
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float inset = 3 * look.scale;
-  // High enough for all labels one below the other.
-  const auto labelled = std::count_if(lines.begin(), lines.end(),
-                                      [](const PlotLine& line) { return !line.label.empty(); });
-  const float needed = static_cast<float>(labelled) * ImGui::GetTextLineHeight() + 2 * inset;
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, std::max(height, needed));
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
   const ImVec2 to(from.x + size.x, from.y + size.y);
   ImGui::PushID(static_cast<int>(ImGui::GetCursorPosY()));  // scrolled it is the same one
   const bool clicked = ImGui::InvisibleButton("##plot", size);
@@ -86,6 +81,7 @@ bool plot(const Look& look, std::span<const PlotLine> lines, float height, float
     const float sign = line.marker >= 0 ? 3 * kMarkerRadius * look.scale : 0.0F;
     labels = std::max(labels, ImGui::CalcTextSize(line.label.c_str()).x + sign);
   }
+  const float inset = 3 * look.scale;
   if (labels > 0) labels += 2 * inset;
   const float end = to.x - inset - labels;
   const float bottom = to.y - inset;

@@ -115,8 +115,7 @@ struct PlotLine {
   int marker = -1;      ///< the sign drawn along it, as in line_name(); -1: none
 };
 /// Draws lines over the last half minute, the newest values at the right, across the whole width.
-/// `height`: more if the labels need more. `mark`: a level to reach, in [0,1]; 0: none. Returns
-/// whether it was clicked.
+/// `mark`: a level to reach, in [0,1]; 0: none. Returns whether it was clicked.
 bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
 /// Writes the name of a line in its colour, after its sign: colours alone do not tell lines apart.
 void line_name(const Look& look, int marker, const std::string& name);

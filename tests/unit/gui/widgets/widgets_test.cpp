@@ -263,22 +263,6 @@ TEST_F(Widgets, AChoiceChangesOnlyToAnotherWord) {
   EXPECT_EQ(changes, 1);
 }
 
-TEST_F(Widgets, AChartHasRoomForTheNamesOfItsLines) {
-  const std::vector<float> values{0.5F, 0.5F};
-  std::vector<PlotLine> lines(6, PlotLine{&values, 0xFFFFFFFF, "12"});
-  const auto draw_chart = [&] {
-    draw([&] {
-      plot({}, lines, 40, 0);
-      note();
-    });
-  };
-  draw_chart();
-  EXPECT_GE(item_.GetHeight(), 6 * ImGui::GetTextLineHeight());
-  lines.resize(1);
-  draw_chart();
-  EXPECT_EQ(item_.GetHeight(), 40);
-}
-
 TEST_F(Widgets, AFittedTextEndsWhereItIsTold) {
   const std::string text = "A text that is much longer than a hundred pixels";
   draw([&] {
