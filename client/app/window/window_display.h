@@ -80,6 +80,9 @@ class WindowDisplay {
                                                     const view::Style& style) = 0;
   /// The part of the window that the panel leaves free, in pixels.
   virtual void free_size(int& width, int& height) const = 0;
+  /// All of the window, in pixels.
+  virtual void whole_size(int& width, int& height) const = 0;
+  [[nodiscard]] virtual bool full_screen() const = 0;
   /// Scale of the screen; 1: 96 dots per inch.
   [[nodiscard]] virtual float scale() const = 0;
 };

@@ -154,6 +154,10 @@ class GlDisplay : public WindowDisplay {
     window_->framebuffer_size(width, height);
     width = overlay_.free_width(width);
   }
+  void whole_size(int& width, int& height) const override {
+    window_->framebuffer_size(width, height);
+  }
+  bool full_screen() const override { return window_->full_screen(); }
   float scale() const override { return window_->scale(); }
 
  private:

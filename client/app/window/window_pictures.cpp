@@ -18,9 +18,14 @@ view::Style WindowPictures::style() const {
   return style;
 }
 
-/// That of the settings, else the part of the window that the panel leaves free.
+/// That of the settings, else the part of the window that the panel leaves free; in full screen,
+/// where the panel comes and goes with the mouse, all of it.
 void WindowPictures::size(int& width, int& height) const {
-  display_.free_size(width, height);
+  if (display_.full_screen()) {
+    display_.whole_size(width, height);
+  } else {
+    display_.free_size(width, height);
+  }
   const gui::PictureSettings& wanted = session_.pictures();
   if (wanted.width <= 0 || wanted.height <= 0) return;
   width = wanted.width;

@@ -71,6 +71,11 @@ class FakeDisplay : public WindowDisplay {
     width = 40;
     height = 30;
   }
+  void whole_size(int& width, int& height) const override {
+    width = 60;
+    height = 30;
+  }
+  bool full_screen() const override { return full; }
   float scale() const override { return 1; }
 
   // What it says.
@@ -79,6 +84,7 @@ class FakeDisplay : public WindowDisplay {
   bool redraw = false;
   bool thumbnail = false;
   bool reads_face = false;
+  bool full = false;
   std::deque<std::string> dropped;
   std::deque<Key> keys;
   std::optional<Instant> redraws;
@@ -370,6 +376,19 @@ TEST_F(WindowLoopTest, APictureIsAsLargeAsTheFaceInTheWindowOrAsTheSettingsSay) 
   const auto second = view::read_png(folder_.path() / "it-2.png");
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_EQ(second->width, 64);
+}
+
+TEST_F(WindowLoopTest, InFullScreenAPictureIsAsLargeAsTheScreenWhereverThePanelIs) {
+  gui::PictureSettings pictures;
+  pictures.folder = folder_.path();
+  pictures.pattern = "full";
+  ask(gui::ChangePictures{pictures});
+  display_.full = true;
+  press(Key::S);
+  tick();
+  const auto picture = view::read_png(folder_.path() / "full.png");
+  ASSERT_TRUE(picture) << picture.error().message;
+  EXPECT_EQ(picture->width, 60);
 }
 
 TEST_F(WindowLoopTest, APictureHasFaceAndNameOfOneMoment) {
