@@ -110,8 +110,9 @@ class AuReader {
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
   [[nodiscard]] bool has_words() const;
-  /// Whether speak() must be called: it would do something, and this has not been answered with
-  /// true since it was called last.
+  /// Whether the player, which has taken something, is to have speak() called: that would do
+  /// something, and this has not been answered with true since it was called last. Other reasons
+  /// for a call do not ask.
   [[nodiscard]] bool calls_for_speak();
   void set_paused(bool paused);
   /// The user leaves: take() returns nullopt from now on.
