@@ -8,6 +8,8 @@
 #include <string>
 
 #include "client/face/face_folder.h"
+#include "client/gui/storage/aus_file.h"
+#include "client/gui/texts/texts.h"
 #include "common/action_unit.h"
 #include "common/toml_document.h"
 #include "tests/support/temp_folder.h"
@@ -75,6 +77,16 @@ TEST(LanguageFile, FrenchHasTheNamesOfWhatMovesTheFace) {
     std::replace(name.begin(), name.end(), '_', ' ');
     EXPECT_TRUE(french->words.contains(name)) << name;
   }
+}
+
+TEST(LanguageFile, AMuscleOfOneSideHasNoCommaThatLooksLikeTheEndOfIt) {
+  auto french = load_language(kShipped / "languages" / "fr.toml");
+  ASSERT_TRUE(french) << french.error().message;
+  use_language(*std::move(french));
+  const std::string drive = drive_in_words({{"left_smile", 0.6F}, {"right_bite", 0.3F}});
+  use_english();
+  EXPECT_EQ(std::count(drive.begin(), drive.end(), ','), 1) << drive;
+  EXPECT_NE(drive.find("smile (à gauche) 0.6"), std::string::npos) << drive;
 }
 
 TEST(LanguageFile, AMissingTextIsSaidWithItsPlace) {
