@@ -6,7 +6,7 @@
 
 namespace aucast::gui {
 
-/// Decides whether panels lie over the face. In full screen they are hidden when the mouse has been
+/// Decides whether the panels are hidden. In full screen they are hidden when the mouse has been
 /// still for a while, and come back when it moves; in a window they stay. Pure: times are handed
 /// in.
 class Curtain {
