@@ -116,7 +116,11 @@ void FaceRenderer::State::draw_runs(const std::vector<Run>& runs) {
       set(program, "u_eyeball_open", at < moving.eye_open.size() ? moving.eye_open[at] : 1.0F);
     }
     (run.material.two_sided ? glDisable : glEnable)(GL_CULL_FACE);
+    // Hair that is not blended has an outline of single strands, as fine as the samples.
+    const bool strands = run.material.shader == Shader::Hair && !glIsEnabled(GL_BLEND);
+    if (strands) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     run.draw();
+    if (strands) glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   }
 }
 

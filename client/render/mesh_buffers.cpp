@@ -29,7 +29,7 @@ constexpr GLuint kStrandSlot = 5;
 MaterialBlock block_of(const view::Material& material, bool grained) {
   // Shadows on skin go red, not grey.
   constexpr glm::vec3 kSkinWrap{0.37F, 0.19F, 0.13F};
-  constexpr glm::vec3 kSkinShadow{0.34F, 0.15F, 0.11F};
+  constexpr glm::vec3 kSkinShadow{0.30F, 0.165F, 0.13F};
   return {.wrap = kSkinWrap * material.wrap,
           .specular = material.specular,
           .shadow_kept = glm::max(kSkinShadow * material.wrap, glm::vec3(material.shadow_kept)),

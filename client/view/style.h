@@ -53,7 +53,7 @@ inline constexpr std::array<LayerName, 8> kLayerNames{{{"polygons", &Layers::pol
 /// The key light: the direction towards it, in the coordinates of the mesh, and its strength (1:
 /// the default).
 struct KeyLight {
-  glm::vec3 direction{-0.45F, 0.55F, 0.75F};
+  glm::vec3 direction{-0.51F, 0.56F, 0.653F};
   float strength = 1;
   friend bool operator==(const KeyLight&, const KeyLight&) = default;
 };

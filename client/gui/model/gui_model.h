@@ -194,8 +194,8 @@ inline constexpr int kSeedShownMax = 999'999;
 struct RenderingSettings {
   view::Layers layers;
   Ground ground = Ground::Studio;
-  int light_yaw_deg = -31;   ///< of the key light, to the subject's left; up to kLightYawMaxDeg
-  int light_pitch_deg = 32;  ///< up; up to kLightPitchMaxDeg
+  int light_yaw_deg = -38;   ///< of the key light, to the subject's left; up to kLightYawMaxDeg
+  int light_pitch_deg = 34;  ///< up; up to kLightPitchMaxDeg
   int light_percent = 100;   ///< 0 to kLightPercentMax
   bool blinking = false;
   playback::BlinkOptions blink;

@@ -87,12 +87,14 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   vec3 shine = 2.4 * colour * (broad * lit + filled) +
                0.33 * white * (narrow * max(1.0 + 1.7 * strand, 0.0) * lit);
   // Not at the very outline, where single pixels would sparkle.
-  return shine * smoothstep(0.0, 0.3, dot(normal, view));
+  // White hairs are coarse and dull.
+  return shine * smoothstep(0.0, 0.3, dot(normal, view)) * (1.0 - 0.62 * u_grey);
 }
 
 // How light the strand here is, in [-1, 1], and so its colour: single ones and, about four times as
-// wide, tufts. Strands of an edge end at different places: `cover` is what is left of them.
-float strand_here(inout vec3 colour, out float cover) {
+// wide, tufts. Strands of an edge end at different places: `cover` is what is left of them. The
+// outline is such an edge; `facing` is 0 there.
+float strand_here(inout vec3 colour, out float cover, float facing) {
   float at = v_strand.w * kStrands;
   // One colour shows in longer pieces than white hairs among dark ones.
   float grey = at > 0.0 ? u_grey : 0.0;  // bare clay has neither
@@ -111,8 +113,17 @@ float strand_here(inout vec3 colour, out float cover) {
     float soft = mix(0.5, 0.42, visible);
     cover = smoothstep(cut - soft, cut + soft, mix(-0.7, 1.7, v_colour.a));
   }
+  // Seen along it the outside ends strand by strand, at places of their own.
+  float outline =
+      0.5 + 0.5 * piece_noise(at * 0.16 + 700.0, 0.6 * (v_grain.y - v_grain.x) * kPieces);
+  cover *= smoothstep(0.0, 0.14, facing - 0.32 * outline * outline);
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
-  colour *= 1.0 + mix(0.42, 0.78, grey) * strand;
+  colour *= 1.0 + mix(0.42, 0.55, grey) * strand;
+  // Locks: some lie deeper than others, and between them it is dark.
+  float lock = strand_noise(at * 0.055 + 12000.0 + 0.5 * tuft);
+  float deep = 1.0 - abs(lock);
+  float locks = mix(0.30, 0.12, grey) * lock - mix(0.34, 0.16, grey) * deep * deep * deep * deep;
+  colour *= at > 0.0 ? 1.0 + locks : 1.0;
   return strand;
 }
 #endif
@@ -123,7 +134,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   vec3 lit = clamp((towards_key + u_wrap) / (1.0 + u_wrap), 0.0, 1.0);
   // Where the surface turns away from the key it is its own shadow; the map would only draw its
   // texels there.
-  arriving = mix(1.0, v_key, smoothstep(-0.20, 0.15, towards_key));
+  arriving = mix(1.0, v_key, smoothstep(-0.36, 0.0, towards_key));
   vec3 through = mix(u_shadow_kept, vec3(1.0), arriving);
   return lit * through * kKeyColour * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
@@ -133,7 +144,7 @@ const float kRelief = 0.42;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
-const float kCatchlight = 0.056;  // half its side, of the ball's radius
+const vec2 kCatchlight = vec2(0.060, 0.072);  // half its sides, of the ball's radius
 
 vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
@@ -145,16 +156,16 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   vec3 middle = mix(view, u_eyeball_forward, 0.82);
   // The window stands near: each eye sees it from another place.
   float which = clamp(dot(u_eyeball_centre, side), -1.0, 1.0) * (1.0 - sideways);
-  float aside = 0.13 * (1.0 - sideways) + 0.024 * which;
-  vec3 first = normalize(middle - side * aside + up * (mix(0.135, 0.09, sideways) + 0.012 * which));
+  float aside = 0.105 * (1.0 - sideways) + 0.024 * which;
+  vec3 first = normalize(middle - side * aside + up * (mix(0.120, 0.09, sideways) + 0.012 * which));
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
   // A window is square, lighter at its upper edge, and soft on a wet ball.
   vec3 off = normal - first;
   vec2 pane = vec2(dot(off, side), dot(off, up)) / (kCatchlight * (1.0 + 0.14 * which));
   vec2 pane2 = pane * pane;
-  float window = (1.0 - smoothstep(0.0, 2.4, dot(pane2, pane2))) * (0.85 + 0.15 * pane.y);
-  lit = mix(lit, vec3(0.90, 0.90, 0.88), 0.94 * window);
-  lit += vec3(0.07) * smoothstep(0.986, 0.999, dot(normal, second));
+  float window = 1.0 - smoothstep(0.1, 2.6, 0.5 * dot(pane2, pane2) + 0.5 * dot(pane, pane));
+  lit = mix(lit, vec3(0.90, 0.91, 0.92), window * (0.78 + 0.16 * pane.y));
+  lit += vec3(0.035, 0.031, 0.028) * smoothstep(0.975, 0.999, dot(normal, second));
   // From the side the front of the cornea is clear: what lies behind it shows, not the pupil.
   float facing = 1.0 - max(dot(normal, view), 0.0);
   return mix(lit, vec3(0.40, 0.37, 0.35), 0.60 * sideways * smoothstep(0.62, 1.0, facing));
@@ -172,7 +183,7 @@ void main() {
   vec3 normal = normalize(v_normal);
 #ifdef HAIR
   float cover;
-  float strand = strand_here(colour, cover);
+  float strand = strand_here(colour, cover, abs(dot(normal, view)));
   vec3 along = strand_direction(normal);
 #else
   normal = gl_FrontFacing ? normal : -normal;
@@ -181,7 +192,7 @@ void main() {
   // the right half is the mirror of the left one.
   float across = dFdx(v_grain.x) < 0.0 ? -grain.b : grain.b;
   normal = normalize(normal + kRelief * vec3(across, grain.a, 0.0));
-  colour *= 1.0 + grain.r * vec3(0.11, 0.17, 0.19);  // more blood or less: red changes least
+  colour *= 1.0 + grain.r * vec3(0.13, 0.20, 0.22);  // more blood or less: red changes least
 #endif
 #endif
 
@@ -190,7 +201,7 @@ void main() {
 
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
-  result *= mix(1.0, 0.34, smoothstep(-0.22, 0.44, from_centre.y));
+  result *= mix(vec3(1.0), vec3(0.36, 0.29, 0.27), smoothstep(-0.16, 0.46, from_centre.y));
   // The lower lid meets it in shade, or the ball is a wedge with a cut end.
   result *= mix(0.62, 1.0, smoothstep(-0.50, -0.12, from_centre.y));
   result = with_reflections(result, view, normal);
