@@ -209,8 +209,8 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int n
   const Vec3 blade = glm::normalize(growth.along + Vec3{0, chance(5) > 0.5 ? 0.8 : -0.8, 0});
   static constexpr std::array kSteps{0.0, 0.35, 0.70, 1.0};
   static constexpr std::array kWidths{1.0, 0.80, 0.42, 0.0};
-  static constexpr std::array kAlphas{0.85, 0.75, 0.50, 0.10};
-  const double half_width = 0.022 * mix(0.5, 1.0, who.form.lash);
+  static constexpr std::array kAlphas{0.70, 0.60, 0.36, 0.05};
+  const double half_width = 0.019 * mix(0.5, 1.0, who.form.lash);
   const double dark =
       lash_strength(who) * smooth_step(0.0, 0.22, t) * (1 - 0.4 * smooth_step(0.85, 1.0, t));
   std::array<std::uint32_t, 2> before{};
@@ -276,7 +276,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
       const double fade = smooth_step(-0.02, 0.26, t) * smooth_step(1.0, 0.86, t);
-      const double alpha = 0.8 * fade * smooth_step(1.0, 0.25, std::abs(s));
+      const double alpha = 0.74 * fade * smooth_step(1.0, 0.25, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
     }
@@ -318,7 +318,7 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
     const double alpha = mix(0.30, 0.80, smooth_step(0.0, 0.26, t)) * (0.6 + 0.4 * on_side(5));
     const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
-    const double thick = 0.012 * (0.8 + 0.4 * chance(7));
+    const double thick = 0.0155 * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};
     const std::array<Vec3, 3> flat{root - aside * thick, root + aside * thick,
                                    root + direction * length};

@@ -127,8 +127,9 @@ Outside outside_at(double u) {
 /// How far big soft waves and smaller locks stand out.
 double waves(double s, double t) {
   const double free = smooth_step(0.1, 0.5, t);
-  return free * (0.09 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
-                 0.09 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) +
+  const double astray = value_noise({s * 17, 2.2 * t, 11.5}) - 0.5;
+  return free * (0.10 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
+                 0.09 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) + 0.30 * astray +
                  0.035 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
 }
 
@@ -165,8 +166,8 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     // In its shade the parting would be a dark stripe.
-    const double parted = 0.24 * std::exp(-std::pow(t / 0.08, 2));
-    const double light = 0.02 + 0.38 * tuft + 0.30 * t - 0.3 * at.rolled * rolls(t) + parted;
+    const double parted = 0.12 * std::exp(-std::pow(t / 0.08, 2));
+    const double light = 0.34 * tuft + 0.42 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
     const double soft = mix(0.035, 0.095, value_noise({0.5, 26 * t, 9.5}));
@@ -178,11 +179,11 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double parting =
         mix(1, smooth_step(-0.012, 0.024, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
-    const double whole = 0.45 * smooth_step(0.22, 0.10, from_edge);
+    const double whole = 0.42 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =
-        0.6 * value_noise({s * 34, 0.5, 3.5}) + 0.4 * value_noise({s * 9, 0.5, 6.5});
-    const double full = 0.76 + 0.17 * mix(ragged, 1, whole);
-    const double ends = smooth_step(full + 0.12, full + 0.02, t) * smooth_step(1, 0.93, t);
+        0.5 * value_noise({s * 38, 0.5, 3.5}) + 0.5 * value_noise({s * 11, 0.5, 6.5});
+    const double full = 0.71 + 0.22 * mix(ragged, 1, whole);
+    const double ends = smooth_step(full + 0.15, full + 0.01, t) * smooth_step(1, 0.93, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
     return HairPoint{p, shade_of(who, light), edge * hairline * parting * ends, strand_at(u, t),

@@ -10,10 +10,10 @@ namespace {
 /// How wide the edge of the hair is in which it gets thinner, by the place on the hairline: shaved
 /// shorter and shorter over the ear and in the neck.
 constexpr std::array<Key<double>, 9> kTaper{{{0, 0.8},
-                                             {2.4, 0.8},
-                                             {3.4, 0.9},
-                                             {5.0, 0.9},
-                                             {5.9, 1.2},
+                                             {2.4, 1.1},
+                                             {3.4, 1.4},
+                                             {5.0, 1.5},
+                                             {5.9, 1.5},
                                              {6.9, 1.5},
                                              {8.0, 2.0},
                                              {9.2, 2.8},
@@ -125,8 +125,8 @@ class Top {
     const double light = 0.06 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.18 - 0.45 * value_noise({u * 34, 0.5, 4.5}) -
-                         0.40 * value_noise({u * 11, 0.5, 8.5});
+    const double begin = way + 0.20 - 0.60 * value_noise({u * 34, 0.5, 4.5}) -
+                         0.55 * value_noise({u * 11, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
     point.alpha = thinned(std::min({begin / 0.85, ends / 3, u / 0.12, (1 - u) / 0.38}));
     point.gloss = 0.5;

@@ -12,8 +12,8 @@ namespace {
 /// (any finer and the quads would show).
 double flush(const HalfVertex& v, const Vec3& mirrored_position) {
   const Vec3& p = v.position;
-  double f = 0.14 * (value_noise(mirrored_position * 0.7) - 0.5) +
-             0.08 * (value_noise(mirrored_position * 1.7) - 0.5);
+  double f = 0.24 * (value_noise(mirrored_position * 0.7) - 0.5) +
+             0.15 * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
     f += 0.55 * bell(Vec3{p.x / 0.75, (p.y - 0.05) / 0.6, 0}) * smooth_step(8.4, 9.3, p.z);
@@ -96,7 +96,7 @@ double beard_field(const HalfVertex& v) {
   const Vec3& p = v.position;
   if (p.z < 1 || (v.patch == Patch::Mouth && v.ring >= kLipBorderRing)) return 0;
   const double jaw = smooth_step(-0.9, -2.6, p.y + 0.35 * (p.z - 5) - 0.25 * p.x);
-  const double moustache = smooth_step(-0.75, -1.15, p.y) * smooth_step(2.3, 1.5, p.x);
+  const double moustache = smooth_step(-0.70, -1.50, p.y) * smooth_step(2.4, 1.2, p.x);
   const double below = smooth_step(-7.2, -5.6, p.y) * smooth_step(1.0, 2.6, p.z);
   return std::max(jaw * mix(1, 0.5, smooth_step(1.8, 3.2, p.x)), moustache) * below;
 }
@@ -123,12 +123,24 @@ double below_jaw(const Vec3& p) {
          smooth_step(0.0, 2.2, p.z) * bell(p.x, 2.6);
 }
 
+/// The side of the nose from the inner corner of the eye to the wing, which turns away from every
+/// light: without it bridge and wings are one form with the cheeks from the front.
+double beside_nose(const Identity& who, const Vec3& p) {
+  if (p.z < 6.5) return 0;
+  static constexpr std::array<Vec3, 4> kSide{
+      {{.62, 2.2, .25}, {.68, 1.2, .55}, {.86, .45, .75}, {1.24, -.05, 1.0}}};
+  const double x = p.x / who.form.nose_width;
+  const double under_tip =
+      bell(Vec3{x / 0.75, (p.y + 0.80) / 0.22, 0}) * smooth_step(7.8, 8.6, p.z);
+  return std::max(near_line(kSide, {x, p.y}, 0.26), 0.8 * under_tip);
+}
+
 /// The nose shines a little more than the rest, forehead and chin, which face the lamp, less, neck
 /// and back of the head least.
 double shine(const Vec3& p) {
   double s = 0.85;
   if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.1, (p.y - 0.4) / 0.9, 0});
-  if (p.z > 5) s -= 0.16 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
+  if (p.z > 5) s -= 0.32 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
   if (p.z > 5) s -= 0.22 * bell(Vec3{p.x / 1.2, (p.y + 4.5) / 1.0, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
 }
@@ -147,7 +159,8 @@ void paint_skin(const Identity& who, Skin& skin) {
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
     c *= Vec3{1} - Vec3{0.36, 0.44, 0.46} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
-    c *= Vec3{1} - Vec3{1.0, 1.5, 1.5} * std::max(0.0, fold_depth(who, p));
+    c *= Vec3{1} - Vec3{1.2, 1.9, 1.9} * std::max(0.0, fold_depth(who, p));
+    c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
@@ -198,8 +211,8 @@ void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
       const double far2 = glm::dot(way, way) / (kReach * kReach);
       if (far2 < 9) near += piece.weight * std::exp(-far2);
     }
-    const double shade = 1 - std::exp(-1.8 * near);
-    vertex.occlusion *= 1 - 0.55 * strength * shade;
+    const double shade = 1 - std::exp(-2.2 * near);
+    vertex.occlusion *= 1 - 0.68 * strength * shade;
     vertex.colour *= mix(Vec3{1}, under, shade);
   }
 }

@@ -159,12 +159,12 @@ double alar_groove(const Form& form, const Vec3& p) {
   const double x = std::abs(p.x) / form.nose_width;
   if (p.z <= 7.2 || x >= 1.9 || p.y >= 1.0 || p.y <= -1.4) return 0;
   static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .015},
-                                              {.61, .22, .048},
-                                              {.82, .33, .072},
-                                              {1.00, .24, .080},
-                                              {1.115, .02, .092},
-                                              {1.155, -.28, .090},
-                                              {1.06, -.55, .060},
+                                              {.61, .22, .050},
+                                              {.82, .33, .084},
+                                              {1.00, .24, .104},
+                                              {1.115, .02, .116},
+                                              {1.155, -.28, .112},
+                                              {1.06, -.55, .075},
                                               {.92, -.72, .010}}};
   return near_line(kLine, {x, p.y}, 0.135) * smooth_step(7.2, 7.7, p.z);
 }
