@@ -27,8 +27,9 @@ constexpr GLuint kGrainSlot = 4;
 constexpr GLuint kStrandSlot = 5;
 
 MaterialBlock block_of(const view::Material& material, bool grained) {
-  // Shadows on skin go red, not grey.
-  constexpr glm::vec3 kSkinWrap{0.37F, 0.19F, 0.13F};
+  // Shadows on skin go red, not grey. With less green and blue round the edge, a red ring lies
+  // there and the shade behind it looks blue.
+  constexpr glm::vec3 kSkinWrap{0.43F, 0.26F, 0.20F};
   constexpr glm::vec3 kSkinShadow{0.30F, 0.165F, 0.13F};
   return {.wrap = kSkinWrap * material.wrap,
           .specular = material.specular,

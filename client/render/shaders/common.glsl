@@ -27,7 +27,7 @@ const vec3 kRimColour = vec3(0.75, 0.80, 0.95);
 const float kSecondRimStrength = 0.28;
 const vec3 kSecondRimDirection = vec3(-0.766261041, 0.287347883, -0.574695766);
 const vec3 kSecondRimColour = vec3(0.90, 0.75, 0.60);
-const vec3 kSky = vec3(0.250, 0.247, 0.264);
+const vec3 kSky = vec3(0.255, 0.245, 0.255);
 const vec3 kGround = vec3(0.150, 0.112, 0.097);
 
 layout(std140) uniform Material {
