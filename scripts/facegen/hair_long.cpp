@@ -166,7 +166,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     // In its shade the parting would be a dark stripe.
-    const double parted = 0.12 * std::exp(-std::pow(t / 0.08, 2));
+    const double parted = 0.02 * std::exp(-std::pow(t / 0.08, 2));
     const double light = 0.34 * tuft + 0.42 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);
@@ -177,7 +177,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
                                         from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting =
-        mix(1, smooth_step(-0.012, 0.024, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
+        mix(1, smooth_step(-0.004, 0.040, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
     const double whole = 0.42 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =

@@ -159,7 +159,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
     c *= Vec3{1} - Vec3{0.36, 0.44, 0.46} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
-    c *= Vec3{1} - Vec3{1.2, 1.9, 1.9} * std::max(0.0, fold_depth(who, p));
+    c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;

@@ -116,7 +116,7 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
   // Seen along it the outside ends strand by strand, at places of their own.
   float outline =
       0.5 + 0.5 * piece_noise(at * 0.16 + 700.0, 0.6 * (v_grain.y - v_grain.x) * kPieces);
-  cover *= smoothstep(0.0, 0.14, facing - 0.32 * outline * outline);
+  cover *= smoothstep(0.0, 0.14, facing - 0.26 * outline * outline);
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
   colour *= 1.0 + mix(0.42, 0.55, grey) * strand;
   // Locks: some lie deeper than others, and between them it is dark.
