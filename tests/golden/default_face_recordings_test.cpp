@@ -152,6 +152,13 @@ TEST_F(DefaultFaceRecordings, MovesTheCornersOfTheMouthAsFacsSays) {
   EXPECT_GT(way(mouth_corner(), 13).y, 0.3F);
 }
 
+TEST_F(DefaultFaceRecordings, RaisesTheBrowByTheFrontalisWithoutAPeak) {
+  const auto positions = driven("frontalis_major", 0.6F);  // Waters' fear
+  const auto up = [&](double t) { return way(brow(t), positions).y; };
+  EXPECT_GT(up(0.5), 0.3F);
+  EXPECT_LT(up(0.5) - (up(0.1) + up(0.9)) / 2, 0.28F);
+}
+
 TEST_F(DefaultFaceRecordings, MovesTheLipsAsFacsSays) {
   EXPECT_GT(way(upper_lip(), 10).y, 0.15F);
   EXPECT_LT(std::abs(way(lower_lip(), 10).y), 0.05F);
