@@ -26,7 +26,7 @@ constexpr Arch kUpperArch{1,
                           -1.63,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.86, .81, .83, .75, .69, .61, .52}};
+                          {.88, .82, .83, .73, .65, .57, .49}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
@@ -75,7 +75,7 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr double kLostBetweenTeeth = 0.38;
+constexpr double kLostBetweenTeeth = 0.50;
 
 /// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
 Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
@@ -199,7 +199,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.2, 0.50, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.0, 0.40, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.80, 0.72, 0.66};
@@ -373,7 +373,8 @@ Part make_mouth_bag(const Skin& skin) {
       if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      const Vec3 colour = mix(kMouthFront * mix(0.8, 1.3, place.corner), kMouthBack,
+      // Darker in the corners, where its edge is seen from the front: lit, it is a pale string.
+      const Vec3 colour = mix(kMouthFront * mix(0.8, 0.4, place.corner), kMouthBack,
                               smooth_step(0.05, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();

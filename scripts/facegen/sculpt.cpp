@@ -187,7 +187,7 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   if (down > -0.5) depth -= 0.30 * who.form.lip_bulge * fullness * bell(down - 0.45, 0.55);
   const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
   depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
-  depth += 0.055 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
+  depth += 0.035 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
   const double above_lip = 1 - smooth_step(-1.1, -0.8, y);
   depth += 0.045 * who.form.philtrum * bell(x, 0.20) * smooth_step(-2.0, -1.6, y) *
            above_lip;  // philtrum

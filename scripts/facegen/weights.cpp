@@ -108,7 +108,7 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
 /// jaw opens an oval: powers gave a box or a rhombus. That is before the corner of the mouth, or
 /// the opening is a lens with pointed ends.
 double towards_corner(double t) {
-  constexpr double kTogether = 0.93;
+  constexpr double kTogether = 0.94;
   constexpr double kFull = 0.94;  // 1 would tear the skin there
   const double way = std::min(1.0, t / kTogether);
   return (1 - std::sqrt(1 - kFull * way * way)) / (1 - std::sqrt(1 - kFull));
@@ -118,8 +118,9 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double blend = smooth_step(0, 4, v.ring);
   const bool upper = v.spoke <= kMouthCornerSpoke;
   const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
-  const double jaw =
-      upper ? 0.48 * towards_corner(to_corner) : 1 - 0.52 * towards_corner(to_corner);
+  // The corner goes down by a third of the way: half of it makes the upper lip a tent.
+  constexpr double kCorner = 0.37;
+  const double jaw = mix(upper ? 0.0 : 1.0, kCorner, towards_corner(to_corner));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   // Near the corner the lower lip stays with the upper one.
@@ -138,8 +139,8 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
 }  // namespace
 
 double jaw_field(const Vec3& p) {
-  const double line = mix(0.9, -2.35, saturate((p.z - 1.5) / 6.0));
-  const double below = smooth_step(-0.85, 1.25, line - p.y);
+  const double line = mix(0.9, -2.50, saturate((p.z - 1.5) / 6.0));
+  const double below = smooth_step(-1.15, 1.25, line - p.y);
   const double not_throat = smooth_step(0.8, 6.0, p.z + 0.35 * (p.y + 5.5));
   return below * not_throat;
 }

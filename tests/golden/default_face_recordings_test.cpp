@@ -152,6 +152,16 @@ TEST_F(DefaultFaceRecordings, MovesTheCornersOfTheMouthAsFacsSays) {
   EXPECT_GT(way(mouth_corner(), 13).y, 0.3F);
 }
 
+TEST_F(DefaultFaceRecordings, SmilesWithBothLipsInAnArc) {
+  const auto smile = posed({{6}, {12}, {25}});
+  const auto height = [&](int spoke) {
+    return smile[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y;
+  };
+  // From beside the corners down to the middle of each lip.
+  EXPECT_GT(height(9) - height(0), 0.20F) << "the edge of the upper lip is straight";
+  EXPECT_GT(height(15) - height(24), 0.52F) << "the lower lip is flat";
+}
+
 TEST_F(DefaultFaceRecordings, RaisesTheBrowByTheFrontalisWithoutAPeak) {
   const auto positions = driven("frontalis_major", 0.6F);  // Waters' fear
   const auto up = [&](double t) { return way(brow(t), positions).y; };
