@@ -159,7 +159,24 @@ TEST_F(DefaultFaceRecordings, SmilesWithBothLipsInAnArc) {
   };
   // From beside the corners down to the middle of each lip.
   EXPECT_GT(height(9) - height(0), 0.20F) << "the edge of the upper lip is straight";
-  EXPECT_GT(height(15) - height(24), 0.52F) << "the lower lip is flat";
+  EXPECT_GT(height(15) - height(24), 0.46F) << "the lower lip is flat";
+}
+
+TEST_F(DefaultFaceRecordings, FillsASmileWithTeethThatFollowTheLowerLip) {
+  const auto smile = posed({{6}, {12}, {25}});
+  const face::MeshPart& teeth = part("upper_teeth");
+  // The edge of the row at some way from the middle.
+  const auto edge = [&](float from, float to) {
+    float lowest = 1e9F;
+    for (std::uint32_t i = teeth.vertex_begin; i < teeth.vertex_begin + teeth.vertex_count; ++i) {
+      const glm::vec3& p = smile[i];
+      if (std::abs(p.x) >= from && std::abs(p.x) <= to) lowest = std::min(lowest, p.y);
+    }
+    return lowest;
+  };
+  const float lip = smile[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 24)].y;
+  EXPECT_LT(edge(0, 0.5F) - lip, 0.05F) << "a dark slot";
+  EXPECT_GT(edge(1.2F, 1.5F) - edge(0, 0.5F), 0.075F) << "the row is straight";
 }
 
 TEST_F(DefaultFaceRecordings, RaisesTheBrowByTheFrontalisWithoutAPeak) {
