@@ -33,7 +33,7 @@ constexpr Arch kLowerArch{-1,
                           -3.30,
                           0.12,
                           {.41, .44, .49, .49, .49, .70, .64},
-                          {.62, .62, .64, .62, .59, .55, .51}};
+                          {.54, .55, .58, .58, .57, .54, .51}};
 constexpr double kArchBack = 4.8;
 /// Squarer than an ellipse (2): a narrow front ends in a dark gap to the corner of the mouth.
 constexpr double kArchPower = 2.18;
@@ -151,7 +151,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       p.x *= side;
       const double in_shade = smooth_step(0.0, 0.16, behind);
       const Vec3 front = tooth_colour(v, across, tooth);
-      const Vec3 back = mix(kCrownFarBack, front * kCrownBack, smooth_step(6.2, 7.8, p.z));
+      const Vec3 back = mix(kCrownFarBack, front * kCrownBack, smooth_step(5.8, 7.4, p.z));
       row.push_back(part.add(p, mix(front, back, in_shade)));
       part.vertices.back().occlusion = mix(1.0, 0.05, in_shade);
       part.vertices.back().gloss = mix(1.0, 0.1, in_shade);
@@ -211,14 +211,13 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
     vertex.colour *= mix(Vec3{0.40, 0.36, 0.33}, Vec3{1}, light) *
-                     mix(0.58, 1.26, smooth_step(0.10, 0.90, from_gum));
+                     mix(arch.up > 0 ? 0.58 : 0.90, 1.26, smooth_step(0.10, 0.90, from_gum));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
-      vertex.colour *= kLightOnLowerTeeth;
-      // The end of the row seen past the tongue would be a grey block.
-      vertex.colour *=
-          mix(Vec3{0.50, 0.29, 0.24}, Vec3{1}, smooth_step(5.0, 7.0, vertex.position.z));
-      vertex.occlusion *= 0.5;
+      // Its end seen past the tongue would be a grey block, and its far side a black one.
+      const double far = smooth_step(7.3, 6.0, vertex.position.z);
+      vertex.colour = mix(vertex.colour * kLightOnLowerTeeth, kMouthBack * 0.7, far);
+      vertex.occlusion = mix(std::max(vertex.occlusion * 0.5, 0.3), 0.2, far);
     }
     vertex.gloss *= mix(0.2, 1.0, light);
   }
@@ -375,7 +374,7 @@ Part make_mouth_bag(const Skin& skin) {
                    mix(lip.position.z, kThroatZ, shape.back)};
       // Darker in the corners, where its edge is seen from the front: lit, it is a pale string.
       const Vec3 colour = mix(kMouthFront * mix(0.8, 0.4, place.corner), kMouthBack,
-                              smooth_step(0.05, 0.7, shape.back));
+                              smooth_step(-0.05, 0.36, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;

@@ -143,6 +143,16 @@ TEST_F(DefaultFaceMesh, LightsTheTeethLessTowardsTheCornersOfTheMouth) {
   EXPECT_LT(brightest(1.6F, 1.8F), 0.50F);
 }
 
+TEST_F(DefaultFaceMesh, ShowsNoBlackHoleBesideTheTongue) {
+  // What lies farthest of the lower row is seen from behind, past the tongue.
+  const face::MeshPart& teeth = part("lower_teeth");
+  for (std::uint32_t i = teeth.vertex_begin; i < teeth.vertex_begin + teeth.vertex_count; ++i) {
+    if (face().mesh.positions[i].z > 6) continue;
+    ASSERT_GT(face().mesh.colours[i].r, 0.12F) << "vertex " << i;
+    ASSERT_GT(face().mesh.colours[i].r, 3 * face().mesh.colours[i].g) << "vertex " << i;
+  }
+}
+
 TEST_F(DefaultFaceMesh, UsesEveryDirectedEdgeOnce) {
   for (const face::MeshPart& piece : face().mesh.parts) {
     for (const auto& [edge, count] : directed_edges(piece)) {
