@@ -194,7 +194,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
 /// What shows where one looks under hanging hair.
 void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
   add_sheet(hair, kUnderSheet, [&](double u, double v) {
-    const double s = mix(0.985, 0.015, u);  // seen from inside
+    const double s = mix(0.96, 0.04, u);  // seen from inside
     const double t = mix(0.3, 0.95, v);
     const double thick = mix(0.42, 0.25, smooth_step(0.8, 1, t));
     const Vec3 p = sheet.off_head(outer_place(sheet, s, t) - sheet.up(s, t) * thick, 0.04);
