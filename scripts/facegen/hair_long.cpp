@@ -165,8 +165,9 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
            sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
-    // In its shade the parting would be a dark stripe.
-    const double parted = 0.02 * std::exp(-std::pow(t / 0.08, 2));
+    // The left side of the parting turns away from the lamp: of one colour, both meet in a step.
+    const double parted =
+        mix(0.24, 0.05, smooth_step(0.2, 0.8, s)) * std::exp(-std::pow(t / 0.13, 2));
     const double light = 0.34 * tuft + 0.42 * t - 0.3 * at.rolled * rolls(t) + parted;
     const double from_edge = std::min(s, 1 - s);
     const double loose = smooth_step(0.14, 0.34, t);

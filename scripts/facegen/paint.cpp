@@ -135,6 +135,12 @@ double beside_nose(const Identity& who, const Vec3& p) {
   return std::max(near_line(kSide, {x, p.y}, 0.26), 0.8 * under_tip);
 }
 
+/// The underside of the nose: without more warmth, what gets no light of the lamp there looks grey
+/// beside the red edge of its shadow.
+double under_nose(const Vec3& p) {
+  return bell(Vec3{p.x / 0.80, (p.y + 0.72) / 0.33, 0}) * smooth_step(7.6, 8.2, p.z);
+}
+
 /// The nose shines a little more than the rest, forehead and chin, which face the lamp, less, neck
 /// and back of the head least.
 double shine(const Vec3& p) {
@@ -161,6 +167,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
+    c *= Vec3{1} - Vec3{0.0, 0.22, 0.34} * under_nose(p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
