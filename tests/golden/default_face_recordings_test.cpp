@@ -162,6 +162,14 @@ TEST_F(DefaultFaceRecordings, SmilesWithBothLipsInAnArc) {
   EXPECT_GT(height(15) - height(24), 0.46F) << "the lower lip is flat";
 }
 
+TEST_F(DefaultFaceRecordings, KeepsTheUpperLipFullInAShutSmile) {
+  const auto thickness = [](const std::vector<glm::vec3>& positions) {
+    return positions[upper_lip()].y -
+           positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, 3)].y;
+  };
+  EXPECT_GT(thickness(posed({{6}, {12}})), 0.865F * thickness(face().mesh.positions));
+}
+
 TEST_F(DefaultFaceRecordings, FillsASmileWithTeethThatFollowTheLowerLip) {
   const auto smile = posed({{6}, {12}, {25}});
   const face::MeshPart& teeth = part("upper_teeth");
