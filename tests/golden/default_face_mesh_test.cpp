@@ -153,6 +153,23 @@ TEST_F(DefaultFaceMesh, ShowsNoBlackHoleBesideTheTongue) {
   }
 }
 
+TEST_F(DefaultFaceMesh, HidesTheFarHairBehindTheJawFromThreeQuarters) {
+  constexpr float kYaw = 0.60F;  // as ViewpointPreset::ThreeQuarter
+  // How far a part reaches to the right of the picture in a band of heights.
+  const auto reach = [](const face::MeshPart& piece, float y) {
+    float farthest = -1e9F;
+    for (std::uint32_t i = piece.vertex_begin; i < piece.vertex_begin + piece.vertex_count; ++i) {
+      const glm::vec3& p = face().mesh.positions[i];
+      if (std::abs(p.y - y) > 0.25F || face().mesh.colours[i].a < 0.25F) continue;
+      farthest = std::max(farthest, p.x * std::cos(kYaw) + p.z * std::sin(kYaw));
+    }
+    return farthest;
+  };
+  for (const float y : {-2.0F, -2.5F, -3.0F, -3.5F, -4.0F, -4.5F}) {
+    EXPECT_LT(reach(part("hair"), y), reach(part("skin"), y) + 0.1F) << "at " << y;
+  }
+}
+
 TEST_F(DefaultFaceMesh, UsesEveryDirectedEdgeOnce) {
   for (const face::MeshPart& piece : face().mesh.parts) {
     for (const auto& [edge, count] : directed_edges(piece)) {
