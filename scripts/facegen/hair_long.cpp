@@ -174,8 +174,9 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double soft = mix(0.035, 0.095, value_noise({0.5, 26 * t, 9.5}));
     // Where it hangs single strands of the edge lie on the cheek.
     const double begin = -kRolled * loose;
-    const double hairline = smooth_step(begin, begin + mix(soft, 0.7 * kRolled, loose),
-                                        from_edge - kRolled * at.rolled);
+    const double hairline =
+        smooth_step(begin, begin + mix(soft, 0.7 * kRolled, smooth_step(0.10, 0.22, t)),
+                    from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting =
         mix(1, smooth_step(-0.004, 0.040, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
