@@ -78,13 +78,16 @@ void recording_mark(const Look& look, const std::string& file, GuiCommands& comm
 }
 
 /// What would be lost.
-std::string unsaved_in_words(const GuiModel& model) {
+std::string lost_in_words(const GuiModel& model) {
   std::string text;
   if (model.editor.unsaved) {
     text = model.editor.au >= 0 ? tr("leave.au", model.editor.au)
                                 : std::string(tr("leave.expression"));
   }
-  if (model.composer.unsaved) text += (text.empty() ? "" : "\n") + std::string(tr("leave.stream"));
+  const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+  if (model.composer.unsaved) add(tr("leave.stream"));
+  if (model.gallery.running) add(tr("leave.gallery", model.gallery.settings.folder));
+  if (!model.exported.file.empty()) add(tr("leave.export", model.exported.file));
   return text;
 }
 
@@ -96,15 +99,27 @@ bool can_save(const EditorView& editor) {
   return !editor.unsaved || (editor.au > 0 && !others);
 }
 
+void save_before_leaving(const EditorView& editor, GuiCommands& commands) {
+  ImGui::BeginDisabled(!can_save(editor));
+  if (ImGui::Button(tr("button.save"))) {
+    commands.push_back(Leave{.really = false, .saves = true});
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndDisabled();
+}
+
 void leave_question(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  const std::string whole_title = with_id(tr("leave.title"), "leave");
+  const bool unsaved = model.editor.unsaved || model.composer.unsaved;
+  const char* const leave = unsaved ? tr("leave.leave") : tr("leave.at_once");
+  const std::string whole_title =
+      with_id(unsaved ? tr("leave.title") : tr("leave.title_working"), "leave");
   const char* const title = whole_title.c_str();
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   const FloatingStyle floating(look);
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  const std::string why = unsaved_in_words(model);
+  const std::string why = lost_in_words(model);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float room = size.x - 4 * style.WindowPadding.x;
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() +
@@ -112,9 +127,10 @@ void leave_question(const Look& look, const GuiModel& model, GuiCommands& comman
   ImGui::TextUnformatted(why.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  const float buttons =
-      ImGui::CalcTextSize(tr("leave.stay")).x + ImGui::CalcTextSize(tr("button.save")).x +
-      ImGui::CalcTextSize(tr("leave.leave")).x + 6 * style.FramePadding.x + 2 * style.ItemSpacing.x;
+  const float buttons = ImGui::CalcTextSize(tr("leave.stay")).x +
+                        (unsaved ? ImGui::CalcTextSize(tr("button.save")).x : 0) +
+                        ImGui::CalcTextSize(leave).x + 6 * style.FramePadding.x +
+                        2 * style.ItemSpacing.x;
   // The key that asked is not an answer.
   const bool escaped = !ImGui::IsWindowAppearing() &&
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
@@ -122,16 +138,12 @@ void leave_question(const Look& look, const GuiModel& model, GuiCommands& comman
     commands.push_back(Leave{false});
     ImGui::CloseCurrentPopup();
   }
-  const bool saves = can_save(model.editor);
-  if (buttons <= room) ImGui::SameLine();
-  ImGui::BeginDisabled(!saves);
-  if (ImGui::Button(tr("button.save"))) {
-    commands.push_back(Leave{.really = false, .saves = true});
-    ImGui::CloseCurrentPopup();
+  if (unsaved) {
+    if (buttons <= room) ImGui::SameLine();
+    save_before_leaving(model.editor, commands);
   }
-  ImGui::EndDisabled();
   if (buttons <= room) ImGui::SameLine();
-  if (ImGui::Button(tr("leave.leave"))) {
+  if (ImGui::Button(leave)) {
     commands.push_back(Leave{true});
     ImGui::CloseCurrentPopup();
   }

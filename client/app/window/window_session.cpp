@@ -146,6 +146,8 @@ void WindowSession::advance(Instant now) {
   if (const auto exported = export_.advance()) {
     say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }
+  // How the work ended is to be read first.
+  if (!unsaved() && !works()) asks_to_leave_ = false;
 }
 
 /// Brings face_ to `now`.
@@ -245,9 +247,10 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::FileCommand& one) { files_.apply(one, now); },
       [&](const gui::SettingsCommand& one) { settings_.apply(one, now); },
       [&](const gui::Leave& one) {
-        asks_to_leave_ = false;
         if (one.saves) save_all(now);
-        leaving_ = one.really || (one.saves && !unsaved());
+        // What saving cannot end is asked about on its own.
+        asks_to_leave_ = one.saves && !unsaved() && works();
+        leaving_ = one.really || (one.saves && !unsaved() && !works());
       },
       [&](const gui::FaceCommand& one) { apply_face(one, now); },
       [&](const gui::CloseNotice&) { notices_.clear(); },
@@ -355,7 +358,7 @@ void WindowSession::save_all(Instant now) {
 
 void WindowSession::ask_to_leave() {
   // Asking twice is an answer.
-  leaving_ = asks_to_leave_ || !unsaved();
+  leaving_ = asks_to_leave_ || (!unsaved() && !works());
   asks_to_leave_ = !leaving_;
 }
 

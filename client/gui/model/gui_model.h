@@ -329,7 +329,7 @@ struct GuiModel {
   TransitionSettings transition;
   RenderingView rendering;
   DisplayView display;
-  bool asks_to_leave = false;  ///< the user wants to leave, but there are unsaved changes
+  bool asks_to_leave = false;  ///< the user wants to leave, but something would be lost
   friend bool operator==(const GuiModel&, const GuiModel&) = default;
 };
 

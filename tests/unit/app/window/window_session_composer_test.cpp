@@ -158,5 +158,46 @@ TEST_F(WindowSessionComposerTest, LeavingAsksWhenTheStreamIsNotSaved) {
   EXPECT_TRUE(session_->leaving());
 }
 
+/// A gallery for which no picture is drawn. It is seen to have ended in advance() only.
+gui::GallerySettings quick_gallery(const std::filesystem::path& folder) {
+  gui::GallerySettings settings;
+  settings.folder = folder.string();
+  settings.sections = {};
+  settings.sections[5] = true;  // which AUs there are
+  return settings;
+}
+
+TEST_F(WindowSessionComposerTest, LeavingAsksWhileAGalleryIsBeingMade) {
+  const test::TempFolder folder;
+  ask(gui::GalleryCommand(gui::ChangeGallery{quick_gallery(folder.path() / "gallery")}));
+  session_->apply(gui::GalleryCommand(gui::BeginGallery{}), clock_.now());
+  ASSERT_TRUE(model().gallery.running);
+  session_->ask_to_leave();
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().asks_to_leave);
+  while (model().gallery.running) session_->advance(clock_.now());
+  EXPECT_FALSE(model().asks_to_leave) << "there is nothing left to lose";
+  EXPECT_FALSE(session_->leaving()) << "how it ended is to be read";
+  session_->ask_to_leave();
+  EXPECT_TRUE(session_->leaving());
+}
+
+TEST_F(WindowSessionComposerTest, SavingOnLeavingStillAsksAboutTheGallery) {
+  const test::TempFolder folder;
+  make_two();
+  ask(gui::Browse{gui::Purpose::SaveStream});
+  ask(gui::ChooseFile{(folder.path() / "mine.txt").string()});
+  compose(gui::AddKeyframe{});
+  ask(gui::GalleryCommand(gui::ChangeGallery{quick_gallery(folder.path() / "gallery")}));
+  session_->apply(gui::GalleryCommand(gui::BeginGallery{}), clock_.now());
+  session_->ask_to_leave();
+  session_->apply(gui::Leave{.really = false, .saves = true}, clock_.now());
+  EXPECT_FALSE(model().composer.unsaved);
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().asks_to_leave);
+  ask(gui::Leave{true});
+  EXPECT_TRUE(session_->leaving());
+}
+
 }  // namespace
 }  // namespace aucast::app

@@ -91,6 +91,23 @@ TEST_F(OverFace, TheQuestionOnLeavingFitsWithLargeLetters) {
   EXPECT_GT(question()->Size.y, before) << "the stream is named too";
 }
 
+TEST_F(OverFace, TheQuestionOnLeavingNamesWhatIsBeingMade) {
+  model_.gallery.running = true;
+  model_.gallery.settings.folder = "/pictures/gallery";
+  model_.asks_to_leave = true;
+  frames(4);
+  const ImGuiWindow* const question = ImGui::FindWindowByID(ImHashStr("###leave"));
+  ASSERT_NE(question, nullptr);
+  const float one = question->Size.y;
+  model_.exported.file = "/pictures/face.glb";
+  frames(4);
+  EXPECT_GT(question->Size.y, one) << "the file is named too";
+  for (int i = 0; i < 6; ++i) {
+    press(ImGuiKey_Tab);
+    EXPECT_NE(focus(), ImHashStr("Save", 0, question->ID)) << "there is nothing to save";
+  }
+}
+
 TEST_F(OverFace, TheQuestionOnLeavingStandsAloneOverAnOpenDialog) {
   model_.browser.open = true;
   model_.browser.folder = "/streams";
