@@ -1,6 +1,7 @@
 #include "client/gui/storage/file_browser.h"
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -32,6 +33,34 @@ bool may_open(Purpose purpose, const fs::path& file) {
     default:
       return true;
   }
+}
+
+/// The ending of a new file; empty: none.
+std::string_view ending_of(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::SaveStream:
+    case Purpose::ExportKeyframes:
+      return ".txt";
+    case Purpose::ExportTable:
+    case Purpose::LogOnsets:
+      return ".csv";
+    case Purpose::ExportMesh:
+      return ".obj";
+    case Purpose::ExportGlb:
+      return ".glb";
+    case Purpose::ExportAu:
+      return ".toml";
+    default:
+      return {};
+  }
+}
+
+/// The file with the ending of its kind if it has none: without it no dialog would offer the file
+/// again. One that is there already is meant as it is.
+fs::path with_ending(fs::path file, Purpose purpose) {
+  std::error_code ignored;
+  if (!file.has_filename() || file.has_extension() || fs::exists(file, ignored)) return file;
+  return file += ending_of(purpose);
 }
 
 /// Folders first, then files, each by name. Hidden entries, and files that cannot be what is
@@ -89,7 +118,7 @@ void FileBrowser::enter(const fs::path& folder) {
 }
 
 bool FileBrowser::choose(const fs::path& file, fs::path& chosen) {
-  const fs::path wanted = (fs::path(view_.folder) / file).lexically_normal();
+  fs::path wanted = (fs::path(view_.folder) / file).lexically_normal();
   std::error_code ignored;
   if (is_folder(view_.purpose) && (file == "." || fs::is_regular_file(wanted, ignored))) {
     chosen = file == "." ? fs::path(view_.folder) : wanted.parent_path();
@@ -99,9 +128,10 @@ bool FileBrowser::choose(const fs::path& file, fs::path& chosen) {
     enter(wanted);
     return false;
   }
+  wanted = with_ending(std::move(wanted), view_.purpose);
   if (is_saving(view_.purpose) && view_.replaces != wanted && fs::exists(wanted, ignored)) {
     view_.replaces = wanted.string();
-    view_.name = file.string();
+    view_.name = fs::path(file).replace_filename(wanted.filename()).string();
     return false;
   }
   chosen = wanted;

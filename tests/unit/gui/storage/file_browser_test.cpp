@@ -48,6 +48,30 @@ TEST_F(FileBrowserTest, OffersWhatCanBeOpened) {
   EXPECT_EQ(browser_.view().entries.size(), 9U) << "what is there would be replaced";
 }
 
+TEST_F(FileBrowserTest, ANewFileWithoutAnEndingGetsThatOfItsKind) {
+  const auto saved_as = [this](Purpose purpose, const char* typed) {
+    browser_.open(purpose, folder_.path());
+    return browser_.choose(typed, chosen_) ? chosen_.filename().string() : std::string();
+  };
+  EXPECT_EQ(saved_as(Purpose::SaveStream, "my talk"), "my talk.txt");
+  EXPECT_EQ(saved_as(Purpose::SaveStream, "zoo/my talk"), "my talk.txt");
+  EXPECT_EQ(saved_as(Purpose::SaveStream, "my talk.stream"), "my talk.stream");
+  EXPECT_EQ(saved_as(Purpose::SaveStream, "zoo"), "") << "that folder is entered";
+  EXPECT_EQ(saved_as(Purpose::ExportKeyframes, "x"), "x.txt");
+  EXPECT_EQ(saved_as(Purpose::ExportTable, "x"), "x.csv");
+  EXPECT_EQ(saved_as(Purpose::LogOnsets, "x"), "x.csv");
+  EXPECT_EQ(saved_as(Purpose::ExportMesh, "x"), "x.obj");
+  EXPECT_EQ(saved_as(Purpose::ExportGlb, "x"), "x.glb");
+  EXPECT_EQ(saved_as(Purpose::ExportAu, "x"), "x.toml");
+  EXPECT_EQ(saved_as(Purpose::PlayStream, "x"), "x");
+  EXPECT_EQ(saved_as(Purpose::SaveStream, "a"), "") << "a.txt would be replaced";
+  EXPECT_EQ(browser_.view().name, "a.txt");
+  EXPECT_TRUE(browser_.choose("a.txt", chosen_));
+  folder_.write("plain", "");
+  EXPECT_EQ(saved_as(Purpose::SaveStream, "plain"), "");
+  EXPECT_EQ(browser_.view().replaces, (folder_.path() / "plain").string());
+}
+
 TEST_F(FileBrowserTest, OpensTheNearestFolderThatIsThere) {
   browser_.open(Purpose::PlayStream, folder_.path() / "gone" / "deeper");
   EXPECT_EQ(browser_.view().folder, folder_.path().string());
