@@ -205,6 +205,8 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   bool entered = false;
   if (saving) {
     label(look, tr("file.name"));
+    // What was refused can be typed on.
+    form.to_name |= std::exchange(form.named, false) && !view.problem.empty();
     if (std::exchange(form.to_name, false)) {
       ImGui::SetKeyboardFocusHere();
       form.waits = true;
@@ -228,6 +230,7 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   if (wide_button(tr("button.cancel"), 0, 2, true)) commands.push_back(CloseBrowser{});
   const bool pressed = wide_button(action, 1, 2, named, named);
   if (named && (pressed || entered)) {
+    form.named = saving;
     commands.push_back(ChooseFile{folder ? "." : typed ? form.folder.data() : form.name.data()});
   }
 }

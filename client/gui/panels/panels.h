@@ -146,6 +146,7 @@ struct FileForm {
   std::string shown_folder;  ///< the folder that was taken from the model
   std::string shown_name;
   bool entered = false;         ///< the field of the folder was active in the previous frame
+  bool named = false;           ///< a new file was named in the previous frame
   bool to_first = false;        ///< give the focus to the first entry
   bool to_name = false;         ///< give the focus to the name
   bool waits = false;           ///< the focus has not arrived there yet

@@ -57,5 +57,23 @@ TEST_F(FileDialog, APathThatWasTypedIsNotLostOnTheWayToTheButton) {
   EXPECT_EQ(asked<ChooseFile>()->file, "/data/table.csv");
 }
 
+TEST_F(FileDialog, ANameThatWasRefusedIsTypedAnew) {
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::SaveStream;
+  model_.browser.folder = "/tmp";
+  model_.browser.name = "composed.txt";
+  frames(5);
+  type("a/b/x.txt");
+  model_.browser.problem = "there is no such folder";
+  press(ImGuiKey_Enter);
+  frames(3);
+  EXPECT_EQ(ImGui::GetCurrentContext()->ActiveId, dialog()->GetID("##name"));
+  commands_.clear();
+  type("x.txt");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "x.txt");
+}
+
 }  // namespace
 }  // namespace aucast::gui
