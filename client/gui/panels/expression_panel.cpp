@@ -66,8 +66,8 @@ std::string whole_label(const ExpressionButton& button) {
   return data_word(button.label) + "  " + button.aus;
 }
 
-/// Each a line: label, AUs, source.
-void found_expressions(const ExpressionsView& expressions, const std::string& words,
+/// Each a line: label, AUs, source. `entered`: the first one is wanted.
+void found_expressions(const ExpressionsView& expressions, const std::string& words, bool entered,
                        GuiCommands& commands) {
   bool any = false;
   float source_at = 0;
@@ -79,10 +79,10 @@ void found_expressions(const ExpressionsView& expressions, const std::string& wo
   for (std::size_t i = 0; i < expressions.buttons.size(); ++i) {
     const ExpressionButton& button = expressions.buttons[i];
     if (button.kind != ExpressionKind::Other || !is_meant(button, words)) continue;
-    any = true;
+    const bool first = !std::exchange(any, true);
     const bool chosen = static_cast<int>(i) == expressions.chosen;
     ImGui::PushID(static_cast<int>(i));
-    if (list_item(whole_label(button), chosen)) {
+    if (list_item(whole_label(button), chosen) || (first && entered)) {
       commands.push_back(ShowExpression{i});
       ImGui::CloseCurrentPopup();
     }
@@ -109,9 +109,12 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(260 * look.scale);
-  ImGui::InputTextWithHint("##search", tr("expression.search_hint"), form.search.data(),
-                           form.search.size());
-  found_expressions(expressions, lowered(form.search.data()), commands);
+  const bool entered =
+      ImGui::InputTextWithHint("##search", tr("expression.search_hint"), form.search.data(),
+                               form.search.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  stay_in_field();
+  const std::string words = lowered(form.search.data());
+  found_expressions(expressions, words, entered && !words.empty(), commands);
   ImGui::EndCombo();
 }
 

@@ -84,6 +84,23 @@ TEST_F(Keyboard, AnExpressionIsChosenAndItsStrengthSet) {
   EXPECT_LT(strength->percent, 100);
 }
 
+TEST_F(Keyboard, EnterShowsTheFirstExpressionThatWasFound) {
+  for (const char* const label : {"Fear", "Shame", "Sham"})
+    model_.expressions.buttons.push_back({label, "24", ExpressionKind::Other});
+  ASSERT_TRUE(go_to_tab("Expression"));
+  ASSERT_TRUE(go_to("##more"));
+  press(ImGuiKey_Enter);
+  press(ImGuiKey_Enter);
+  EXPECT_FALSE(asked<ShowExpression>()) << "nothing was looked for";
+  type("zz");
+  press(ImGuiKey_Enter);
+  EXPECT_FALSE(asked<ShowExpression>()) << "it can be typed anew";
+  type("sham");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ShowExpression>());
+  EXPECT_EQ(asked<ShowExpression>()->index, 3U);
+}
+
 TEST_F(Keyboard, AFileIsFoundByItsFirstLettersAndOpened) {
   model_.browser.open = true;
   model_.browser.folder = "/streams";
