@@ -140,14 +140,21 @@ std::string state_name(PlaybackState state) {
   return {};
 }
 
-std::string state_in_words(PlaybackState state, const playback::SourceStatus& status,
-                           const playback::BufferOptions& buffers) {
+std::string connecting_in_words(PlaybackState state, const playback::SourceStatus& status) {
   if (awaits_connection(state, status)) {
     return tr(status.reconnects > 0 ? TextKey("state.reconnecting") : TextKey("state.connecting"));
   }
   if (state == PlaybackState::Stalled && !status.connected && status.reconnects > 0 &&
       status.end == EndReason::NotEnded) {
     return tr("state.reconnecting");
+  }
+  return {};
+}
+
+std::string state_in_words(PlaybackState state, const playback::SourceStatus& status,
+                           const playback::BufferOptions& buffers) {
+  if (std::string connecting = connecting_in_words(state, status); !connecting.empty()) {
+    return connecting;
   }
   const bool came = status.keyframes_received > 0;
   const bool refused = status.end == EndReason::Unreachable || status.end == EndReason::Refused;

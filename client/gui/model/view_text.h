@@ -24,6 +24,10 @@ namespace aucast::gui {
 /// "playing", "paused" and so on; Buffering counts as "playing".
 [[nodiscard]] std::string state_name(playback::PlaybackState state);
 
+/// "connecting" or "reconnecting"; empty: neither.
+[[nodiscard]] std::string connecting_in_words(playback::PlaybackState state,
+                                              const playback::SourceStatus& status);
+
 /// "connecting", "reconnecting", "buffering 42 %", "playing", "paused", "stalled", "ended",
 /// "stopped" or "lost". The percentage is of what must be buffered before playing begins.
 [[nodiscard]] std::string state_in_words(playback::PlaybackState state,

@@ -78,7 +78,10 @@ Duration RemoteStream::idle_time() const {
 
 std::string RemoteStream::title(const std::string& program, bool over) const {
   const playback::SourceStatus status = playback_->status();
-  const std::string title = program + " - " + gui::state_name(playback_->state());
+  const PlaybackState state = playback_->state();
+  const std::string connecting = gui::connecting_in_words(state, status);
+  const std::string title =
+      program + " - " + (connecting.empty() ? gui::state_name(state) : connecting);
   // What plays on from the buffers has not ended, whatever the server said.
   if (!over || status.detail.empty()) return title;
   return title + ": " + gui::in_used_language(status.detail);

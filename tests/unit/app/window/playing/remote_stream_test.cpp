@@ -148,5 +148,14 @@ TEST_F(RemoteStreamTest, ItsTitleSaysWhyItEndedWhenNothingIsHeardAnyMore) {
   EXPECT_NE(title.find(": the server has no such stream"), std::string::npos) << title;
 }
 
+TEST_F(RemoteStreamTest, ItsTitleDoesNotCallPlayingWhatIsStillBeingConnectedTo) {
+  open(Server::Chosen);
+  EXPECT_EQ(stream_->title("AUcast", false), "AUcast - playing");
+  source_->now.connected = false;
+  EXPECT_EQ(stream_->title("AUcast", false), "AUcast - connecting");
+  source_->now.reconnects = 1;
+  EXPECT_EQ(stream_->title("AUcast", false), "AUcast - reconnecting");
+}
+
 }  // namespace
 }  // namespace aucast::app
