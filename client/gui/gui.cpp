@@ -86,6 +86,7 @@ std::string lost_in_words(const GuiModel& model) {
   }
   const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
   if (model.composer.unsaved) add(tr("leave.stream"));
+  if (model.composer.begun) add(tr("leave.keyframe"));
   if (model.gallery.running) add(tr("leave.gallery", model.gallery.settings.folder));
   if (!model.exported.file.empty()) add(tr("leave.export", model.exported.file));
   return text;

@@ -147,7 +147,7 @@ void WindowSession::advance(Instant now) {
     say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }
   // How the work ended is to be read first.
-  if (!unsaved() && !works()) asks_to_leave_ = false;
+  if (!unsaved() && !unfinished()) asks_to_leave_ = false;
 }
 
 /// Brings face_ to `now`.
@@ -249,8 +249,8 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::Leave& one) {
         if (one.saves) save_all(now);
         // What saving cannot end is asked about on its own.
-        asks_to_leave_ = one.saves && !unsaved() && works();
-        leaving_ = one.really || (one.saves && !unsaved() && !works());
+        asks_to_leave_ = one.saves && !unsaved() && unfinished();
+        leaving_ = one.really || (one.saves && !unsaved() && !unfinished());
       },
       [&](const gui::FaceCommand& one) { apply_face(one, now); },
       [&](const gui::CloseNotice&) { notices_.clear(); },
@@ -358,7 +358,7 @@ void WindowSession::save_all(Instant now) {
 
 void WindowSession::ask_to_leave() {
   // Asking twice is an answer.
-  leaving_ = asks_to_leave_ || (!unsaved() && !works());
+  leaving_ = asks_to_leave_ || (!unsaved() && !unfinished());
   asks_to_leave_ = !leaving_;
 }
 

@@ -105,8 +105,9 @@ class WindowSession {
 
   /// Whether playing has come to its end; false if nothing has been opened.
   [[nodiscard]] bool over() const { return playback_.over(); }
-  /// The user wants to leave: leaving() becomes true, unless something is unsaved or a gallery or a
-  /// GLB file is being made. In that case the panels ask first, and a second call leaves.
+  /// The user wants to leave: leaving() becomes true, unless something is unsaved or unfinished: a
+  /// keyframe that was not added, a gallery, a GLB file. In that case the panels ask first, and a
+  /// second call leaves.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::AnimationSettings& animation() const { return settings_.animation(); }
@@ -135,9 +136,9 @@ class WindowSession {
   void apply_face(const gui::FaceCommand& command, Instant now);
   void save_all(Instant now);
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || composer_.unsaved(); }
-  /// Whether files are being made that leaving would leave unfinished.
-  [[nodiscard]] bool works() const {
-    return gallery_.view().running || !export_.view().file.empty();
+  /// Whether something is being made that leaving would lose and that cannot be saved as it is.
+  [[nodiscard]] bool unfinished() const {
+    return composer_.begun() || gallery_.view().running || !export_.view().file.empty();
   }
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);

@@ -24,7 +24,7 @@ const ComposedKeyframe& Composer::current() const {
 }
 
 bool Composer::unsaved() const {
-  return history_.now().fresh_touched || !same(history_.now().keyframes, history_.now().stored);
+  return !same(history_.now().keyframes, history_.now().stored);
 }
 
 void Composer::step(State next, bool continued) {

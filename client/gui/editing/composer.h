@@ -35,7 +35,7 @@ class Composer {
   [[nodiscard]] const ComposedKeyframe& current() const;
   /// The file that it was loaded from or saved to; empty: none yet.
   [[nodiscard]] const std::string& file() const { return history_.now().file; }
-  /// Whether there are changes to be saved, or a new keyframe that was not added.
+  /// Whether the stream has changes to be saved. A new keyframe belongs to it once it was added.
   [[nodiscard]] bool unsaved() const;
   /// Whether a new keyframe was begun and has not been added.
   [[nodiscard]] bool begun() const { return history_.now().fresh_touched; }

@@ -38,7 +38,8 @@ struct ComposerView {
   std::vector<ComposedAu> aus;                           ///< of the keyframe being composed
   int ms = -1;                                           ///< -1: no time of its own
   std::string file;
-  bool unsaved = false;
+  bool unsaved = false;  ///< the stream, without a new keyframe
+  bool begun = false;    ///< there is a new keyframe that was not added
   bool can_undo = false;
   bool can_redo = false;
   std::shared_ptr<const std::vector<PadPoint>> pad;  ///< never null

@@ -32,9 +32,12 @@ void file_buttons(const ComposerView& composer, GuiCommands& commands) {
   if (wide_button(tr("button.open_dots"), 1, 4, true))
     commands.push_back(Browse{Purpose::ComposeStream});
   const bool any = !composer.rows->empty();
+  const std::string why_not = any ? "" : tr("compose.save_none");
   if (wide_button(tr("button.save"), 2, 4, any && composer.unsaved))
     ask(commands, SaveComposition{});
+  tip(why_not, true);
   if (wide_button(tr("button.save_as"), 3, 4, any)) commands.push_back(Browse{Purpose::SaveStream});
+  tip(why_not, true);
 }
 
 /// A keyframe as a line: its face, its AUs and the time to reach it.

@@ -11,6 +11,7 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"compose.empty", "Make a face below and add it here."},
     {"compose.new_stream", "New stream"},
     {"compose.unsaved", "{name}  (not saved)"},
+    {"compose.save_none", "there is no keyframe to save: add one first"},
     {"compose.play", "Play"},
     {"compose.up", "Up"},
     {"compose.down", "Down"},

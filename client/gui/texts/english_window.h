@@ -107,6 +107,8 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"leave.expression", "What was changed in the editor is not saved."},
     {"leave.stream", "The stream in the composer is not saved."},
     {"leave.title_working", "Leave before it is finished?"},
+    {"leave.keyframe",
+     "The new keyframe in the composer is not in the stream: \"Add\" there puts it in."},
     {"leave.gallery", "The gallery in {folder} is still being made. Leaving ends it incomplete."},
     {"leave.export", "{file} is still being written. Leaving abandons it."},
     {"leave.stay", "Stay"},

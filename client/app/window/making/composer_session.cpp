@@ -159,6 +159,7 @@ gui::ComposerView ComposerSession::view(bool active) const {
   if (current.ms) view.ms = static_cast<int>(*current.ms);
   view.file = composer_.file();
   view.unsaved = composer_.unsaved();
+  view.begun = begun();
   view.can_undo = composer_.can_undo();
   view.can_redo = composer_.can_redo();
   view.pad = pad_;

@@ -147,12 +147,39 @@ TEST_F(WindowSessionComposerTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLos
   EXPECT_TRUE(model().composer.unsaved);
 }
 
-TEST_F(WindowSessionComposerTest, LeavingAsksWhenTheStreamIsNotSaved) {
+TEST_F(WindowSessionComposerTest, LeavingAsksAboutAKeyframeThatWasNotAdded) {
+  const test::TempFolder folder;
   compose(gui::ComposeAu{12, 50, 50, false});
+  EXPECT_FALSE(model().composer.unsaved) << "nothing can be saved";
+  EXPECT_TRUE(model().composer.begun);
   session_->ask_to_leave();
   EXPECT_FALSE(session_->leaving());
   EXPECT_TRUE(model().asks_to_leave);
   ask(gui::Leave{false});
+  EXPECT_FALSE(session_->leaving());
+  compose(gui::AddKeyframe{});
+  EXPECT_TRUE(model().composer.unsaved);
+  EXPECT_FALSE(model().composer.begun);
+  ask(gui::Browse{gui::Purpose::SaveStream});
+  ask(gui::ChooseFile{(folder.path() / "mine.txt").string()});
+  compose(gui::ComposeAu{12, 70, 70, false});
+  compose(gui::AddKeyframe{});
+  compose(gui::ComposeAu{26, 70, 70, false});
+  session_->ask_to_leave();
+  ask(gui::Leave{.really = false, .saves = true});
+  EXPECT_FALSE(model().composer.unsaved);
+  EXPECT_TRUE(model().asks_to_leave) << "saving did not add it";
+  EXPECT_FALSE(session_->leaving());
+}
+
+TEST_F(WindowSessionComposerTest, LeavingAsksWhenTheStreamIsNotSaved) {
+  compose(gui::ComposeAu{12, 50, 50, false});
+  compose(gui::AddKeyframe{});
+  session_->ask_to_leave();
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_TRUE(model().asks_to_leave);
+  ask(gui::Leave{false});
+  compose(gui::UndoComposing{});
   compose(gui::UndoComposing{});
   session_->ask_to_leave();
   EXPECT_TRUE(session_->leaving());

@@ -24,9 +24,12 @@ class ComposerTest : public testing::Test {
 TEST_F(ComposerTest, ANewFaceIsAddedAtTheEnd) {
   EXPECT_FALSE(composer_.unsaved());
   composer_.set_au(12, 60, 80, false);
-  EXPECT_TRUE(composer_.unsaved()) << "it is nowhere else";
+  EXPECT_TRUE(composer_.begun()) << "it is nowhere else";
+  EXPECT_FALSE(composer_.unsaved()) << "the stream does not have it";
   EXPECT_TRUE(composer_.keyframes().empty());
   composer_.add();
+  EXPECT_FALSE(composer_.begun());
+  EXPECT_TRUE(composer_.unsaved());
   ASSERT_EQ(composer_.keyframes().size(), 1U);
   EXPECT_FLOAT_EQ(composer_.keyframes()[0]->aus.left[12], 0.6F);
   EXPECT_FLOAT_EQ(composer_.keyframes()[0]->aus.right[12], 0.8F);
