@@ -145,5 +145,21 @@ TEST_F(OverFace, SavingIsNotOfferedWhenSomethingStaysUnsaved) {
   EXPECT_TRUE(saves());
 }
 
+TEST_F(OverFace, SaveSaysWhyItIsGreyWithoutAKeyframe) {
+  ASSERT_TRUE(go_to_tab("Compose"));
+  const auto tips_of_row = [this] {
+    int tips = 0;
+    for (float y = 60; y < 160; y += 12) {
+      point_at(ImGui::GetIO().DisplaySize.x - 60, y);  // the last button of the first row
+      tips += static_cast<int>(tooltip() != nullptr);
+    }
+    return tips;
+  };
+  EXPECT_GT(tips_of_row(), 0);
+  model_.composer.rows =
+      std::make_shared<const std::vector<TimelineRow>>(std::vector<TimelineRow>{{"12", "500 ms"}});
+  EXPECT_EQ(tips_of_row(), 0);
+}
+
 }  // namespace
 }  // namespace aucast::gui
