@@ -20,7 +20,11 @@ std::string in_a_name(std::string word) {
                        c == '.' || c == '_' || (static_cast<unsigned char>(c) & 0x80U) != 0;
     if (!plain) c = '-';
   }
-  if (word.size() > kWordMax) word.resize(kWordMax);
+  if (word.size() > kWordMax) {
+    std::size_t end = kWordMax;
+    while (end > 0 && (static_cast<unsigned char>(word[end]) & 0xC0U) == 0x80U) --end;
+    word.resize(end);  // between two characters
+  }
   return word;
 }
 

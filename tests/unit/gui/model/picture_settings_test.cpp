@@ -20,6 +20,9 @@ TEST(PictureSettings, WhatCannotStandInANameDoesNot) {
   EXPECT_EQ(*picture_name("x{stream}", words, 1), "x..-a-b-c");
   words.stream.assign(300, 'a');
   EXPECT_LE(picture_name("{stream}", words, 1)->size(), 80U);
+  words.stream = "x";
+  for (int n = 0; n < 100; ++n) words.stream += "\u0436";
+  EXPECT_EQ(picture_name("{stream}", words, 1)->size(), 79U) << "no half of a letter";
 }
 
 TEST(PictureSettings, APatternThatMeansNothingIsSaid) {
