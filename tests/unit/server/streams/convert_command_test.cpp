@@ -54,6 +54,9 @@ TEST(Convert, ANameInCsvIsWrittenAsATableThatSaysTheSame) {
   const auto again = run_convert({table, "-"});
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->text, "Beg_Stream\n6:40,12:80;40\n51:20,63:70;40\nEnd_Stream\n");
+  const auto upper = run_convert({table, (folder.path() / "OUT.CSV").string()});
+  ASSERT_TRUE(upper) << upper.error().message;
+  EXPECT_NE(upper->said.find("OUT.CSV: a table of OpenFace 2"), std::string::npos) << upper->said;
 }
 
 TEST(Convert, ResamplesAndTakesTheSourcesOptions) {

@@ -48,7 +48,7 @@ TEST(LoadSources, MissingFileIsUnreadable) {
 
 TEST(LoadSources, FolderIsServedByName) {
   const TempFolder folder;
-  for (const char* name : {"b.txt", "c.txt", "a.txt"}) folder.write(name, kTwo);
+  for (const char* name : {"b.txt", "c.TXT", "a.txt"}) folder.write(name, kTwo);
   folder.write("README.md", "none of it");
   folder.write(".hidden.txt", "none of it");
   const auto sources = load_sources({folder.path()});
