@@ -23,8 +23,8 @@ void FacePipeline::remake() {
 }
 
 void FacePipeline::change_face() {
-  for (FaceState* frame : {&start_, &end_}) {
-    frame->activations.assign(mapping_.face.channels.size(), 0.0F);
+  for (FaceState* state : {&start_, &end_}) {
+    state->activations.assign(mapping_.face.channels.size(), 0.0F);
   }
   face::mix(mapping_.face.channels, mapping_.recordings, start_.aus, mapping_.mixer,
             start_.activations);

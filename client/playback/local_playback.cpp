@@ -112,7 +112,7 @@ void LocalPlayback::step_keyframe(int direction, Instant now) {
   }
 }
 
-void LocalPlayback::step_frame(int direction, int fps, Instant now) {
+void LocalPlayback::step_at_rate(int direction, int fps, Instant now) {
   AUCAST_CHECK(fps > 0);
   const Duration at = position(now);
   pause(now);

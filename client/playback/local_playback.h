@@ -63,7 +63,7 @@ class LocalPlayback {
   void step_keyframe(int direction, Instant now);
   /// The same by the pictures of a film of the stream, `fps` a second from its beginning. The
   /// stream's end counts as the last picture.
-  void step_frame(int direction, int fps, Instant now);
+  void step_at_rate(int direction, int fps, Instant now);
   /// The same by the pictures of the source, which must have a picture_time(): each keyframe is
   /// one, and where some are missing steps are as long as elsewhere.
   void step_picture(int direction, Instant now);

@@ -75,16 +75,16 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
            ", and what is served here has " + ms_text(shared_->keyframe_ms);
   }
   if (hello.live) return std::nullopt;
-  if (!hello.duration_ms) return "it does not say how long its recording is";
+  if (!hello.duration_ms) return "it does not say how long its stream is";
   if (hello.loop && *hello.duration_ms == 0) {
-    return "its recording takes no time at all, so it cannot start again and again";
+    return "its stream takes no time at all, so it cannot start again and again";
   }
   if (recorded_ && hello.loop != shared_->loop) {
-    return std::string("its recording ") + end_of(hello.loop) + ", and what is served here " +
+    return std::string("its stream ") + end_of(hello.loop) + ", and what is served here " +
            end_of(shared_->loop);
   }
   if (recorded_ && hello.duration_ms != recorded_->duration_ms) {
-    return "its recording takes " + ms_text(*hello.duration_ms) + ", and what is served here " +
+    return "its stream takes " + ms_text(*hello.duration_ms) + ", and what is served here " +
            ms_text(recorded_->duration_ms.value_or(0));
   }
   if (hello.from_ms != place_ms_) {
@@ -193,7 +193,7 @@ std::optional<std::string> RelayedStream::no_room() {
   const std::uint64_t bytes =
       held_bytes(*recorded_) + (voice_ ? voice_->bytes() : 0) + caption_bytes_;
   if (bytes > kRelayedBytesMax) {
-    return "its recording has more than " + std::to_string(kRelayedBytesMax >> 30U) + " GiB";
+    return "its stream has more than " + std::to_string(kRelayedBytesMax >> 30U) + " GiB";
   }
   if (looks_++ % kKeptBetweenLooks > 0) return std::nullopt;
   // As much again is taken for a moment when the buffers grow.

@@ -294,7 +294,7 @@ TEST_F(ServerPush, AHostilePublisherCostsItsConnection) {
            {live_hello + "{1" + std::string(100'000, ' '), "no closing brace within 4096 bytes"},
            {"{hello v=2 window=50 stream=other live=1}", "it sends the stream 'other'"},
            {"{1,6}", "it speaks classic only"},
-           {"{hello v=2 window=50 stream=bad}", "does not say how long its recording"},
+           {"{hello v=2 window=50 stream=bad}", "does not say how long its stream"},
            {live_hello +
                 [] {
                   std::string flood;

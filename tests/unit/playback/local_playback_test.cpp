@@ -125,7 +125,7 @@ TEST_F(LocalPlaybackTest, StepsByKeyframeGoToTheNextFaceThatIsReached) {
 }
 
 TEST_F(LocalPlaybackTest, AStepByFrameIsAPictureOfAFilmHoweverLongTheKeyframes) {
-  const auto step = [this](int direction) { playback_.step_frame(direction, 25, clock_.now()); };
+  const auto step = [this](int direction) { playback_.step_at_rate(direction, 25, clock_.now()); };
   step(-1);
   EXPECT_EQ(at(), Milliseconds(0));
   step(+1);
@@ -146,18 +146,18 @@ TEST_F(LocalPlaybackTest, AStepByFrameIsAPictureOfAFilmHoweverLongTheKeyframes) 
 
 TEST_F(LocalPlaybackTest, TheLastStepByFrameIsToTheEnd) {
   seek(Milliseconds(599));
-  playback_.step_frame(+1, 25, clock_.now());
+  playback_.step_at_rate(+1, 25, clock_.now());
   EXPECT_EQ(at(), Milliseconds(600));
-  playback_.step_frame(+1, 25, clock_.now());
+  playback_.step_at_rate(+1, 25, clock_.now());
   EXPECT_EQ(at(), Milliseconds(600));
-  playback_.step_frame(-1, 25, clock_.now());
+  playback_.step_at_rate(-1, 25, clock_.now());
   EXPECT_EQ(at(), Milliseconds(560));
 }
 
 TEST_F(LocalPlaybackTest, StepsByFrameMissNoPictureOfARateThatMillisecondsDoNotDivide) {
-  for (int i = 1; i <= 18; ++i) playback_.step_frame(+1, 30, clock_.now());
+  for (int i = 1; i <= 18; ++i) playback_.step_at_rate(+1, 30, clock_.now());
   EXPECT_EQ(at(), Milliseconds(600));
-  for (int i = 1; i <= 17; ++i) playback_.step_frame(-1, 30, clock_.now());
+  for (int i = 1; i <= 17; ++i) playback_.step_at_rate(-1, 30, clock_.now());
   EXPECT_EQ(at(), Duration(std::chrono::seconds(1)) / 30);
 }
 
@@ -308,7 +308,7 @@ TEST(LocalPlaybackJumps, AStreamOfNoTimeIsItsLastFace) {
   playback.play(clock.now());
   EXPECT_TRUE(playback.over(clock.now()));
   EXPECT_EQ(playback.place(playback.position(clock.now())), (StreamPlace{1, 1}));
-  playback.step_frame(+1, 25, clock.now());
+  playback.step_at_rate(+1, 25, clock.now());
   playback.step_keyframe(-1, clock.now());
   EXPECT_EQ(playback.position(clock.now()), Milliseconds(0));
 }

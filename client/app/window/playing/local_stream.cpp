@@ -31,9 +31,10 @@ bool LocalStream::resume(Instant now) {
   return true;
 }
 
-void LocalStream::step_frame(playback::LocalPlayback& playhead, int direction, Instant now) const {
+void LocalStream::step_at_rate(playback::LocalPlayback& playhead, int direction,
+                               Instant now) const {
   if (!step_fps_ && playhead.picture_time()) return playhead.step_picture(direction, now);
-  playhead.step_frame(direction, step_fps(), now);
+  playhead.step_at_rate(direction, step_fps(), now);
 }
 
 int LocalStream::step_fps() const {
@@ -65,7 +66,7 @@ bool LocalStream::apply(const gui::LocalCommand& command, Instant now) {
                                return true;
                              },
                              [&](const gui::StepFrame& one) {
-                               step_frame(playhead, one.direction, now);
+                               step_at_rate(playhead, one.direction, now);
                                return true;
                              },
                              [&](const gui::SetSpeed& one) {

@@ -295,9 +295,9 @@ TEST_F(RelayOfTalk, ANextParentMustHaveTheSameStream) {
     const char* reason;
   } parents[] = {
       {"{hello v=2 stream=talk live=1 keyframe=40}", "its stream is live"},
-      {"{hello v=2 stream=talk duration=160 keyframe=40 from=40}", "its recording takes 160 ms"},
+      {"{hello v=2 stream=talk duration=160 keyframe=40 from=40}", "its stream takes 160 ms"},
       {"{hello v=2 stream=talk duration=120 keyframe=40 from=40 loop=1}",
-       "its recording starts again at its end (--loop), and what is served here ends"},
+       "its stream starts again at its end (--loop), and what is served here ends"},
       {"{hello v=2 stream=talk duration=120 keyframe=33 from=40}", "without a time take 33 ms"},
       {"{hello v=2 stream=talk duration=120 keyframe=40 from=33}", "begins at 33 ms, asked was 40"},
   };
