@@ -13,6 +13,11 @@
 namespace aucast::server {
 namespace {
 
+/// Not while the pieces are locked: a log may wait for the same disk.
+void say_end(const Error& why) {
+  spdlog::error("{}; the recording ends here, serving goes on", why.message);
+}
+
 /// How much time of a record a power cut may destroy.
 constexpr std::chrono::seconds kSyncEvery{1};
 
@@ -61,18 +66,20 @@ void RecordWriter::add(std::size_t bytes, std::function<std::string()> make) {
 }
 
 void RecordWriter::enqueue(std::size_t bytes, Makers makers) {
+  std::optional<Error> ended;
   pieces_.change([&](Pieces& shared) {
     if (shared.error) return;
     if (shared.unwritten_bytes + bytes > kUnwrittenBytesMax) {
       // What was accepted is still written.
-      shared.end_with({ErrorKind::Failed,
-                       at_place(path_.string(), "cannot be written: the disk takes nothing")});
+      ended = shared.error = {
+          ErrorKind::Failed, at_place(path_.string(), "cannot be written: the disk takes nothing")};
       return;
     }
     shared.unwritten_bytes += bytes;
     shared.waiting.insert(shared.waiting.end(), std::make_move_iterator(makers.begin()),
                           std::make_move_iterator(makers.end()));
   });
+  if (ended) say_end(*ended);
 }
 
 Result<void> RecordWriter::finish() {
@@ -83,10 +90,10 @@ Result<void> RecordWriter::finish() {
   });
 }
 
-void RecordWriter::Pieces::end_with(const Error& why) {
-  if (error) return;
+bool RecordWriter::Pieces::end_with(const Error& why) {
+  if (error) return false;
   error = why;
-  spdlog::error("{}; the recording ends here, serving goes on", why.message);
+  return true;
 }
 
 /// Writes pieces one by one, so that those that still fit on the disk are kept.
@@ -127,7 +134,9 @@ void RecordWriter::write_until_finished() {
       sync_at = Instant::max();
     }
     if (!done) {
-      pieces_.change([&](Pieces& shared) { shared.end_with(done.error()); });
+      const bool ended =
+          pieces_.change([&](Pieces& shared) { return shared.end_with(done.error()); });
+      if (ended) say_end(done.error());
       return;
     }
   }

@@ -47,7 +47,8 @@ class RecordWriter {
     bool finished = false;
     std::optional<Error> error;  ///< what ended the recording
 
-    void end_with(const Error& why);
+    /// Whether this ended it.
+    [[nodiscard]] bool end_with(const Error& why);
   };
 
   void enqueue(std::size_t bytes, Makers makers);
