@@ -417,7 +417,8 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
       {"tls", "", "", "use TLS", "Encrypt the connection and verify the server's certificate.",
        flag(security.tls), "TLS and tokens"},
       {"tls-ca", "FILE", "", "CAs to trust",
-       "Trust the authorities in FILE (PEM) and not the system's.",
+       "Trust the authorities in FILE (PEM) and not the system's. Revocation lists in FILE are "
+       "heeded; each authority that signs for servers then needs one that is up to date.",
        word(security.files.authorities)},
       {"tls-cert", "FILE", "", "certificate to show, if the server wants one",
        "The certificate to present if the server requires one (PEM).",

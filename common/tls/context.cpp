@@ -91,7 +91,9 @@ Result<std::string> use_own(SSL_CTX* context, const Files& files, const std::str
 }
 
 /// Certificates and revocation lists that peers are checked with; servers name the certificates to
-/// their clients.
+/// their clients. If there is any list, the peer's own certificate is looked up in that of its
+/// issuer, which must be there and up to date. The certificates of authorities in between are not
+/// looked up: the lists of their issuers are seldom at hand.
 Result<void> believe(SSL_CTX* context, const std::filesystem::path& authorities,
                      std::string_view option, bool name_them) {
   const auto bytes = read_file(authorities, kPemBytesMax);
@@ -103,14 +105,20 @@ Result<void> believe(SSL_CTX* context, const std::filesystem::path& authorities,
       PEM_X509_INFO_read_bio(bio_of(*bytes).get(), nullptr, no_pass_phrase, nullptr), free_all);
   X509_STORE* const store = SSL_CTX_get_cert_store(context);
   int certificates = 0;
+  bool lists = false;
   for (int i = 0; i < sk_X509_INFO_num(all.get()); ++i) {
     const X509_INFO* const info = sk_X509_INFO_value(all.get(), i);
-    if (info->crl != nullptr) X509_STORE_add_crl(store, info->crl);
+    if (info->crl != nullptr) {
+      lists = true;
+      X509_STORE_add_crl(store, info->crl);
+    }
     if (info->x509 == nullptr || X509_STORE_add_cert(store, info->x509) != 1) continue;
     if (name_them) SSL_CTX_add_client_CA(context, info->x509);
     ++certificates;
   }
   if (certificates == 0) return bad_file(authorities, "holds no certificates in PEM form");
+  // Also if a list could not be added: that must let nobody in.
+  if (lists) X509_STORE_set_flags(store, X509_V_FLAG_CRL_CHECK);
   ERR_clear_error();
   return {};
 }

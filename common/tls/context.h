@@ -16,7 +16,9 @@ namespace aucast::tls {
 struct Files {
   std::filesystem::path certificate;  ///< our own, followed by those of the authorities in between
   std::filesystem::path key;          ///< of the certificate
-  std::filesystem::path authorities;  ///< one of these must have issued the peer's certificate
+  std::filesystem::path authorities;  ///< one of these must have issued the peer's certificate; if
+                                      ///< any revocation list is beside them, its issuer's must be
+                                      ///< there, up to date and without it
   friend bool operator==(const Files&, const Files&) = default;
 };
 

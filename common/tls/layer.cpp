@@ -104,6 +104,13 @@ std::string verdict(long code, X509* certificate, const std::string& host, bool 
     case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
       return whose + "comes from an authority that is not known here" +
              (server ? " (" + option + ")" : "; " + option + " FILE names one to believe");
+    case X509_V_ERR_CERT_REVOKED:
+      return whose + "has been revoked";
+    case X509_V_ERR_UNABLE_TO_GET_CRL:
+      return whose + "comes from an authority of which " + option + " has no revocation list";
+    case X509_V_ERR_CRL_HAS_EXPIRED:
+      return whose + "cannot be checked: its authority's revocation list in " + option +
+             " is out of date";
     case X509_V_ERR_HOSTNAME_MISMATCH:
     case X509_V_ERR_IP_ADDRESS_MISMATCH:
       return whose + "is for " + (certificate != nullptr ? names_of(certificate) : "another host") +

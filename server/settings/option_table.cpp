@@ -270,7 +270,10 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
       {"tls-key", "FILE", "", "the private key of --tls-cert",
        "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
       {"tls-client-ca", "FILE", "", "require client certificates signed by these CAs",
-       "Clients must show a certificate that one of these authorities has signed (PEM).",
+       "Clients must show a certificate that one of these authorities has signed (PEM). If the "
+       "file has revocation lists too, clients that are in one are refused, and so are those of an "
+       "authority whose list is missing or out of date. Only the client's own certificate is "
+       "looked up, not those of intermediate authorities.",
        word(files.tls.authorities)},
       {"token-file", "FILE", "", "the token that viewers must show",
        "One word of at most 256 bytes. A client without it is refused before it learns "

@@ -10,6 +10,8 @@
 namespace aucast::test {
 namespace {
 
+constexpr long kDay = 86'400;
+
 void want(bool done) {
   if (!done) throw std::runtime_error("OpenSSL cannot make a certificate");
 }
@@ -30,7 +32,6 @@ void add_extension(X509* certificate, X509* issuer, int kind, const std::string&
 /// Without signature and extensions.
 std::shared_ptr<X509> make_certificate(const std::string& name, EVP_PKEY* key, long serial,
                                        int from_days, int days) {
-  constexpr long kDay = 86'400;
   std::shared_ptr<X509> certificate(X509_new(), X509_free);
   want(certificate != nullptr);
   X509_set_version(certificate.get(), X509_VERSION_3);
@@ -82,6 +83,30 @@ Certificate Authority::issue(const std::string& name, const std::string& names, 
   add_extension(certificate.get(), certificate_.get(), NID_subject_alt_name, names);
   want(X509_sign(certificate.get(), key_.get(), EVP_sha256()) > 0);
   return {write_certificate(folder_, name, certificate.get()), write_key(folder_, name, key.get())};
+}
+
+std::string Authority::file_with_revoked(const Certificate& revoked, int days) const {
+  const File in(std::fopen(revoked.file.c_str(), "r"), std::fclose);
+  const std::shared_ptr<X509> certificate(
+      in ? PEM_read_X509(in.get(), nullptr, nullptr, nullptr) : nullptr, X509_free);
+  const std::shared_ptr<ASN1_TIME> from(X509_gmtime_adj(nullptr, -20 * kDay), ASN1_TIME_free);
+  const std::shared_ptr<ASN1_TIME> to(X509_gmtime_adj(nullptr, days * kDay), ASN1_TIME_free);
+  const std::shared_ptr<X509_CRL> list(X509_CRL_new(), X509_CRL_free);
+  X509_REVOKED* const entry = X509_REVOKED_new();
+  want(certificate && from && to && list && entry != nullptr);
+  X509_REVOKED_set_serialNumber(entry, X509_get_serialNumber(certificate.get()));
+  X509_REVOKED_set_revocationDate(entry, from.get());
+  X509_CRL_set_version(list.get(), X509_CRL_VERSION_2);
+  X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(certificate_.get()));
+  X509_CRL_set1_lastUpdate(list.get(), from.get());
+  X509_CRL_set1_nextUpdate(list.get(), to.get());
+  want(X509_CRL_add0_revoked(list.get(), entry) == 1);
+  want(X509_CRL_sign(list.get(), key_.get(), EVP_sha256()) > 0);
+
+  const std::string path = write_certificate(folder_, "with_revoked", certificate_.get());
+  const File out(std::fopen(path.c_str(), "a"), std::fclose);
+  want(out && PEM_write_X509_CRL(out.get(), list.get()) == 1);
+  return path;
 }
 
 }  // namespace aucast::test

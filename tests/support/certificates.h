@@ -30,6 +30,9 @@ class Authority {
   /// days from now on, for `days` days.
   [[nodiscard]] Certificate issue(const std::string& name, const std::string& names,
                                   int from_days = -1, int days = 30);
+  /// As file(), with the authority's list of revoked certificates, which holds `revoked` and is up
+  /// to date for `days` days.
+  [[nodiscard]] std::string file_with_revoked(const Certificate& revoked, int days = 30) const;
 
  private:
   TempFolder folder_;

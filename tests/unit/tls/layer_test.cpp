@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "common/files.h"
 #include "tests/support/certificates.h"
 #include "tests/support/seeded.h"
+#include "tests/support/temp_folder.h"
 
 namespace aucast::tls {
 namespace {
@@ -154,6 +156,45 @@ TEST_F(TlsChannel, AsksForTheClientsCertificate) {
   expect_reason(wrong.server, Why::Untrusted,
                 "the client's certificate comes from an authority that is not known here");
   expect_reason(wrong.client, Why::Untrusted, "the server wants a certificate of ours");
+}
+
+TEST_F(TlsChannel, RefusesARevokedClient) {
+  Authority clients("clients");
+  const Certificate good = clients.issue("good", "DNS:player");
+  const Certificate bad = clients.issue("bad", "DNS:player");
+  const auto meet_client = [&](const Certificate& shown, const std::string& authorities) {
+    Pair pair{Layer(server_of(own_, authorities)),
+              Layer(client_of(authority_.file(), shown), "face.example")};
+    pair.settle();
+    return pair;
+  };
+  EXPECT_TRUE(meet_client(bad, clients.file()).server.ready()) << "as no list says otherwise";
+  const std::string with_list = clients.file_with_revoked(bad);
+  EXPECT_TRUE(meet_client(good, with_list).server.ready());
+  const Pair refused = meet_client(bad, with_list);
+  expect_reason(refused.server, Why::Untrusted, "the client's certificate has been revoked");
+  expect_reason(refused.client, Why::Untrusted, "the server wants a certificate of ours");
+  expect_reason(meet_client(good, clients.file_with_revoked(bad, -1)).server, Why::Untrusted,
+                "revocation list in --tls-client-ca is out of date");
+}
+
+TEST_F(TlsChannel, RefusesARevokedServer) {
+  const Certificate good = authority_.issue("good", "DNS:face.example");
+  const std::string with_list = authority_.file_with_revoked(own_);
+  EXPECT_TRUE(meet(good, "face.example", with_list).ready());
+  expect_reason(meet(own_, "face.example", with_list), Why::Untrusted,
+                "the server's certificate has been revoked");
+}
+
+TEST_F(TlsChannel, WithOneRevocationListWantsThatOfEachAuthority) {
+  Authority other("other");
+  const Certificate listed = authority_.issue("listed", "DNS:face.example");
+  const test::TempFolder folder;
+  const std::string with_list = read_file(authority_.file_with_revoked(listed)).value();
+  const std::string both = folder.write("both.pem", read_file(other.file()).value() + with_list);
+  EXPECT_TRUE(meet(own_, "face.example", both).ready());
+  expect_reason(meet(other.issue("unlisted", "DNS:face.example"), "face.example", both),
+                Why::Untrusted, "comes from an authority of which --tls-ca has no revocation list");
 }
 
 TEST_F(TlsChannel, SaysWhenThePeerSpeaksPlain) {
