@@ -221,6 +221,7 @@ void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
 
 void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
   reaction.changed = true;
+  if (granted_ && !negotiated() && session_.keyframes_received() == 1) forget_hello();
   back_off_.reset();
   busy_in_a_row_ = 0;
   Keyframe keyframe{event.aus, std::nullopt};
@@ -266,6 +267,21 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   status_.stream = event.hello.stream;
   status_.title = event.hello.title;
   answer(reaction.send);  // the user may have paused already
+}
+
+/// A classic server has begun: nothing that the hello of an earlier connection said holds. Until a
+/// keyframe proves it one, it may be that earlier server, which is just about to come back.
+void AuReader::forget_hello() {
+  const playback::SourceStatus unknown;
+  status_.keyframe_time = unknown.keyframe_time;
+  status_.live = unknown.live;
+  status_.voice = unknown.voice;
+  status_.captions = unknown.captions;
+  status_.stream = unknown.stream;
+  status_.title = unknown.title;
+  buffers_.set_live(std::nullopt);
+  buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
+  clock_shift_ = clock_;  // its stream begins here
 }
 
 void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {

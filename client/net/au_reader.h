@@ -133,6 +133,7 @@ class AuReader {
   void handle(const protocol::SessionFailed& event, Reaction& reaction);
   void connect_anew(Reaction& reaction);
   void begin_session();
+  void forget_hello();
 
   void note_live(const protocol::DeliverKeyframe& event, playback::Keyframe& keyframe);
   void take_in(const playback::Keyframe& keyframe);

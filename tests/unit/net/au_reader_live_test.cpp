@@ -238,6 +238,58 @@ TEST_F(Reconnecting, JoinsALiveStreamWhereItIs) {
   EXPECT_EQ(reader_->connected(clock_.now()).send, said_);
 }
 
+/// Ends the connection, and the one after it as a classic server does that is sent a hello; then
+/// there is one without a hello.
+class FallingBack : public Reconnecting {
+ protected:
+  void fall_back() {
+    EXPECT_EQ(close().next, Next::ReconnectLater);
+    EXPECT_NE(reader_->connected(clock_.now()).send, "");
+    EXPECT_EQ(close().next, Next::Reconnect);
+    EXPECT_EQ(reader_->connected(clock_.now()).send, "");
+  }
+};
+
+TEST_F(FallingBack, TakesNoClassicServerForTheLiveOneBeforeIt) {
+  AuReaderOptions options;
+  options.reconnect = true;
+  options.voice = true;
+  options.captions = true;
+  start(options);
+  feed(
+      "{hello v=2 window=4 live=1 keyframe=200 stream=talk title=QSB0YWxr voice=opus text=1}"
+      "{1}{1}");
+  ASSERT_TRUE(status().live && status().voice && status().captions);
+  ASSERT_EQ(status().stream, "talk");
+  ASSERT_EQ(status().title, "A talk");
+  while (reader_->take()) {
+  }
+  fall_back();
+  EXPECT_EQ(feed("{2}"), "1");
+  EXPECT_FALSE(status().live || status().voice || status().captions);
+  EXPECT_EQ(status().stream, "");
+  EXPECT_EQ(status().title, "");
+  EXPECT_EQ(status().keyframe_time, 250ms);
+  EXPECT_FALSE(status().negotiated);
+  feed("{-2}");
+  EXPECT_FALSE(reader_->take()->arrived) << "only a live one says when";
+}
+
+TEST_F(FallingBack, CountsThePlaceFromTheClassicBeginning) {
+  feed("{hello v=2 window=4 keyframe=200}{1}{2}");
+  fall_back();
+  feed("{4}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=250}");
+}
+
+TEST_F(FallingBack, KeepsThePlaceUntilAKeyframeComes) {
+  feed("{hello v=2 window=4 keyframe=200}{1}{2}");
+  fall_back();
+  EXPECT_EQ(close().next, Next::ReconnectLater) << "the server of before is just starting";
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=400}");
+}
+
 class Adapting : public LiveReading {
  protected:
   Adapting() {
