@@ -93,6 +93,7 @@ void ComposerSession::take(const AuFrame& aus) {
   pad_at_.reset();
   composer_.set_aus(aus, false);
   remake();
+  list_keyframes();
 }
 
 void ComposerSession::remake() {

@@ -95,6 +95,15 @@ TEST_F(ComposerSessionTest, TakesAFaceAsOneStep) {
   EXPECT_GT(jaw(), 0);
 }
 
+TEST_F(ComposerSessionTest, WhatIsTakenIsInTheTimelineAtOnce) {
+  ask(gui::ComposeAu{26, 100, 100, false});
+  ask(gui::AddKeyframe{});
+  ask(gui::ChooseKeyframe{0});
+  composer_->take(set("12:40"));
+  ASSERT_EQ(composer_->view(true).rows->size(), 1U);
+  EXPECT_EQ(composer_->view(true).rows->front(), (gui::TimelineRow{"12:40", "500 ms"}));
+}
+
 TEST_F(ComposerSessionTest, IsRemadeForAnotherFace) {
   ask(gui::ComposeAu{26, 100, 100, false});
   const float before = jaw();
