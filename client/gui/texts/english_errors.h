@@ -54,6 +54,12 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"net.unknown_authority",
      "the server's certificate comes from an authority that is not known here; {option} FILE names "
      "one to believe"},
+    {"net.revoked", "the server's certificate has been revoked"},
+    {"net.no_revocations",
+     "the server's certificate comes from an authority of which {option} has no revocation list"},
+    {"net.old_revocations",
+     "the server's certificate cannot be checked: its authority's revocation list in {option} is "
+     "out of date"},
     {"net.other_host", "the server's certificate is for {names}, not for {host}"},
     {"net.cut_handshake", "the connection ended within the TLS handshake"},
     {"net.no_handshake", "no TLS handshake within {time}"},

@@ -28,6 +28,11 @@ const std::vector<std::string> kSaid = {
     "venus:4650: the connection ended before the end of the stream, {-2}; the server's log may say "
     "why",
     "[::1]:4650: the server refused: 404 there is no stream 'x' here",
+    "venus:4650: the server's certificate has been revoked",
+    "venus:4650: the server's certificate comes from an authority of which --tls-ca has no "
+    "revocation list",
+    "venus:4650: the server's certificate cannot be checked: its authority's revocation list in "
+    "--tls-ca is out of date",
     "venus:4650: cannot be reached: no answer within 500 ms; is au-transmitter running there, on "
     "an address that can be reached from here?",
     "/tmp/a.glb: 3.49 MB, 133 targets\nfarthest vertex from the face itself: median 0.10 mm, nine "
