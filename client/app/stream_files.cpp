@@ -46,12 +46,12 @@ std::string sentence(const sources::Found& found) {
 
 }  // namespace
 
-Result<std::vector<playback::Keyframe>> read_stream(const std::filesystem::path& file) {
+Result<TitledStream> read_stream(const std::filesystem::path& file) {
   auto text = read_file(file);
   if (!text) return text.error();
   auto stream = protocol::parse_stream_file(*text, file.string());
   if (!stream) return stream.error();
-  return keyframes_of(*stream);
+  return TitledStream{keyframes_of(*stream), stream->title};
 }
 
 Result<OpenedStream> open_stream(const std::filesystem::path& file,

@@ -11,9 +11,14 @@
 
 namespace aucast::app {
 
-/// Reads the keyframes of a stream file. Unreadable, or BadData with a line for each error.
-[[nodiscard]] Result<std::vector<playback::Keyframe>> read_stream(
-    const std::filesystem::path& file);
+/// What a stream file has.
+struct TitledStream {
+  std::vector<playback::Keyframe> keyframes;  ///< at least one
+  std::string title;                          ///< byte for byte as in the file; empty: none
+};
+
+/// Reads a stream file. Unreadable, or BadData with a line for each error.
+[[nodiscard]] Result<TitledStream> read_stream(const std::filesystem::path& file);
 
 /// The result of open_stream().
 struct OpenedStream {

@@ -114,13 +114,15 @@ void Composer::move(int direction) {
   step(std::move(next));
 }
 
-void Composer::load(const std::vector<ComposedKeyframe>& keyframes, std::string file) {
+void Composer::load(const std::vector<ComposedKeyframe>& keyframes, std::string file,
+                    std::string title) {
   State next;
   for (const ComposedKeyframe& keyframe : keyframes) {
     next.keyframes.push_back(std::make_shared<const ComposedKeyframe>(keyframe));
   }
   next.stored = next.keyframes;
   next.file = std::move(file);
+  next.title = std::move(title);
   if (!next.keyframes.empty()) next.chosen = 0;
   step(std::move(next));
 }

@@ -35,6 +35,8 @@ class Composer {
   [[nodiscard]] const ComposedKeyframe& current() const;
   /// The file that it was loaded from or saved to; empty: none yet.
   [[nodiscard]] const std::string& file() const { return history_.now().file; }
+  /// The title of the stream that was loaded; empty: none.
+  [[nodiscard]] const std::string& title() const { return history_.now().title; }
   /// Whether the stream has changes to be saved. A new keyframe belongs to it once it was added.
   [[nodiscard]] bool unsaved() const;
   /// Whether a new keyframe was begun and has not been added.
@@ -58,7 +60,7 @@ class Composer {
   void remove();
   /// Moves the chosen keyframe one place towards the beginning (-1) or the end (+1).
   void move(int direction);
-  void load(const std::vector<ComposedKeyframe>& keyframes, std::string file);
+  void load(const std::vector<ComposedKeyframe>& keyframes, std::string file, std::string title);
   void begin_anew();
   void saved(const std::string& file);
   void undo();
@@ -72,6 +74,7 @@ class Composer {
     bool fresh_touched = false;  ///< `fresh` has AUs that were not added
     std::optional<std::size_t> chosen;
     std::string file;
+    std::string title;
   };
 
   void step(State next, bool continued = false);

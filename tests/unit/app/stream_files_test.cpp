@@ -12,10 +12,22 @@ TEST(StreamFiles, AKeyframeHasItsTimeOrNone) {
   const test::TempFolder folder;
   const auto read = read_stream(folder.write("two.txt", "Beg_Stream\n12:30;500\n0\nEnd_Stream\n"));
   ASSERT_TRUE(read) << read.error().message;
-  ASSERT_EQ(read->size(), 2U);
-  EXPECT_EQ((*read)[0].time, Milliseconds(500));
-  EXPECT_NEAR((*read)[0].aus.left[12], 0.3, 1e-6);
-  EXPECT_FALSE((*read)[1].time.has_value());
+  ASSERT_EQ(read->keyframes.size(), 2U);
+  EXPECT_EQ(read->keyframes[0].time, Milliseconds(500));
+  EXPECT_NEAR(read->keyframes[0].aus.left[12], 0.3, 1e-6);
+  EXPECT_FALSE(read->keyframes[1].time.has_value());
+}
+
+TEST(StreamFiles, AStreamHasItsTitleOrNone) {
+  const test::TempFolder folder;
+  const auto titled =
+      read_stream(folder.write("titled.txt", "# title: A talk\nBeg_Stream\n0\nEnd_Stream\n"));
+  ASSERT_TRUE(titled) << titled.error().message;
+  EXPECT_EQ(titled->title, "A talk");
+  const auto plain =
+      read_stream(folder.write("plain.txt", "# a note\nBeg_Stream\n0\nEnd_Stream\n"));
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(plain->title, "");
 }
 
 TEST(StreamFiles, ATableIsReadAsItIsSet) {

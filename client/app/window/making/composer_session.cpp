@@ -1,5 +1,6 @@
 #include "client/app/window/making/composer_session.h"
 
+#include <utility>
 #include <variant>
 
 #include "client/app/stream_files.h"
@@ -116,8 +117,8 @@ Result<void> ComposerSession::load(const std::filesystem::path& file) {
   auto read = read_stream(file);
   if (!read) return read.error();
   std::vector<gui::ComposedKeyframe> keyframes;
-  for (const playback::Keyframe& timed : *read) keyframes.push_back(composed(timed));
-  composer_.load(keyframes, file.string());
+  for (const playback::Keyframe& timed : read->keyframes) keyframes.push_back(composed(timed));
+  composer_.load(keyframes, file.string(), std::move(read->title));
   pad_at_.reset();
   remake();
   list_keyframes();
@@ -125,7 +126,7 @@ Result<void> ComposerSession::load(const std::filesystem::path& file) {
 }
 
 Result<std::string> ComposerSession::save(const std::filesystem::path& file) {
-  auto saved = save_stream(composer_.keyframes(), file);
+  auto saved = save_stream(composer_.keyframes(), file, composer_.title());
   if (!saved) return saved;
   composer_.saved(file.string());
   list_keyframes();

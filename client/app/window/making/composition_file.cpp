@@ -20,11 +20,13 @@ gui::ComposedKeyframe composed(const playback::Keyframe& keyframe) {
   return composed;
 }
 
-Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes) {
+Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes,
+                                const std::string& title) {
   if (keyframes.empty()) {
     return Error{ErrorKind::Failed, gui::tr("said.nothing_to_save")};
   }
   protocol::StreamFile stream;
+  stream.title = title;
   for (const auto& keyframe : keyframes) {
     protocol::Keyframe packet;
     packet.terms = canonical_terms(keyframe->aus);
@@ -40,8 +42,8 @@ Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes) {
 }
 
 Result<std::string> save_stream(const gui::Composer::Keyframes& keyframes,
-                                const std::filesystem::path& file) {
-  const auto text = stream_text(keyframes);
+                                const std::filesystem::path& file, const std::string& title) {
+  const auto text = stream_text(keyframes, title);
   if (!text) return text.error();
   std::string kept;
   std::error_code ignored;

@@ -12,14 +12,16 @@ namespace aucast::app {
 /// Turns a keyframe that was read or received into one of the composer.
 [[nodiscard]] gui::ComposedKeyframe composed(const playback::Keyframe& keyframe);
 
-/// The text of a stream file with these keyframes. It is checked by reading it back. Fails if there
-/// is no keyframe.
-[[nodiscard]] Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes);
+/// The text of a stream file with these keyframes and `title`, if that is not empty. It is checked
+/// by reading it back. Fails if there is no keyframe.
+[[nodiscard]] Result<std::string> stream_text(const gui::Composer::Keyframes& keyframes,
+                                              const std::string& title = {});
 
 /// Writes that text, completely or not at all, and returns a sentence about where it was saved. If
 /// the file had other text, which may have comments, that is kept beside it with a ~ at the end of
 /// its name.
 [[nodiscard]] Result<std::string> save_stream(const gui::Composer::Keyframes& keyframes,
-                                              const std::filesystem::path& file);
+                                              const std::filesystem::path& file,
+                                              const std::string& title = {});
 
 }  // namespace aucast::app

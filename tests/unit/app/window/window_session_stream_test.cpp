@@ -327,12 +327,12 @@ TEST_F(StreamSessionTest, TheDialogComesAgainInTheFolderThatItHasShown) {
 }
 
 TEST_F(StreamSessionTest, TheFileOfTheCommandLineEndsWithItsStatistics) {
-  auto keyframes = read_stream(file_);
-  ASSERT_TRUE(keyframes);
+  auto stream = read_stream(file_);
+  ASSERT_TRUE(stream);
   options_.playback.file = file_;
-  session_.emplace(*assets_, options_,
-                   std::make_unique<playback::SeekablePlayback>(*keyframes, Milliseconds(250)),
-                   stats_);
+  session_.emplace(
+      *assets_, options_,
+      std::make_unique<playback::SeekablePlayback>(stream->keyframes, Milliseconds(250)), stats_);
   go_on(Milliseconds(0));
   EXPECT_EQ(model().local.name, "three.txt");
   go_on(Milliseconds(600));

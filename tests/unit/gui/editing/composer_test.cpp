@@ -111,8 +111,9 @@ TEST_F(ComposerTest, AnotherStreamIsAStepToo) {
   composer_.begin_anew();
   EXPECT_TRUE(composer_.keyframes().empty());
   EXPECT_FALSE(composer_.unsaved());
-  composer_.load({{{}, 100}}, "/tmp/x.txt");
+  composer_.load({{{}, 100}}, "/tmp/x.txt", "A talk");
   EXPECT_EQ(composer_.file(), "/tmp/x.txt");
+  EXPECT_EQ(composer_.title(), "A talk");
   EXPECT_EQ(composer_.chosen(), 0U);
   EXPECT_FALSE(composer_.unsaved());
   composer_.undo();
@@ -120,6 +121,7 @@ TEST_F(ComposerTest, AnotherStreamIsAStepToo) {
   EXPECT_EQ(order(), "12");
   EXPECT_TRUE(composer_.unsaved());
   EXPECT_TRUE(composer_.file().empty());
+  EXPECT_TRUE(composer_.title().empty());
 }
 
 TEST_F(ComposerTest, SavedIsWhatTheFileHas) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "client/gui/texts/texts.h"
+#include "common/files.h"
 #include "protocol/codec.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/face/small_face.h"
@@ -133,6 +134,21 @@ TEST_F(ComposerSessionTest, IsSavedAndLoadedWithTimesAndWithout) {
   EXPECT_EQ(keyframes[0].aus, set("L26,R26:50"));
   EXPECT_EQ(keyframes[0].time, Milliseconds(500));
   EXPECT_EQ(keyframes[1].time, std::nullopt);
+}
+
+TEST_F(ComposerSessionTest, AStreamKeepsItsTitle) {
+  const test::TempFolder folder;
+  const auto file =
+      folder.write("titled.txt", "Beg_Stream\n# Title:  A talk \n26;500\nEnd_Stream\n");
+  ASSERT_TRUE(composer_->load(file));
+  ask(gui::ComposeAu{26, 50, 50, false});
+  ASSERT_TRUE(composer_->save(file));
+  EXPECT_EQ(*read_file(file), "# title: A talk\nBeg_Stream\n26:50;500\nEnd_Stream\n");
+  ask(gui::NewComposition{});
+  ask(gui::AddKeyframe{});
+  ASSERT_TRUE(composer_->save(folder.path() / "new.txt"));
+  EXPECT_EQ(*read_file(folder.path() / "new.txt"), "Beg_Stream\n0;500\nEnd_Stream\n")
+      << "the title is of the other stream";
 }
 
 TEST_F(ComposerSessionTest, AFileThatIsNoStreamChangesNothing) {

@@ -28,6 +28,13 @@ TEST_F(CompositionFile, TheTextIsReadBackAsItWas) {
   EXPECT_FALSE(stream_text({}).has_value());
 }
 
+TEST_F(CompositionFile, ATitleIsBeforeTheStream) {
+  test::compose(composer_, 1);
+  const auto text = stream_text(composer_.keyframes(), "A talk");
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(*text, "# title: A talk\nBeg_Stream\n1;500\nEnd_Stream\n");
+}
+
 TEST_F(CompositionFile, EveryAuWithBothSidesIsServable) {
   for (int number = 1; number <= kAuNumberMax; ++number) {
     composer_.set_au(number, 33, 44, true);
