@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <system_error>
 #include <utility>
 
 namespace aucast {
@@ -24,6 +25,15 @@ class Descriptor {
   [[nodiscard]] bool open() const { return value_ >= 0; }
   [[nodiscard]] int get() const { return value_; }
   [[nodiscard]] int release() { return std::exchange(value_, -1); }
+  /// Hands it over to an object of Asio, such as a stream_descriptor, which closes it from then on.
+  /// False: that cannot take it, and it stays here.
+  template <typename Object>
+  [[nodiscard]] bool hand_to(Object& object) {
+    std::error_code error;
+    object.assign(value_, error);
+    if (!error) value_ = -1;
+    return !error;
+  }
   /// Closes now and says whether that worked: some file systems report a full disk only here.
   [[nodiscard]] bool close() { return ::close(std::exchange(value_, -1)) == 0; }
 

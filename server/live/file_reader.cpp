@@ -48,12 +48,7 @@ void FileReader::start() {
 void FileReader::watch() {
   if (!follow_ || is_stdin()) return;
   Descriptor changes(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
-  if (!changes.open()) return;
-  std::error_code error;
-  notify_.assign(changes.get(), error);
-  if (error) return;
-  static_cast<void>(changes.release());
-  watch_file();
+  if (changes.open() && changes.hand_to(notify_)) watch_file();
 }
 
 /// Watches the file that is there now, and no longer the one before. Where that fails, we look

@@ -24,10 +24,7 @@ std::optional<asio::posix::stream_descriptor> PipeReader::take(asio::io_context&
       S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor.get()) != 0;
   if (!tells) return std::nullopt;
   asio::posix::stream_descriptor pipe(io);
-  std::error_code error;
-  pipe.assign(descriptor.get(), error);
-  if (error) return std::nullopt;
-  static_cast<void>(descriptor.release());
+  if (!descriptor.hand_to(pipe)) return std::nullopt;
   return pipe;
 }
 

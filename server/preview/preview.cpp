@@ -35,12 +35,7 @@ Result<void> take_stream(int descriptor, const char* name, asio::posix::stream_d
   const bool can =
       ::fstat(descriptor, &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
   Descriptor copy(can ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 3) : -1);
-  std::error_code error;
-  if (copy.open()) stream.assign(copy.get(), error);
-  if (copy.open() && !error) {
-    static_cast<void>(copy.release());
-    return {};
-  }
+  if (copy.open() && copy.hand_to(stream)) return {};
   return Error{ErrorKind::Failed, std::string("--preview talks to the program that started it: ") +
                                       name + " is not a pipe or a socket"};
 }
