@@ -9,10 +9,6 @@
 namespace aucast::speaker {
 namespace {
 
-bool continues(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
-
 /// The position of the first byte that is not UTF-8; npos: there is none.
 std::size_t first_bad_byte(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
@@ -113,12 +109,12 @@ class Reader {
 
 std::size_t characters(std::string_view utf8) {
   return static_cast<std::size_t>(
-      std::count_if(utf8.begin(), utf8.end(), [](char byte) { return !continues(byte); }));
+      std::count_if(utf8.begin(), utf8.end(), [](char byte) { return !is_continuation(byte); }));
 }
 
 Characters::Characters(std::string_view utf8) : utf8_(utf8) {
   for (std::size_t byte = 0; byte < utf8.size(); ++byte) {
-    if (!continues(utf8[byte])) begins_.push_back(byte);
+    if (!is_continuation(utf8[byte])) begins_.push_back(byte);
   }
   begins_.push_back(utf8.size());
 }

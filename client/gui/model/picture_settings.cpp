@@ -22,7 +22,7 @@ std::string in_a_name(std::string word) {
   }
   if (word.size() > kWordMax) {
     std::size_t end = kWordMax;
-    while (end > 0 && (static_cast<unsigned char>(word[end]) & 0xC0U) == 0x80U) --end;
+    while (end > 0 && is_continuation(word[end])) --end;
     word.resize(end);  // between two characters
   }
   return word;

@@ -33,12 +33,9 @@ std::optional<std::size_t> byte_at(std::string_view toml, LinePosition place) {
     if (at == std::string_view::npos) return std::nullopt;
     ++at;
   }
-  const auto continues = [&](std::size_t i) {
-    return i < toml.size() && (static_cast<unsigned char>(toml[i]) & 0xC0U) == 0x80U;
-  };
   for (std::size_t column = 1; column < place.column && at < toml.size(); ++column) {
     ++at;
-    while (continues(at)) ++at;
+    while (at < toml.size() && is_continuation(toml[at])) ++at;
   }
   return at;
 }
