@@ -13,11 +13,6 @@
 namespace aucast::server {
 namespace {
 
-/// Not while the pieces are locked: a log may wait for the same disk.
-void say_end(const Error& why) {
-  spdlog::error("{}; the recording ends here, serving goes on", why.message);
-}
-
 /// How much time of a record a power cut may destroy.
 constexpr std::chrono::seconds kSyncEvery{1};
 
@@ -66,20 +61,19 @@ void RecordWriter::add(std::size_t bytes, std::function<std::string()> make) {
 }
 
 void RecordWriter::enqueue(std::size_t bytes, Makers makers) {
-  std::optional<Error> ended;
-  pieces_.change([&](Pieces& shared) {
-    if (shared.error) return;
-    if (shared.unwritten_bytes + bytes > kUnwrittenBytesMax) {
-      // What was accepted is still written.
-      ended = shared.error = {
-          ErrorKind::Failed, at_place(path_.string(), "cannot be written: the disk takes nothing")};
-      return;
-    }
+  const bool full = pieces_.change([&](Pieces& shared) {
+    if (shared.error) return false;
+    // What was accepted is still written.
+    if (shared.unwritten_bytes + bytes > kUnwrittenBytesMax) return true;
     shared.unwritten_bytes += bytes;
     shared.waiting.insert(shared.waiting.end(), std::make_move_iterator(makers.begin()),
                           std::make_move_iterator(makers.end()));
+    return false;
   });
-  if (ended) say_end(*ended);
+  if (full) {
+    end_with(
+        {ErrorKind::Failed, at_place(path_.string(), "cannot be written: the disk takes nothing")});
+  }
 }
 
 Result<void> RecordWriter::finish() {
@@ -90,10 +84,14 @@ Result<void> RecordWriter::finish() {
   });
 }
 
-bool RecordWriter::Pieces::end_with(const Error& why) {
-  if (error) return false;
-  error = why;
-  return true;
+/// It is logged outside the lock: a log may wait for the same disk.
+void RecordWriter::end_with(const Error& why) {
+  const bool first = pieces_.change([&](Pieces& shared) {
+    if (shared.error) return false;
+    shared.error = why;
+    return true;
+  });
+  if (first) spdlog::error("{}; the recording ends here, serving goes on", why.message);
 }
 
 /// Writes pieces one by one, so that those that still fit on the disk are kept.
@@ -134,9 +132,7 @@ void RecordWriter::write_until_finished() {
       sync_at = Instant::max();
     }
     if (!done) {
-      const bool ended =
-          pieces_.change([&](Pieces& shared) { return shared.end_with(done.error()); });
-      if (ended) say_end(done.error());
+      end_with(done.error());
       return;
     }
   }

@@ -46,12 +46,10 @@ class RecordWriter {
     std::size_t unwritten_bytes = 0;  ///< of these, and of those that are being written
     bool finished = false;
     std::optional<Error> error;  ///< what ended the recording
-
-    /// Whether this ended it.
-    [[nodiscard]] bool end_with(const Error& why);
   };
 
   void enqueue(std::size_t bytes, Makers makers);
+  void end_with(const Error& why);
   void write_until_finished();
   [[nodiscard]] Result<void> write(const Makers& makers);
 
