@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aucast::gui {
@@ -53,6 +54,26 @@ struct BrowserView {
   const bool opening = purpose == Purpose::PlayStream || purpose == Purpose::ComposeStream ||
                        purpose == Purpose::ImportAus || purpose == Purpose::CameraFilm;
   return !opening && !is_folder(purpose);
+}
+
+/// The ending of a new file; empty: none is wanted.
+[[nodiscard]] constexpr std::string_view ending_of(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::SaveStream:
+    case Purpose::ExportKeyframes:
+      return ".txt";
+    case Purpose::ExportTable:
+    case Purpose::LogOnsets:
+      return ".csv";
+    case Purpose::ExportMesh:
+      return ".obj";
+    case Purpose::ExportGlb:
+      return ".glb";
+    case Purpose::ExportAu:
+      return ".toml";
+    default:
+      return {};
+  }
 }
 
 }  // namespace aucast::gui

@@ -35,26 +35,6 @@ bool may_open(Purpose purpose, const fs::path& file) {
   }
 }
 
-/// The ending of a new file; empty: none.
-std::string_view ending_of(Purpose purpose) {
-  switch (purpose) {
-    case Purpose::SaveStream:
-    case Purpose::ExportKeyframes:
-      return ".txt";
-    case Purpose::ExportTable:
-    case Purpose::LogOnsets:
-      return ".csv";
-    case Purpose::ExportMesh:
-      return ".obj";
-    case Purpose::ExportGlb:
-      return ".glb";
-    case Purpose::ExportAu:
-      return ".toml";
-    default:
-      return {};
-  }
-}
-
 /// The file with the ending of its kind if it has none: without it no dialog would offer the file
 /// again. One that is there already is meant as it is.
 fs::path with_ending(fs::path file, Purpose purpose) {

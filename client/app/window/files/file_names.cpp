@@ -36,20 +36,20 @@ gui::PictureWords words_of(const Named& shown) {
 std::string new_file_name(gui::Purpose purpose, const Named& shown) {
   const std::string& stream = shown.stream;
   const std::string& face = stream.empty() ? shown.face : stream;
+  const std::string ending(gui::ending_of(purpose));
   switch (purpose) {
     case gui::Purpose::ExportKeyframes:
-      // Beside the stream itself, which is a .txt too.
-      return stream.empty() ? "played.txt" : stream + "_played.txt";
+      // Beside the stream itself, which has the same ending.
+      return (stream.empty() ? "played" : stream + "_played") + ending;
     case gui::Purpose::ExportTable:
-      return stream.empty() ? "played.csv" : stream + ".csv";
+      return (stream.empty() ? "played" : stream) + ending;
     case gui::Purpose::ExportMesh:
-      return face + ".obj";
     case gui::Purpose::ExportGlb:
-      return face + ".glb";
+      return face + ending;
     case gui::Purpose::LogOnsets:
-      return stream.empty() ? "onsets.csv" : stream + "_onsets.csv";
+      return (stream.empty() ? "onsets" : stream + "_onsets") + ending;
     case gui::Purpose::ExportAu:
-      return "au" + std::to_string(shown.au) + ".toml";
+      return "au" + std::to_string(shown.au) + ending;
     default: {
       const std::string composed = shown.composition.filename().string();
       return composed.empty() ? kComposedName : composed;
