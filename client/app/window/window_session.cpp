@@ -147,7 +147,7 @@ void WindowSession::advance(Instant now) {
     say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }
   // How the work ended is to be read first.
-  if (!unsaved() && !unfinished()) asks_to_leave_ = false;
+  if (asks_to_leave_ && !unsaved() && !unfinished()) asks_to_leave_ = false;
 }
 
 /// Brings face_ to `now`.
@@ -213,9 +213,7 @@ Duration WindowSession::idle_time(Instant now) const {
   const auto at_most = [&](Instant next, Duration least) {
     time = std::min(time, std::max(next - now, least));
   };
-  if (lister_.view().asking || mirror_.running() || gallery_.view().running ||
-      !export_.view().file.empty())
-    at_most(now, kFrameMax);
+  if (lister_.view().asking || mirror_.running() || makes_files()) at_most(now, kFrameMax);
   if (!notices_.view().text.empty()) at_most(notices_.until(), kFrameMax);
   if (const auto next = editor_.next_frame_at(now)) at_most(*next, Duration::zero());
   if (rendering().blinking || options_.playback.idle_seed)

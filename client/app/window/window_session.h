@@ -136,10 +136,12 @@ class WindowSession {
   void apply_face(const gui::FaceCommand& command, Instant now);
   void save_all(Instant now);
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || composer_.unsaved(); }
-  /// Whether something is being made that leaving would lose and that cannot be saved as it is.
-  [[nodiscard]] bool unfinished() const {
-    return composer_.begun() || gallery_.view().running || !export_.view().file.empty();
+  /// Whether a gallery or a GLB file is being made in the background.
+  [[nodiscard]] bool makes_files() const {
+    return gallery_.view().running || !export_.view().file.empty();
   }
+  /// Whether something is being made that leaving would lose and that cannot be saved as it is.
+  [[nodiscard]] bool unfinished() const { return composer_.begun() || makes_files(); }
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] Named named() const;
