@@ -31,8 +31,7 @@ bool LocalStream::resume(Instant now) {
   return true;
 }
 
-void LocalStream::step_at_rate(playback::LocalPlayback& playhead, int direction,
-                               Instant now) const {
+void LocalStream::step(playback::LocalPlayback& playhead, int direction, Instant now) const {
   if (!step_fps_ && playhead.picture_time()) return playhead.step_picture(direction, now);
   playhead.step_at_rate(direction, step_fps(), now);
 }
@@ -66,7 +65,7 @@ bool LocalStream::apply(const gui::LocalCommand& command, Instant now) {
                                return true;
                              },
                              [&](const gui::StepFrame& one) {
-                               step_at_rate(playhead, one.direction, now);
+                               step(playhead, one.direction, now);
                                return true;
                              },
                              [&](const gui::SetSpeed& one) {

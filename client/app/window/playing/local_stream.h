@@ -39,7 +39,7 @@ class LocalStream final : public PlayingStream {
   [[nodiscard]] gui::LocalView local_view() const override;
 
  private:
-  void step_at_rate(playback::LocalPlayback& playhead, int direction, Instant now) const;
+  void step(playback::LocalPlayback& playhead, int direction, Instant now) const;
   [[nodiscard]] int step_fps() const;
   void toggle_repeat(playback::LocalPlayback& playhead, Instant now);
 
