@@ -33,6 +33,16 @@ class Server : public ::testing::Test {
     session_.emplace(catalogue_, round_trip, now_);
   }
 
+  /// From now on the first stream has packets of kLarge bytes and no end.
+  void start_endless() {
+    const std::string packet = '{' + std::string(kLarge - 2, '1') + '}';
+    EncodedStream talk;
+    talk.classic = talk.negotiated = {packet, packet};
+    catalogue_.streams = {served("talk", talk)};
+    catalogue_.loop = true;
+    start();
+  }
+
   std::string get(std::string_view bytes) { return text_of(session_->on_bytes(bytes, now_)); }
   std::string voice() { return text_of(session_->on_voice(now_)); }
   std::string peer_end() { return text_of(session_->on_peer_end(now_)); }
@@ -44,6 +54,7 @@ class Server : public ::testing::Test {
     return text_of(session_->on_time(now_));
   }
 
+  static constexpr std::size_t kLarge = 100;
   ServerCatalogue catalogue_;
   Instant now_;
   std::optional<ServerSession> session_;
@@ -231,24 +242,19 @@ TEST_F(Server, RefusesWhatIsNoCode) {
 }
 
 TEST_F(Server, HandsOutAtMostSixtyFourKibibytesAtOnce) {
-  const std::string packet = '{' + std::string(98, '1') + '}';
-  EncodedStream talk;
-  talk.classic = talk.negotiated = {packet, packet};
-  catalogue_.streams = {served("talk", talk)};
-  catalogue_.loop = true;
-  start();
+  start_endless();
   get("{hello v=2 window=1}");
   get("-1" + std::string(kEarlyAnswersMax, '1'));
 
   std::vector<ServerEvent> events = session_->on_bytes("-3", now_);
   std::uint64_t sent = session_->sent().keyframes;
-  EXPECT_LE(sent, kOutputBytesMax / packet.size() + 2);
+  EXPECT_LE(sent, kOutputBytesMax / kLarge + 2);
   EXPECT_EQ(get("-1-3"), "") << "nothing more until there is room";
   int more = 0;
   for (; session_->held(); ++more) {
     events = session_->hold(false, now_);
     ASSERT_EQ(events.size(), 1U);
-    EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + packet.size());
+    EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + kLarge);
   }
   EXPECT_GT(more, 4);
   EXPECT_EQ(session_->sent().keyframes, kEarlyAnswersMax + 1);
@@ -258,17 +264,12 @@ TEST_F(Server, HandsOutAtMostSixtyFourKibibytesAtOnce) {
   get("{hello v=2 window=1}");
   events = session_->on_bytes(std::string(kEarlyAnswersMax, '1'), now_);
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + packet.size())
+  EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + kLarge)
       << "without a pause, too";
 }
 
 TEST_F(Server, WhatIsHeldGoesToAClientThatHasEndedItsSide) {
-  const std::string packet = '{' + std::string(98, '1') + '}';
-  EncodedStream talk;
-  talk.classic = talk.negotiated = {packet, packet};
-  catalogue_.streams = {served("talk", talk)};
-  catalogue_.loop = true;
-  start();
+  start_endless();
   get("{hello v=2 window=1}");
   get("-1" + std::string(1000, '1') + "-3");
   ASSERT_TRUE(session_->held());
