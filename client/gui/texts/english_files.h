@@ -74,8 +74,7 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"gallery.prototypes", "Emotions"},
     {"gallery.prototypes_tip",
      "happiness, sadness, surprise, fear, anger, disgust and others, by the AUs that authors give "
-     "for "
-     "them"},
+     "for them"},
     {"gallery.combinations", "Combinations"},
     {"gallery.combinations_tip", "two emotions in one face, for each pair of them"},
     {"gallery.appendix_a", "Appendix A"},

@@ -47,8 +47,7 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"camera.live_many", "Live at {address}, {count} watch."},
     {"camera.not_installed",
      "The camera cannot be opened: the program for it, au-transmitter, is not on this computer. "
-     "Ask "
-     "whoever installed face-player: it belongs beside it, or in a folder of PATH."},
+     "Ask whoever installed face-player: it belongs beside it, or in a folder of PATH."},
     {"camera.no_models",
      "The camera cannot be used yet: what finds a face in its pictures is not on this computer. It "
      "is free, comes from Google and is fetched once over the Internet. You, or whoever looks "
