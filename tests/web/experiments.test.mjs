@@ -4,9 +4,10 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { after, afterEach, before, describe, test } from 'node:test';
 
-import { differing, facePlayer, launch, openPage, root, serve, serveFiles, setsOf } from './support.mjs';
+import { differing, facePlayer, launch, openPage, root, serve, serveFiles, setsOf,
+         usable } from './support.mjs';
 
 const here = import.meta.dirname;
 const expressions = path.join(root, 'data/streams/six_expressions.txt');
@@ -57,6 +58,9 @@ for (const name of ['chromium', 'firefox']) {
       files = await serveFiles(folder);
       server = await serve([expressions]);
       browser = await launch(name);
+    });
+    afterEach(async () => {
+      browser = await usable(browser, name);
     });
     after(async () => {
       await browser?.close();

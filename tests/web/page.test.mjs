@@ -5,10 +5,10 @@ import { createHash } from 'node:crypto';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { after, afterEach, before, describe, test } from 'node:test';
 
 import { auTransmitter, differing, facePlayer, launch, openPage, openTab, ownTime, root, serve,
-         serveFiles, setsOf, touch, untilState } from './support.mjs';
+         serveFiles, setsOf, touch, untilState, usable } from './support.mjs';
 
 const DOWNLOAD_MAX = 1_100_000;
 const YARDSTICK_TURNS = 45_000_000;
@@ -38,6 +38,9 @@ for (const name of ['chromium', 'firefox']) {
     before(async () => {
       server = await serve([expressions, talk, lecture]);
       browser = await launch(name);
+    });
+    afterEach(async () => {
+      browser = await usable(browser, name);
     });
     after(async () => {
       await browser?.close();
@@ -115,6 +118,9 @@ for (const name of ['chromium', 'firefox']) {
     before(async () => {
       server = await serve([expressions, talk, lecture]);
       browser = await launch(name);
+    });
+    afterEach(async () => {
+      browser = await usable(browser, name);
     });
     after(async () => {
       await browser?.close();

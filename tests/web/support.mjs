@@ -8,7 +8,9 @@ import puppeteer from 'puppeteer-core';
 
 export const root = path.resolve(import.meta.dirname, '../..');
 export const bin = process.env.AUCAST_BIN ?? path.join(root, 'build/release/bin');
-const PATIENCE_MS = 120_000;  // software draws, on a busy machine
+/// Software draws, on a busy machine. Several tests that wait so long in vain, and their second try,
+/// have to fit into what .ci/run gives the page.
+const PATIENCE_MS = 60_000;
 
 /// au-transmitter --web, ready. `ports`: those of one that was there before.
 /// `data`: the folder in place of its own, with web/ in it.
@@ -107,6 +109,14 @@ export function launch(name, { scheme } = {}) {
                                   [SCHEME_PREFERENCE]: scheme === 'dark' ? 0 : 1 };
   }
   return puppeteer.launch(options);
+}
+
+/// Between two tests: one that failed left its tab open, and perhaps a browser that answers no more.
+/// The next test gets a new one.
+export async function usable(browser, name) {
+  if ((await browser.pages()).length <= 1) return browser;
+  process.kill(-browser.process().pid, 'SIGKILL');  // with its children
+  return launch(name);
 }
 
 /// A tab that keeps what goes wrong in it in `faults`.
