@@ -52,7 +52,8 @@ std::vector<OptionRow> rows_of(Options& options) {
        "The folder for the files, which is made if need be. Default: the name of TEXT without its "
        "extension.",
        word(options.output), "", Where::Anywhere, 'o'},
-      {"name", "NAME", "", "name of the files (that of TEXT, or speech)", "", word(options.name)},
+      {"name", "NAME", "", "name of the files (that of TEXT; stdin: \"speech\")", "",
+       word(options.name)},
       {"voice", "FILE", "", "a recording of TEXT, read aloud (WAV, FLAC, Ogg, MP3)",
        "A recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most three hours.",
        word(options.recording)},

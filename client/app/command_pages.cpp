@@ -12,8 +12,8 @@ constexpr std::string_view kLayersAndSections =
     R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
 eye-tags.
 Sections: aus (A to E on the left, the right and both sides), prototypes,
-combinations (pairs of basic expressions), appendix-a and appendix-b of the
-thesis, sweeps, coverage (which AUs the face has).
+combinations (pairs of basic expressions), appendix-a and appendix-b (the sets
+of Kumar's thesis, 2010), sweeps, coverage (which AUs the face has).
 )";
 
 constexpr std::string_view kLayers =

@@ -234,7 +234,7 @@ OptionRow fps_row(OutputOptions& output) {
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
-      {"frames", "DIR", "", "PNGs to DIR: 50 a keyframe, or --fps N a second",
+      {"frames", "DIR", "", "write PNGs: 50 per keyframe; with --fps N, N a second",
        "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
        word(output.frames)},
       {"record", "FILE", "", "write a video: .mp4, .webm or .gif",
@@ -382,7 +382,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   net::SecurityOptions& security = playback.security;
   return {
-      {"buffer", "N", "100", "Receiver buffer: N sets, a time (300ms), auto (100)",
+      {"buffer", "N", "100", "Receiver buffer: N AU sets (100), a time or auto",
        "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
        "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
        parsed(Kind::Word, read_buffer, buffers), "Receiving"},

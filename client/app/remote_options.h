@@ -12,7 +12,8 @@ namespace aucast::app {
                                                 const net::Endpoint& endpoint,
                                                 net::Security security);
 
-/// Sets the buffers to the values of the window's form: how full, and how far behind.
+/// Takes over from the window's form the sizes and thresholds of the buffers, and how far the face
+/// may be behind the server.
 void set_buffers(const gui::RemoteSettings& settings, playback::BufferOptions& buffers);
 
 }  // namespace aucast::app

@@ -38,7 +38,7 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "file, folder, film, aucast://HOST, -, FIFO, camera",
+      {"source", "SOURCE", "", "file, folder, film, FIFO, aucast://HOST, \"camera\", -",
        "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
        "folder, whose .txt and .csv files become sources, in order of their names. A stream has "
        "the name of its file without the extension; a client that asks for no name, and every "
@@ -193,7 +193,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
        "it to clients, and --live uses it.",
        whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax), "Sending"},
-      {"classic-min", "PERCENT", "20", "weakest AU that classic clients are sent (20)",
+      {"classic-min", "PERCENT", "20", "weakest AU sent to level 1 (classic) clients (20)",
        "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
        "sent as fully active.",
        whole(options.classic_min, 0, 100)},
@@ -391,10 +391,10 @@ Prints "listening on ADDR:PORT" when ready; logs to stderr; Ctrl-C ends it.
 SIGHUP reloads the sources, SIGUSR1 logs the status. In parentheses: defaults.
 Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
 )",
-      .examples = {"au-transmitter --bind 0.0.0.0 --live --loop talk.txt",
-                   "au-transmitter aucast://origin.example.org/talk     (a relay of that stream)",
-                   "printf '1111111-4' | nc 127.0.0.1 4650   (prints the first eight "
-                   "packets)"}};
+      .examples = {"au-transmitter talk.txt",
+                   "printf '1111111-4' | nc 127.0.0.1 4650   (prints its first eight packets)",
+                   "au-transmitter --bind 0.0.0.0 --live --loop talk.txt",
+                   "au-transmitter aucast://origin.example.org/talk     (a relay of that stream)"}};
 }
 
 }  // namespace aucast::server

@@ -52,8 +52,8 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
       {"to", "DIR", "", "write each IN to DIR/NAME.txt, in place of OUT",
        "Every name is a source then, and each becomes a stream file of its name in this folder.",
        word(options.to)},
-      {"mend", "", "", "repair IN, a stream file truncated by a power cut",
-       "Repairs IN, a stream file truncated by a power cut: converts what is intact.",
+      {"mend", "", "", "convert what is intact of IN, a truncated file",
+       "IN is a stream file truncated by a power cut: converts what is intact of it to OUT.",
        flag(options.mend)},
       {"keyframe", "MS", "250", "how long keyframes without a time last (250)", "",
        whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax)}};

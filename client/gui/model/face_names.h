@@ -13,8 +13,8 @@ namespace aucast::gui {
   return listed_face(faces, faces.shown);
 }
 
-/// What is wrong with a name for a face of the user's own, as a sentence; empty: nothing. Names of
-/// shipped faces are left to the copies that are made when such a face is edited.
+/// What is wrong with a name for a face of the user's own, as a sentence; empty: nothing. That
+/// of a shipped face is reserved for the copy that is made when that face is edited.
 [[nodiscard]] std::string wrong_face_name(const std::string& name, const FacesView& faces);
 
 /// Whether a shipped face or one of the user's own has this name.

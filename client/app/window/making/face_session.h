@@ -17,8 +17,7 @@ class FaceSession {
  public:
   explicit FaceSession(Assets& assets);
 
-  /// Says that the window began with this face because it remembered it; empty: with the default
-  /// one.
+  /// The remembered face that the window was started with; empty: none, so with the default one.
   void remember(std::string face) { next_ = std::move(face); }
   /// The face that the window should remember: the name of a shipped one, or a folder.
   [[nodiscard]] const std::string& next() const { return next_; }
@@ -32,7 +31,7 @@ class FaceSession {
 
   // These change which faces there are, not the one that is shown.
 
-  /// Makes a face of the user's own of another one; returns its folder.
+  /// Copies the face in `folder` to a new one of the user's own; returns its folder.
   [[nodiscard]] Result<std::filesystem::path> copy(const std::filesystem::path& folder,
                                                    const std::string& name);
   /// Renames a face of the user's own; returns its new folder.
@@ -40,8 +39,8 @@ class FaceSession {
                                                      const std::string& name);
   /// Deletes a face of the user's own.
   [[nodiscard]] Result<void> remove(const std::filesystem::path& folder);
-  /// The shipped face of which a face of the user's own was made, else the default one. Fails for
-  /// any other face.
+  /// For a face of the user's own: the shipped one that it was copied from, or the default one if
+  /// it was copied from none. Fails for any other face.
   [[nodiscard]] Result<std::filesystem::path> origin(const std::filesystem::path& folder) const;
 
   [[nodiscard]] const gui::FacesView& view() const { return view_; }
