@@ -16,8 +16,8 @@
 
 namespace aucast {
 
-/// What is wrong with an option's word, to be put after the option's name and the word: "is not a
-/// whole number from 0 to 65535". nullopt: the word is right.
+/// What is wrong with an option's word, that is, its value as typed. To be put after the option's
+/// name and the word: "is not a whole number from 0 to 65535". nullopt: the word is right.
 using Complaint = std::optional<std::string>;
 
 /// How the words of an option become the value of a variable.
@@ -30,7 +30,7 @@ struct OptionValue {
   };
   Kind kind = Kind::Word;
   /// Stores the word's value, or returns a complaint. Empty: there is no variable, and the program
-  /// looks for the option in what was typed.
+  /// looks for the option in the TypedWords.
   std::function<Complaint(const std::string& word)> read = {};
 };
 
@@ -67,12 +67,12 @@ struct OptionRow {
 /// Adds `more` to the end of `rows`.
 void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
 
-/// What was typed: for each row that was used, by its name, the words; for a flag, "true" or
+/// What was typed: the words of each row that was used, by the row's name. A flag has one "true" or
 /// "false" for each time it was typed.
 using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 
-/// Sorts the arguments (without the program's name) by row. Usage error of one line for an unknown
-/// option (it names the nearest known one), a missing word or a word too many.
+/// Sorts the arguments (without the program's name) by row. Fails with a usage error of one line
+/// for an unknown option (it names the nearest known one), a missing word or a word too many.
 [[nodiscard]] Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
                                                 std::vector<std::string> arguments);
 

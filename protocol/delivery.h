@@ -32,8 +32,8 @@ struct SentCounts {
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end. One from another server that loops it there
-  /// does so in any case.
+  /// `loop`: a recorded stream starts again at its end. One that another server loops for us does
+  /// so whatever `loop` is.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
   /// Changes the stream before anything was sent; answers and pauses received so far are kept.
@@ -64,8 +64,8 @@ class Delivery {
   /// While `held` is true, no keyframe is sent.
   void hold(bool held) { held_ = held; }
 
-  /// Whether keyframes may have to wait for the stream's voice: one that is recorded and has a
-  /// voice.
+  /// Whether keyframes may have to wait for the voice: the stream is recorded, and this client gets
+  /// its voice.
   [[nodiscard]] bool waits_for_voice() const { return voice_ && !stream_.live(); }
 
   [[nodiscard]] const ServedStream& stream() const { return stream_; }
@@ -132,7 +132,7 @@ class Delivery {
   // Live only.
   bool full_next_ = true;                     ///< the next packet must not be changes-only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last one sent
-  Milliseconds shift_{0};  ///< added to a place on the channel's clock, gives the client's
+  Milliseconds shift_{0};  ///< from a place on the channel's clock to that on the client's
 };
 
 }  // namespace aucast::protocol

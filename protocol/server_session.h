@@ -84,13 +84,12 @@ enum class Silence : std::uint8_t {
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
 /// windowed sending, pause, stop, end, drain. In a live stream a client that may be sent something
-/// gets the newest moment; those between it and the last one sent are skipped. No socket and no
-/// clock: bytes and the current time go in, events come out. After CloseConnection or HandOver
-/// nothing more comes out.
-/// Output of one call: a little more than kOutputBytesMax of keyframes; when more may be sent, the
-/// session is held() until hold(false) is called. The owner must not read on while much of what it
-/// was told to send is still unsent, or a peer that answers without reading fills the owner's
-/// memory. PROTOCOL.md section "Server" is the table it follows.
+/// gets the newest moment; those between it and the last one sent are skipped, see Delivery. No
+/// socket and no clock: bytes and the current time go in, events come out. After CloseConnection or
+/// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
+/// keyframes; when more may be sent, the session is held() until hold(false) is called. The owner
+/// must not read on while much of what it was told to send is still unsent, or a peer that answers
+/// without reading fills the owner's memory. PROTOCOL.md section "Server" is the table it follows.
 /// Thread: none of its own; one session per connection.
 class ServerSession {
  public:

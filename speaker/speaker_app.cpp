@@ -48,7 +48,7 @@ std::vector<OptionRow> rows_of(Options& options) {
   std::vector<OptionRow> rows{
       {"text", "TEXT", "", "a text file, UTF-8; - for stdin", "", word(options.text), "Files",
        Where::Positional},
-      {"output", "DIR", "", "folder for the files (named after TEXT)",
+      {"output", "DIR", "", "folder for the files (TEXT without its extension)",
        "The folder for the files, which is made if need be. Default: the name of TEXT without its "
        "extension.",
        word(options.output), "", Where::Anywhere, 'o'},

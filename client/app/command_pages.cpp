@@ -91,8 +91,8 @@ CommandPage command_page(Command command) {
       page.command = "pose";
       page.usage = {"face-player pose [AUS] [OPTIONS]"};
       page.about =
-          "Writes one still of a face. Without --png and --obj, prints the activations of\n"
-          "its channels. In parentheses: defaults.\n";
+          "Writes one still of a face. Without --png and --obj, prints how active each of\n"
+          "its channels (muscles, lids, jaw ...) is. In parentheses: defaults.\n";
       page.notes = kLayers;
       page.examples = {"face-player pose 6,12 --png smile.png",
                        "face-player pose --expression sadness --camera three-quarter --png sad.png",

@@ -167,7 +167,7 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "how long keyframes without a time last (250)",
+      {"speed", "MS", "", "time of keyframes without one (the server's or 250)",
        "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
        "the server says, or 250 ms.",
        whole(playback.speed, 1, kSpeedMaxMs), "Animation"},
@@ -332,7 +332,7 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
        "Only these sections: aus, prototypes, combinations, appendix-a, appendix-b, sweeps, "
        "coverage. May be repeated.",
        parsed(Kind::Words, read_sections, gallery.only)},
-      {"sweep", "AUS|NAME", "", "neutral to full and back, frames and video; or all",
+      {"sweep", "AUS|NAME|all", "", "frames and a video, from neutral to full and back",
        "From neutral to the apex and back, as frames, and as a video if ffmpeg is installed: "
        "a set of AUs, an expression, or all of both. May be repeated.",
        words(gallery.sweeps)},

@@ -55,7 +55,8 @@ struct PlaybackOptions {
   bool voice = false;  ///< ask for the stream's voice, because it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
-  bool one_round = false;         ///< several hosts, no --reconnect: none that answers is an error
+  bool one_round =
+      false;  ///< several hosts, no --reconnect: it is an error if none of them answers
   Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
   net::SecurityOptions security;  ///< TLS, its files and the token's
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking
@@ -92,7 +93,7 @@ struct SoundOptions {
   std::optional<std::string> device;  ///< --sound-device; "default" is the system's
 };
 
-/// Whether a film with sound is made.
+/// Whether a video with sound is written.
 [[nodiscard]] bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output);
 
 struct PoseOptions {
@@ -151,7 +152,7 @@ struct PlayerOptions {
   std::string text;  ///< Help: what to print
 };
 
-/// Reads the command line, without the program's name. Usage error of one line.
+/// Reads the command line, without the program's name. Fails with a usage error of one line.
 [[nodiscard]] Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments);
 
 /// "face-player 0.1.0 ..." with protocol version and licence.

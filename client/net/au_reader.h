@@ -54,9 +54,9 @@ struct Reaction {
 /// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
 /// to pause while they are full. No clock: the current time goes in.
 ///
-/// Room: every keyframe answered by `1` is in the buffers, in `kept_` (under way when the buffers
-/// became full, at most the window) or in `first_`. A server that does not wait for answers is
-/// read no faster than the player makes room.
+/// Room: every keyframe answered by `1` and not yet taken is in the buffers, in `kept_` (under way
+/// when the buffers became full, at most the window) or in `first_`. A server that does not wait
+/// for answers is read no faster than the player makes room.
 ///
 /// Classic: when a server answers our hello with a keyframe, that one is answered, but waits in
 /// `first_` until a second one or {-2} comes. If the server closes before that, the stream begins
@@ -110,9 +110,8 @@ class AuReader {
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
   [[nodiscard]] bool has_words() const;
-  /// Whether the player, which has taken something, is to have speak() called: that would do
-  /// something, and this has not been answered with true since it was called last. Other reasons
-  /// for a call do not ask.
+  /// Asked by the player after it has taken something: whether speak() is to be called. That is so
+  /// while has_words(), once between two calls of speak().
   [[nodiscard]] bool calls_for_speak();
   void set_paused(bool paused);
   /// The user leaves: take() returns nullopt from now on.
@@ -152,8 +151,9 @@ class AuReader {
   playback::KeyframeBuffers buffers_;
   std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
   bool settled_ = false;                     ///< the server is known to go on
-  std::deque<playback::Keyframe> kept_;      ///< case A: came when both buffers were full
-  std::string waiting_;                      ///< received bytes that wait for room in kept_
+  std::deque<playback::Keyframe>
+      kept_;             ///< came when both buffers were full, case A of KeyframeBuffers::store()
+  std::string waiting_;  ///< received bytes that wait for room in kept_
   AnswerLedger ledger_;
   bool called_for_speak_ = false;
   bool user_paused_ = false;
@@ -163,7 +163,7 @@ class AuReader {
   Instant now_{};  ///< of the call that is being worked on
   LiveTiming timing_;
   Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
-  Milliseconds clock_shift_{0};  ///< plus a place of this connection: a place on clock_
+  Milliseconds clock_shift_{0};  ///< from a place of this connection to that on clock_
   SpokenQueue spoken_;           ///< its places are on clock_
   BackOff back_off_;
   bool granted_ = false;                ///< at least one hello has been answered

@@ -31,7 +31,7 @@ struct LiveStreamOptions {
   int classic_min = 20;
   /// The silence after which clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
-  LinkLimits link;     ///< what each client's face and voice may take
+  LinkLimits link;     ///< how many bits a second each client's face and voice may take
   bool voice = false;  ///< raw sound comes with the first stream
   voice::VoiceSettings encoder{};
   Milliseconds voice_delay{0};
@@ -61,8 +61,8 @@ class LiveStream {
 
   /// Lines fed to it wait there until take().
   [[nodiscard]] sources::LiveReader& reader() { return reader_; }
-  /// Takes the keyframes that the reader has made; with `only_last` the newest, for the others are
-  /// past.
+  /// Takes the keyframes that the reader has made; with `only_last` only the newest, since the
+  /// others are out of date.
   void take(SteadyTime now, bool only_last);
   void feed_voice(std::string_view bytes, SteadyTime now);
   void end_voice(SteadyTime now);

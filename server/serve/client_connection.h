@@ -25,7 +25,7 @@ namespace aucast::server {
 ///
 /// The session begins when the link opens. A keyframe of a live stream is sent only when the link
 /// has taken everything before it.
-/// Thread: that of the link. A call from the link keeps it alive until that has returned.
+/// Thread: that of the link. The connection stays alive until a call from the link has returned.
 class ClientConnection final : public link::LinkUser,
                                public std::enable_shared_from_this<ClientConnection> {
  public:
@@ -67,7 +67,7 @@ class ClientConnection final : public link::LinkUser,
   void on_voice();
   /// The server stops: {-2}, then the link drains.
   void stop();
-  /// Whether it has not been told that it ends.
+  /// Whether it still serves: it is neither ending nor closed.
   [[nodiscard]] bool goes_on() const { return !finishing_ && !closed_; }
   /// Whether send_away() would have an effect.
   [[nodiscard]] bool movable() const { return goes_on() && session_ && session_->movable(); }

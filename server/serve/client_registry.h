@@ -54,7 +54,7 @@ class ClientRegistry {
     Owner,  ///< over TCP: the program that started us with --preview, or another one on this host
     WebSocket,
     Dialled,  ///< we have dialled it (--push)
-    Guest,    ///< over TCP, at the port for guests of --preview
+    Guest,    ///< over TCP, at the port that --preview opens for others while their owner allows it
   };
 
   /// Takes a connection that has come in. While kRefusalsMax others are being refused, the link is
@@ -74,7 +74,7 @@ class ClientRegistry {
   void on_moment();
   /// A voice has grown.
   void on_voice();
-  /// Ends the stream for all clients with {-2}, or for those connected in this way.
+  /// Ends the stream with {-2}, for all clients or for those that are connected in one way.
   void stop();
   void stop(Way way);
   /// Cuts off `count` clients of level 2, the oldest first, for another server to take over.

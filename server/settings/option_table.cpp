@@ -176,7 +176,7 @@ OptionRow preview_row(TransmitterOptions& options) {
       "preview",
       "",
       "",
-      "for a parent program: pictures and AUs to stdout",
+      "for programs that start this one: pictures to stdout",
       "For a program that starts this one: standard output tells what the camera sees, as small "
       "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
       "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
@@ -247,13 +247,13 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "paused client owes no answer. TCP detects a vanished host, and a client that stops "
        "reading, within a minute anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"max-clients", "N", "0", "how many clients at a time (0: all that fit)",
+      {"max-clients", "N", "0", "most clients at a time (0: as the system allows)",
        "The number of clients at a time. One client too many is closed, with {error 503 "
        "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and as "
        "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "
        "(ulimit -n) is raised to the hard limit at the start.",
        whole(options.max_clients, 0, kClientsMax)},
-      {"max-clients-per-address", "N", "0", "how many from one address (0: any number)",
+      {"max-clients-per-address", "N", "0", "most of them from one address (0: any number)",
        "The number of clients at a time from one address; of an IPv6 address the first 64 "
        "bits count. Clients behind one router share an address.",
        whole(options.max_clients_per_address, 0, kClientsMax)},

@@ -115,14 +115,14 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
        "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
        "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
        parsed(OptionValue::Kind::Number, read_filter, options.filter)},
-      {"dead-band", "LIST", "", "least change sent, in percent: 2, or 45=0 (2)",
+      {"dead-band", "LIST", "", "least change sent, in percent, such as 3 or 45=0 (2)",
        "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
        "AU that is not named. Without it, jitter makes up about half of the bytes. An intensity is "
        "sent when it has changed by this much since it was last sent, so its error stays below "
        "that; a change to 0 is always sent. 0 sends everything. Stream files and convert are not "
        "affected.",
        parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
-      {"profile", "FILE", "", "load a person's neutral face, gain and filter",
+      {"profile", "FILE", "", "load a person's neutral face, gain, dead band, filter",
        "Neutral face, gain, dead band and filter of one person at one camera, as "
        "--save-profile writes them (TOML); the options above win. SIGHUP reads it again, "
        "for live sources too.",

@@ -81,7 +81,7 @@ class WindowSession {
   [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
   /// The AUs of which the face is made now, after the rules; nullopt if it is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
-  /// What a face made of muscles shows, as part of a name; else empty.
+  /// What a face that is edited muscle by muscle shows, as part of a file's name; else empty.
   [[nodiscard]] std::string edited_shown() const {
     return shown_ == Shown::Editor && !aus_shown() ? editor_.made_of() : std::string();
   }
