@@ -18,9 +18,9 @@
 
 namespace aucast::protocol {
 
-/// What the sessions of one server have in common. Must outlive them. Streams may be added and the
-/// token may change at any time: a session keeps the stream that it sends, and a client that was
-/// let in stays.
+/// What the sessions of one server have in common. Must outlive them. The streams and the token may
+/// change at any time: a session keeps the stream that it sends, and a client that was let in
+/// stays.
 struct ServerCatalogue {
   /// The first is what a classic client gets. At least one, unless `patience` says that one may
   /// come.

@@ -42,14 +42,14 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
       catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
       held_back_max_(held_back_for(*catalogue_, options.voice)) {
   catalogue_->id = id_;
-  open_to_publishers(*catalogue_);
+  open_to_publishers();
 }
 
 /// Lets publishers add streams to the catalogue, for which clients may wait.
-void Programme::open_to_publishers(protocol::ServerCatalogue& catalogue) {
+void Programme::open_to_publishers() {
   if (!takes_streams()) return;
-  catalogue.patience = std::min<Milliseconds>(options_.upstream.wait, protocol::kStreamWaitMax);
-  catalogue.publish_refused = [this](const protocol::HelloAsked& hello) {
+  catalogue_->patience = std::min<Milliseconds>(options_.upstream.wait, protocol::kStreamWaitMax);
+  catalogue_->publish_refused = [this](const protocol::HelloAsked& hello) {
     return publish_refused(hello);
   };
 }
@@ -187,12 +187,10 @@ bool Programme::take_over(Repertoire repertoire) {
     spdlog::info("the sources hold what they held");
     return false;
   }
-  loaded.token = catalogue_->token;
-  loaded.publishers = catalogue_->publishers;
-  loaded.id = id_;
-  open_to_publishers(loaded);
-  catalogue_ = std::make_shared<protocol::ServerCatalogue>(std::move(loaded));
+  catalogue_->streams = std::move(loaded.streams);
   held_back_max_ = held_back_max;
+  // Who waits for a stream may find it among these.
+  events_.on_moment();
   return true;
 }
 

@@ -23,8 +23,8 @@
 namespace aucast::server {
 
 /// Everything that is served, as one catalogue: the streams as they were read last, those of the
-/// running sources, and those that publishers send. A client keeps the catalogue that was current
-/// when it connected, which lives as long as any client uses it. Thread: that of the io_context,
+/// running sources, and those that publishers send. A client keeps the stream that it is sent; one
+/// that still waits for its stream finds it whenever it comes. Thread: that of the io_context,
 /// which must outlive it together with the events' captures and the options.
 class Programme {
  public:
@@ -50,8 +50,8 @@ class Programme {
   void stop();
   [[nodiscard]] bool stopped() const { return stopped_; }
 
-  /// Serves `loaded` to clients that connect from now on, and keeps live sources. Returns whether
-  /// the streams differ from before, and logs it if so.
+  /// Serves `loaded` to clients that get their stream from now on, and keeps live sources. Returns
+  /// whether the streams differ from before, and logs it if not.
   bool take_over(Repertoire loaded);
   /// Sets the viewers' token (empty: none is needed) and who may send streams here (null: nobody).
   void set_tokens(std::string token, std::shared_ptr<const protocol::Publishers> publishers);
@@ -85,7 +85,7 @@ class Programme {
   [[nodiscard]] bool any_live() const { return options_.live || sources_.any() || takes_streams(); }
   [[nodiscard]] bool takes_streams() const { return !options_.credentials.publishers.empty(); }
   [[nodiscard]] bool is_own(const std::string& name) const;
-  void open_to_publishers(protocol::ServerCatalogue& catalogue);
+  void open_to_publishers();
   [[nodiscard]] std::optional<protocol::ErrorReply> publish_refused(
       const protocol::HelloAsked& hello) const;
   void serve_pushed(protocol::ServerCatalogue& catalogue);

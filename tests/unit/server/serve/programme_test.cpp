@@ -1,12 +1,15 @@
 // What is served, without a socket: the test is whoever reads the sources.
 #include "server/serve/programme.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "server/serve/client_connection.h"
 #include "tests/support/fake_link.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
@@ -31,7 +34,8 @@ protocol::ServerCatalogue catalogue_of(const std::vector<protocol::ServedStream>
 class ProgrammeTest : public ::testing::Test {
  protected:
   Programme& begin(protocol::ServerCatalogue catalogue) {
-    programme_.emplace(io_, options_, std::move(catalogue), Programme::Events{[] {}, [] {}});
+    programme_.emplace(io_, options_, std::move(catalogue),
+                       Programme::Events{[this] { on_moment_(); }, [] {}});
     EXPECT_TRUE(programme_->open_sources());
     programme_->begin();
     return *programme_;
@@ -46,6 +50,7 @@ class ProgrammeTest : public ::testing::Test {
   const test::TempFolder folder_;
   asio::io_context io_;
   TransmitterOptions options_;
+  std::function<void()> on_moment_ = [] {};
   std::optional<Programme> programme_;
 };
 
@@ -53,12 +58,13 @@ using Names = std::vector<std::string>;
 
 TEST_F(ProgrammeTest, ServesWhatWasReadUntilItIsOthers) {
   Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
-  const auto before = programme.catalogue();
+  const auto served = [&programme] {
+    return programme.catalogue()->streams[0].recorded()->encoded->classic[0];
+  };
   EXPECT_FALSE(programme.take_over(catalogue_of({{"a", stream_of("{1}")}}))) << "the same";
-  EXPECT_EQ(programme.catalogue(), before);
+  EXPECT_EQ(served(), "{1}");
   EXPECT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{4}")}})));
-  EXPECT_NE(programme.catalogue(), before);
-  EXPECT_EQ(before->streams[0].recorded()->encoded->classic[0], "{1}") << "for who is there";
+  EXPECT_EQ(served(), "{4}");
 }
 
 TEST_F(ProgrammeTest, AStreamThatHoldsWhatItHeldIsHeldOnce) {
@@ -158,6 +164,52 @@ TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
   EXPECT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{1}")}})));
   EXPECT_EQ(names(), Names{"talk"}) << "now one of its own";
   EXPECT_NE(programme.catalogue()->streams[0].recorded(), nullptr);
+}
+
+/// A viewer that waits for a stream that is not here yet.
+class WaitingViewerTest : public ProgrammeTest {
+ protected:
+  Programme& begin_with_viewer() {
+    options_.credentials.publishers = "publishers";
+    Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+    viewer_ = std::make_shared<ClientConnection>(link_, programme.catalogue(),
+                                                 ClientConnection::Settings{},
+                                                 [](const ClientRecord&, const std::string&) {});
+    viewer_->start();
+    link_->say("{hello v=2 stream=talk}");
+    on_moment_ = [this] { viewer_->on_moment(); };
+    return programme;
+  }
+
+  const std::shared_ptr<test::FakeLink> link_ = std::make_shared<test::FakeLink>();
+  std::shared_ptr<ClientConnection> viewer_;
+};
+
+TEST_F(WaitingViewerTest, WaitsOnForAPublisherOverAReload) {
+  Programme& programme = begin_with_viewer();
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{4}")}})));
+  EXPECT_EQ(link_->heard(), "");
+  const auto publisher = std::make_shared<test::FakeLink>();
+  protocol::HelloAsked hello;
+  hello.publish = "talk";
+  programme.take(publisher, hello, "campus:1");
+  publisher->say("{hello v=2 window=50 stream=talk live=1}{12C;40}");
+  EXPECT_NE(link_->heard().find("{12C;40}"), std::string::npos);
+}
+
+TEST_F(WaitingViewerTest, FindsWhatAReloadBrings) {
+  Programme& programme = begin_with_viewer();
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{4}")}})));
+  EXPECT_NE(link_->heard().find("{4}"), std::string::npos);
+}
+
+TEST_F(WaitingViewerTest, KeepsTheStreamThatItIsSent) {
+  Programme& programme = begin_with_viewer();
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{4}")}})));
+  ASSERT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{5}")}})));
+  EXPECT_NE(link_->heard().find("{4}"), std::string::npos);
+  link_->say("11");
+  EXPECT_EQ(link_->heard(), "{2}{-2}") << "the rest of the stream before";
 }
 
 TEST_F(ProgrammeTest, APublisherOfATakenNameHearsThatBeforeThatTheServerStops) {
