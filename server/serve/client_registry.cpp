@@ -20,6 +20,7 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
     return;
   }
   const std::uint64_t number = ++last_number_;
+  ++connects_;
   auto connection = std::make_shared<ClientConnection>(
       open_link(), std::move(catalogue),
       ClientConnection::Settings{.number = number,
@@ -72,14 +73,17 @@ protocol::Admission ClientRegistry::admission_of(AddressKey address) const {
 }
 
 void ClientRegistry::farewell(const ClientRecord& record) {
-  stats_.add(record);
   const auto client = clients_.find(record.number);
-  if (client->second.refused) {
-    --refused_;
-  } else if (client->second.way == Way::Dialled) {
+  if (client->second.way == Way::Dialled) {
+    stats_.add_pushed(record);
     --dialled_;
   } else {
-    of_address_.remove(client->second.address);
+    stats_.add(record);
+    if (client->second.refused) {
+      --refused_;
+    } else {
+      of_address_.remove(client->second.address);
+    }
   }
   clients_.erase(client);
   if (came() == 0) on_empty_();
@@ -142,18 +146,19 @@ void ClientRegistry::abort() {
 }
 
 void ClientRegistry::describe(Status& status, Instant now) const {
-  status.clients = clients_.size() - dialled_;
-  status.connects = last_number_;
+  status.clients = came();
+  status.connects = connects_;
   status.connects_unheard = unheard_;
   status.disconnects = stats_.end_reasons();
   status.sent = stats_.totals();
   for (const auto& [number, client] : clients_) {
     const ClientConnection& connection = *client.connection;
     status.sent.add(connection.so_far());
+    const bool is_client = client.way != Way::Dialled;
     if (client.way == Way::WebSocket) ++status.clients_web;
-    if (connection.paused()) ++status.clients_paused;
+    if (is_client && connection.paused()) ++status.clients_paused;
     if (const auto since = connection.unsent_since()) {
-      ++status.clients_behind;
+      if (is_client) ++status.clients_behind;
       status.queue_seconds = std::max(status.queue_seconds, seconds(now - *since));
     }
     status.queue_bytes += connection.output_bytes();

@@ -121,6 +121,7 @@ class ClientRegistry {
   std::size_t dialled_ = 0;                  ///< how many of them we have dialled
   AddressCounts of_address_;                 ///< of all others
   std::uint64_t last_number_ = 0;
+  std::uint64_t connects_ = 0;  ///< that came in
   std::uint64_t unheard_ = 0;
 };
 

@@ -164,7 +164,7 @@ class Transmitter {
 
   /// The status in one line, for the service manager.
   [[nodiscard]] std::string summary() const {
-    return counted(clients_.size(), "client") + ", " +
+    return counted(clients_.came(), "client") + ", " +
            counted(programme_.catalogue()->streams.size(), "stream");
   }
 
@@ -201,7 +201,7 @@ class Transmitter {
     if (outcome.changed) {
       spdlog::info("serving {} now; for the {} here nothing changes",
                    counted(programme_.catalogue()->streams.size(), "stream"),
-                   counted(clients_.size(), "client"));
+                   counted(clients_.came(), "client"));
     }
     // Who asked for the next one waits for what that reads.
     if (outcome.last) service_.reloaded();

@@ -44,7 +44,6 @@ std::string_view name(ClientEnd reason) {
 }
 
 void Totals::add(const ClientRecord& record) {
-  ++clients;
   keyframes += record.keyframes;
   keyframes_merged += record.keyframes_merged;
   bytes += record.bytes;
@@ -55,7 +54,8 @@ void Totals::add(const ClientRecord& record) {
 }
 
 void Stats::add(ClientRecord record) {
-  totals_.add(record);
+  add_pushed(record);
+  ++clients_;
   ++end_reasons_[std::string(name(record.end_reason))];
   records_.push_back(std::move(record));
   if (records_.size() > kRecordsMax) records_.pop_front();
@@ -65,7 +65,7 @@ std::string Stats::to_json() const {
   Json clients = Json::array();
   for (const ClientRecord& record : records_) clients.push_back(json_of(record));
   const Json all = {{"program", "au-transmitter"},
-                    {"clients_total", totals_.clients},
+                    {"clients_total", clients_},
                     {"packets", totals_.keyframes},
                     {"packets_merged", totals_.keyframes_merged},
                     {"bytes", totals_.bytes},
@@ -73,7 +73,7 @@ std::string Stats::to_json() const {
                     {"voice_packets", totals_.voice_packets},
                     {"sound_bytes", totals_.spoken_bytes},
                     {"send_seconds", seconds(totals_.send_time)},
-                    {"clients_omitted", totals_.clients - records_.size()},
+                    {"clients_omitted", clients_ - records_.size()},
                     {"clients", std::move(clients)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

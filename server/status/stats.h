@@ -43,9 +43,8 @@ struct ClientRecord {
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
-/// Sums over clients; the fields are those of ClientRecord.
+/// Sums over connections; the fields are those of ClientRecord.
 struct Totals {
-  std::uint64_t clients = 0;
   std::uint64_t keyframes = 0;
   std::uint64_t keyframes_merged = 0;
   std::uint64_t bytes = 0;
@@ -57,13 +56,15 @@ struct Totals {
   void add(const ClientRecord& record);
 };
 
-/// What --stats reports. The totals count every client; only the latest kRecordsMax records are
-/// kept, so that a transmitter may run for years.
+/// What --stats reports. The totals count all that was sent; only the latest kRecordsMax records of
+/// clients are kept, so that a transmitter may run for years.
 class Stats {
  public:
   static constexpr std::size_t kRecordsMax = 1000;
 
   void add(ClientRecord record);
+  /// Counts what was sent to a server that we have dialled, which is no client.
+  void add_pushed(const ClientRecord& record) { totals_.add(record); }
 
   [[nodiscard]] const Totals& totals() const { return totals_; }
   [[nodiscard]] const std::map<std::string, std::uint64_t>& end_reasons() const {
@@ -75,6 +76,7 @@ class Stats {
 
  private:
   std::deque<ClientRecord> records_;
+  std::uint64_t clients_ = 0;  ///< with those whose records are not kept
   Totals totals_;
   std::map<std::string, std::uint64_t> end_reasons_;
 };

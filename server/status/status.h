@@ -52,12 +52,12 @@ struct Status {
   std::uint64_t connects_unheard = 0;  ///< closed at once, without room even for a refusal
   std::uint64_t accept_failures = 0;   ///< out of descriptors or memory
   std::map<std::string, std::uint64_t> disconnects;  ///< since the start, by reason
-  Totals sent;                                       ///< to all clients, past and present
-  std::size_t queue_bytes = 0;                       ///< bytes that wait for clients to take them
-  double queue_seconds = 0;           ///< longest time for which something has waited for a client
-  double lag_seconds = 0;             ///< how late the latest live moment was sent
-  std::uint64_t reloads = 0;          ///< by SIGHUP, with everything taken over
-  std::uint64_t reload_failures = 0;  ///< by SIGHUP, with something not taken over
+  Totals sent;                                       ///< to all, past and present, and by --push
+  std::size_t queue_bytes = 0;                       ///< of that, bytes that wait to be taken
+  double queue_seconds = 0;               ///< longest time for which any of these has waited
+  double lag_seconds = 0;                 ///< how late the latest live moment was sent
+  std::uint64_t reloads = 0;              ///< by SIGHUP, with everything taken over
+  std::uint64_t reload_failures = 0;      ///< by SIGHUP, with something not taken over
   std::vector<UpstreamStatus> upstreams;  ///< one for each stream of another server
   std::vector<PushStatus> pushes;         ///< one for each --push
   std::optional<EngineStatus> engine;     ///< nullopt: none is in use

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
@@ -63,7 +64,7 @@ TEST_F(ClientRegistryTest, SaysWhenTheLastHasLeft) {
   second->end({});
   EXPECT_EQ(times_empty_, 1);
   EXPECT_TRUE(registry().empty());
-  EXPECT_EQ(stats_.totals().clients, 2U);
+  EXPECT_EQ(stats_.end_reasons().at("peer gone"), 2U);
 }
 
 TEST_F(ClientRegistryTest, WhoIsOneTooManyIsToldSoAndTakesNoPlace) {
@@ -179,7 +180,6 @@ TEST_F(ClientRegistryTest, TheStatusCountsWhoIsHereAndWhoWas) {
   EXPECT_EQ(now.queue_seconds, 2.0);
   EXPECT_EQ(now.queue_bytes, behind->unsent_bytes());
   EXPECT_EQ(now.connects, 3U);
-  EXPECT_EQ(now.sent.clients, 3U);
   EXPECT_EQ(now.disconnects.size(), 1U);
 }
 
@@ -229,6 +229,20 @@ TEST_F(ClientRegistryTest, AServerThatWasDialledIsServedLikeAClientAndCountsAsNo
   EXPECT_EQ(why, "the stream was sent whole");
   EXPECT_EQ(packets, 3U);
   EXPECT_EQ(registry().size(), 1U);
+  EXPECT_EQ(status().connects, 1U) << "the viewer";
+  EXPECT_TRUE(status().disconnects.empty());
+  EXPECT_EQ(status().sent.keyframes, 4U) << "to both";
+  EXPECT_EQ(nlohmann::json::parse(stats_.to_json()).at("clients_total"), 0);
+}
+
+TEST_F(ClientRegistryTest, AServerThatWasDialledIsNoneOfTheClientsThatAreBehind) {
+  const auto link = std::make_shared<FakeLink>();
+  link->take(0);
+  registry().serve("campus:4650", catalogue_, link, "{hello v=2}-1",
+                   [](const ClientRecord&, const std::string&) {});
+  EXPECT_EQ(status().clients_behind, 0U);
+  EXPECT_EQ(status().clients_paused, 0U);
+  EXPECT_EQ(status(link->now() + 2s).queue_seconds, 2.0);
 }
 
 }  // namespace

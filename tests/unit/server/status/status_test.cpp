@@ -19,7 +19,7 @@ Status busy() {
   status.clients_behind = 2;
   status.connects = 12;
   status.disconnects = {{"finished", 3}, {"timed out", 2}};
-  status.sent = {12, 100, 4, 1500, 1700, {}};
+  status.sent = {100, 4, 1500, 1700, {}};
   status.queue_bytes = 321;
   status.queue_seconds = 0.25;
   return status;
