@@ -153,6 +153,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   void on_read(const std::error_code& error, std::size_t size) {
     if (error == asio::error::eof) {
       peer_ended_ = true;
+      await_loss();
       if (!finishing_) user_->on_peer_end();
     } else if (error) {
       lose(error);
@@ -161,6 +162,23 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     } else if ((dropped_bytes_ += size) > limits_.drain_bytes) {
       end({});
     }
+  }
+
+  /// After the peer's end no read can fail any more: that it has vanished shows here, even while
+  /// there is nothing to send.
+  void await_loss() {
+    socket_.async_wait(tcp::socket::wait_error,
+                       [self = shared_from_this()](const std::error_code& cancelled) {
+                         if (cancelled || self->closed_) return;
+                         if (const auto error = self->error_of_socket()) self->lose(error);
+                       });
+  }
+
+  [[nodiscard]] std::error_code error_of_socket() {
+    int error = 0;
+    socklen_t length = sizeof error;
+    ::getsockopt(socket_.native_handle(), SOL_SOCKET, SO_ERROR, &error, &length);
+    return {error, asio::error::get_system_category()};
   }
 
   /// Returns how many bytes were taken: all of them when the connection is broken.

@@ -152,6 +152,16 @@ TEST_F(TcpLinkTest, AResetIsALoss) {
   EXPECT_FALSE(user_.ending->reason.empty());
 }
 
+TEST_F(TcpLinkTest, APeerThatVanishesAfterItsEndIsALossAlthoughNothingIsSent) {
+  peer_.shutdown(tcp::socket::shutdown_send);
+  ASSERT_TRUE(run_until([&] { return user_.peer_ended; }));
+  EXPECT_FALSE(user_.ending);
+  peer_.set_option(asio::socket_base::linger(true, 0));
+  peer_.close();
+  EXPECT_TRUE(closed_as(Why::Lost));
+  EXPECT_FALSE(user_.ending->reason.empty());
+}
+
 TEST_F(TcpLinkTest, WritingToABrokenConnectionIsToldAfterTheCall) {
   peer_.set_option(asio::socket_base::linger(true, 0));
   peer_.close();
