@@ -16,6 +16,18 @@
 namespace aucast::server {
 namespace {
 
+/// The client library would take revocation lists and let everybody in all the same.
+Result<void> check_authorities(const std::filesystem::path& path) {
+  if (path.empty()) return {};
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  if (file->find("-----BEGIN X509 CRL-----") == std::string::npos) return {};
+  return Error{ErrorKind::BadData,
+               at_place(path.string(),
+                        "has revocation lists, which NATS' library does not heed; name a file "
+                        "without them (--nats-tls-ca)")};
+}
+
 /// For files that the client library reads itself: its message about a missing one names no file.
 Result<void> check_readable(const EngineSettings& settings) {
   constexpr std::size_t kBytesMax = 65536;
@@ -28,9 +40,7 @@ Result<void> check_readable(const EngineSettings& settings) {
       spdlog::warn("{}: other users have access to it", printable(path.string()));
     }
   }
-  if (settings.tls.authorities.empty()) return {};
-  const auto file = read_file(settings.tls.authorities);
-  return file ? Result<void>() : file.error();
+  return check_authorities(settings.tls.authorities);
 }
 
 Result<void> check_settings(const EngineSettings& settings) {

@@ -132,7 +132,8 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        word(engine.seed)},
       {"nats-tls-ca", "FILE", "", "CAs to trust for natss://HOST",
        "The certificates of the authorities that the servers of a natss:// address must have "
-       "theirs from (PEM); without it those of the system.",
+       "theirs from (PEM); without it those of the system. A file with revocation lists is "
+       "refused, since NATS' library does not heed them.",
        word(engine.tls.authorities)},
       {"nats-tls-cert", "FILE", "", "the certificate to show to NATS servers",
        "A certificate to show to servers of NATS that want one (PEM).",

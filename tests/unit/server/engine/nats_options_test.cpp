@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/certificates.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
@@ -139,6 +140,19 @@ TEST(NatsOptions, AFileThatTheLibraryWouldNotNameIsNamed) {
     settings.tls.*path = missing;
     EXPECT_NE(wrong(settings, ErrorKind::Unreadable).find(missing.string()), std::string::npos);
   }
+}
+
+TEST(NatsOptions, RevocationListsThatNobodyWouldHeedAreRefused) {
+  test::Authority authority;
+  EngineSettings settings;
+  settings.tls.authorities = authority.file();
+  EXPECT_EQ(wrong(settings, ErrorKind::BadData, kSecret), "");
+  settings.tls.authorities =
+      authority.file_with_revoked(authority.issue("nats", "DNS:nats.example.org"));
+  EXPECT_EQ(wrong(settings, ErrorKind::BadData, kSecret),
+            settings.tls.authorities.string() +
+                ": has revocation lists, which NATS' library does not heed; name a file without "
+                "them (--nats-tls-ca)");
 }
 
 }  // namespace
