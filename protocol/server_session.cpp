@@ -97,6 +97,7 @@ struct ServerSession::State {
   void turn_away(const Joining::Refusal& refusal);
   void await_stream(Milliseconds patience);
   void give_up_stream();
+  [[nodiscard]] std::optional<ErrorReply> comes_round() const;
   void read(std::string_view bytes);
   void note_first_byte(std::string_view bytes);
   void handle(const ClientPacket& packet);
@@ -205,6 +206,11 @@ void ServerSession::State::give_up_stream() {
   } else {
     close(Why::Refused, kNotYet);
   }
+}
+
+/// The refusal of a relay that this stream has begun to come through.
+std::optional<ErrorReply> ServerSession::State::comes_round() const {
+  return asked ? relay_refused(*catalogue, delivery.stream(), *asked) : std::nullopt;
 }
 
 void ServerSession::State::read(std::string_view bytes) {
@@ -419,6 +425,8 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   state_->begin_call(now);
   if (awaits) {
     state_->carry_out(state_->joining.stream_of(state_->asked));
+  } else if (const auto refusal = state_->comes_round()) {
+    state_->refuse(refusal->code, refusal->text);
   } else {
     state_->send_due(live() ? &Delivery::pump_latest : &Delivery::pump);
   }

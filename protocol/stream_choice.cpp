@@ -19,20 +19,6 @@ bool tells_servers(const ServerCatalogue& catalogue, const HelloAsked& asked) {
   return !asked.relay.empty() && !catalogue.id.empty();
 }
 
-std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
-                                        const ServedStream& stream, const HelloAsked& asked) {
-  if (!tells_servers(catalogue, asked)) return std::nullopt;
-  const std::string servers = servers_of(catalogue, stream);
-  if (passes_through(servers, asked.relay)) {
-    return ErrorReply{508, "the stream would come back to the relay that asks for it"};
-  }
-  if (servers_in(servers) > kRelayHopsMax) {
-    return ErrorReply{508, "the stream has come through " + std::to_string(kRelayHopsMax) +
-                               " relays already, which is the most"};
-  }
-  return std::nullopt;
-}
-
 /// False for a growing stream that does not have the client's first keyframe yet.
 bool is_here(const EncodedStream& stream, std::uint64_t from_ms, bool loops) {
   return stream.extent != Extent::Growing ||
@@ -83,6 +69,20 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
       (recorded != nullptr && is_here(*recorded->encoded, asked ? asked->from_ms : 0, loops));
   if (!ready) choice.state = State::NotYet;
   return choice;
+}
+
+std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
+                                        const ServedStream& stream, const HelloAsked& asked) {
+  if (!tells_servers(catalogue, asked)) return std::nullopt;
+  const std::string servers = servers_of(catalogue, stream);
+  if (passes_through(servers, asked.relay)) {
+    return ErrorReply{508, "the stream would come back to the relay that asks for it"};
+  }
+  if (servers_in(servers) > kRelayHopsMax) {
+    return ErrorReply{508, "the stream has come through " + std::to_string(kRelayHopsMax) +
+                               " relays already, which is the most"};
+  }
+  return std::nullopt;
 }
 
 std::string servers_told(const ServerCatalogue& catalogue, const ServedStream& stream,

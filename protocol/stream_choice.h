@@ -25,10 +25,16 @@ struct StreamChoice {
 };
 
 /// Finds the stream that is asked for; `asked` is nullopt for a classic client, which gets the
-/// first. A relay that would get its own stream back, or that would make more than kRelayHopsMax
-/// relays, is refused.
+/// first. Where relay_refused() says so, a relay is refused.
 [[nodiscard]] StreamChoice choose_stream(const ServerCatalogue& catalogue,
                                          const std::optional<HelloAsked>& asked);
+
+/// Whether a relay would get its own stream back, or there would be more than kRelayHopsMax relays:
+/// the refusal. The answer changes when the stream comes another way. nullopt: neither, or `asked`
+/// is no relay's.
+[[nodiscard]] std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
+                                                      const ServedStream& stream,
+                                                      const HelloAsked& asked);
 
 /// The value of `origin` in the server's hello; empty: leave it out.
 [[nodiscard]] std::string servers_told(const ServerCatalogue& catalogue, const ServedStream& stream,

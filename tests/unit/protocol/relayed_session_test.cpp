@@ -246,6 +246,22 @@ TEST_F(RelayedSession, ARelayThatItComesThroughIsRefused) {
   EXPECT_TRUE(hear("{hello v=2 relay=a}").starts_with("{error 508 the stream would come back"));
 }
 
+/// Two relays that have lost the origin at the same time have taken each other as parents.
+TEST_F(RelayedSession, ARelayIsRefusedAsSoonAsTheStreamComesThroughIt) {
+  auto feed = std::make_shared<LiveFeed>(40, 20);
+  upstream_->content = feed;
+  upstream_->servers = "o";
+  EXPECT_TRUE(hear("{hello v=2 window=8 relay=b}").ends_with(" origin=o,me}"));
+  feed->add({"{1}", "{1;40}", "{1;40}", false}, milliseconds(40));
+  EXPECT_EQ(wake(), "{1;40}");
+  upstream_->servers = "o,a";
+  feed->add({"{2}", "{2;40}", "{2;40}", false}, milliseconds(40));
+  EXPECT_EQ(wake(), "{2;40}") << "by another way";
+  upstream_->servers = "o,b";
+  feed->add({"{3}", "{3;40}", "{3;40}", false}, milliseconds(40));
+  EXPECT_EQ(wake(), "{error 508 the stream would come back to the relay that asks for it}|");
+}
+
 TEST_F(RelayedSession, ARelayThatDialsItselfIsRefusedAtOnce) {
   EXPECT_TRUE(hear("{hello v=2 relay=me}").starts_with("{error 508 ")) << "nothing is known yet";
 }
