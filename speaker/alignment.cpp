@@ -250,9 +250,9 @@ AlignmentPath align(const Cepstrum& a, const Cepstrum& b) {
   return warp(a, b, around(coarse, kCoarser, a.frames(), b.frames(), kReach));
 }
 
-Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate) {
+Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate) {
   const AlignmentPath path =
-      align(cepstrum_of(spoken.samples, spoken.rate), cepstrum_of(recording, rate));
+      align(cepstrum_of(spoken.samples, spoken.rate), cepstrum_of(narration, rate));
   const auto moved = [&path](Milliseconds time) {
     const auto hop = Cepstrum::kHop;
     const auto frame = static_cast<std::size_t>(time / hop);
@@ -266,7 +266,7 @@ Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate
   };
   Speech speech;
   speech.rate = rate;
-  speech.samples = std::move(recording);
+  speech.samples = std::move(narration);
   // None before the one that comes before it, and none after the end.
   const auto carried = [&moved, length = speech.length()](Milliseconds time, Milliseconds& last) {
     return last = std::max(last, std::min(moved(time), length));

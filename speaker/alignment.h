@@ -33,9 +33,9 @@ struct Cepstrum {
 /// its square.
 [[nodiscard]] AlignmentPath align(const Cepstrum& a, const Cepstrum& b);
 
-/// Moves a synthesiser's speech onto a recording of the same words, mono at `rate`: returns its
-/// phonemes, words and sentence ends at the times at which the recording has them, with the
-/// recording as its samples.
-[[nodiscard]] Speech carried_over(const Speech& spoken, std::vector<float> recording, int rate);
+/// Moves a synthesiser's speech onto a narration of the same words, mono at `rate`: returns its
+/// phonemes, words and sentence ends at the times at which the narration has them, with the
+/// narration as its samples.
+[[nodiscard]] Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate);
 
 }  // namespace aucast::speaker

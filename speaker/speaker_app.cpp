@@ -21,8 +21,8 @@
 #include "speaker/alignment.h"
 #include "speaker/captions.h"
 #include "speaker/espeak_voice.h"
+#include "speaker/narration.h"
 #include "speaker/performance.h"
-#include "speaker/recording.h"
 #include "speaker/script.h"
 
 namespace aucast::speaker {
@@ -34,7 +34,7 @@ struct Options {
   fs::path text;
   fs::path output;
   std::string name;
-  fs::path recording;
+  fs::path narration;
   fs::path data;
   VoiceOptions voice;
   GestureOptions gestures;
@@ -54,9 +54,9 @@ std::vector<OptionRow> rows_of(Options& options) {
        word(options.output), "", Where::Anywhere, 'o'},
       {"name", "NAME", "", "name of the files (that of TEXT; stdin: \"speech\")", "",
        word(options.name)},
-      {"voice", "FILE", "", "a recording of TEXT, read aloud (WAV, FLAC, Ogg, MP3)",
-       "A recording of somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most three hours.",
-       word(options.recording)},
+      {"voice", "FILE", "", "a narration: TEXT read aloud (WAV, FLAC, Ogg, MP3)",
+       "A narration, which is somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most three hours.",
+       word(options.narration)},
       {"labels", "FILE", "", "write when each sound (IPA) is heard, for Audacity", "",
        word(options.labels)},
       {"data", "DIR", "", "folder with expressions.toml (the installed one)", "",
@@ -171,16 +171,16 @@ void say(const std::string& message) {
 Result<Speech> speech_of(const Script& script, const Options& options) {
   auto spoken = speak(script.text, options.voice);
   if (!spoken) return spoken;
-  if (options.recording.empty()) {
+  if (options.narration.empty()) {
     fill_last_packet(*spoken);
     return spoken;
   }
-  auto recording = read_recording(options.recording, spoken->length());
-  if (!recording) return recording.error();
-  if (!recording->complaint.empty()) {
-    say(recording->complaint + "; the face is made for what there is");
+  auto narration = read_narration(options.narration, spoken->length());
+  if (!narration) return narration.error();
+  if (!narration->complaint.empty()) {
+    say(narration->complaint + "; the face is made for what there is");
   }
-  return carried_over(*spoken, std::move(recording->samples), voice::kEncoderRate);
+  return carried_over(*spoken, std::move(narration->samples), voice::kEncoderRate);
 }
 
 Result<Expressions> expressions_of(const Options& options) {
@@ -194,7 +194,7 @@ Result<Expressions> expressions_of(const Options& options) {
 /// Refuses to overwrite a file that is also read.
 Result<void> check_output(const fs::path& output, const Options& options) {
   std::error_code none;
-  for (const fs::path& input : {options.text, options.recording}) {
+  for (const fs::path& input : {options.text, options.narration}) {
     if (output.empty() || input.empty() || !fs::equivalent(output, input, none)) continue;
     return Error{ErrorKind::Usage, printable(output.string()) + " would be written over " +
                                        printable(input.string()) +
@@ -238,7 +238,7 @@ Result<void> run(const Options& options) {
   }
   const fs::path stream_file = folder / (name + ".txt");
   const fs::path caption_file = folder / (name + ".vtt");
-  const fs::path sound_file = options.recording.empty() ? folder / (name + ".wav") : fs::path();
+  const fs::path sound_file = options.narration.empty() ? folder / (name + ".wav") : fs::path();
   for (const fs::path& output : {stream_file, caption_file, sound_file, options.labels}) {
     if (auto good = check_output(output, options); !good) return good;
   }

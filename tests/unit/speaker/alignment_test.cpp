@@ -66,7 +66,7 @@ TEST(CarriedOver, SkippedWordsKeepTheirOrder) {
   EXPECT_LE(read.words.back().begin, read.length());
 }
 
-TEST(CarriedOver, NothingIsLaterThanARecordingThatIsTooShort) {
+TEST(CarriedOver, NothingIsLaterThanANarrationThatIsTooShort) {
   Speech spoken;
   spoken.samples.resize(22050);
   spoken.words = {{Milliseconds(0), 0, 1}, {Milliseconds(900), 2, 1}};

@@ -41,7 +41,7 @@ TEST(SpeakerApp, GivesARecordedVoiceAFace) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "again/talk.wav"));
 }
 
-TEST(SpeakerApp, ARecordingThatWasCutOffIsToldOfAndGetsItsFace) {
+TEST(SpeakerApp, ANarrationThatWasCutOffIsToldOfAndGetsItsFace) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good morning, everybody.\n").string();
   const std::string out = (folder.path() / "out").string();
@@ -66,7 +66,7 @@ TEST(SpeakerApp, TellsWhenEachSoundIsHeard) {
   EXPECT_NE(told.find("i\xcb\x90"), std::string::npos) << "a long i: " << told;
 }
 
-TEST(SpeakerApp, ARecordingThatCannotBeTheTextIsRefused) {
+TEST(SpeakerApp, ANarrationThatCannotBeTheTextIsRefused) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Hello.\n").string();
   const std::string all = folder.write("long.txt", std::string(400, 'a') + " and so on.").string();

@@ -1,4 +1,4 @@
-#include "speaker/recording.h"
+#include "speaker/narration.h"
 
 #include <sndfile.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class RecordingTest : public ::testing::Test {
+class NarrationTest : public ::testing::Test {
  protected:
   void write(Milliseconds length, int format = SF_FORMAT_WAV | SF_FORMAT_PCM_16) const {
     SF_INFO info{};
@@ -28,8 +28,8 @@ class RecordingTest : public ::testing::Test {
     sf_writef_float(file, samples.data(), static_cast<sf_count_t>(samples.size()));
     sf_close(file);
   }
-  [[nodiscard]] Error refusal(Milliseconds said, Milliseconds longest = kRecordingMax) const {
-    const auto read = read_recording(path_, said, longest);
+  [[nodiscard]] Error refusal(Milliseconds said, Milliseconds longest = kNarrationMax) const {
+    const auto read = read_narration(path_, said, longest);
     return read ? Error{ErrorKind::Failed, "it was read"} : read.error();
   }
   [[nodiscard]] Error bad(const std::string& why) const {
@@ -40,28 +40,28 @@ class RecordingTest : public ::testing::Test {
   std::filesystem::path path_ = folder_.path() / "talk.wav";
 };
 
-TEST_F(RecordingTest, IsReadWhole) {
+TEST_F(NarrationTest, IsReadWhole) {
   write(62s);  // more than is read at a time
-  const auto recording = read_recording(path_, 50s);
-  ASSERT_TRUE(recording) << recording.error().message;
-  EXPECT_NEAR(static_cast<double>(recording->samples.size()), 62.0 * voice::kEncoderRate, 200);
-  EXPECT_EQ(recording->complaint, "");
+  const auto narration = read_narration(path_, 50s);
+  ASSERT_TRUE(narration) << narration.error().message;
+  EXPECT_NEAR(static_cast<double>(narration->samples.size()), 62.0 * voice::kEncoderRate, 200);
+  EXPECT_EQ(narration->complaint, "");
 }
 
-TEST_F(RecordingTest, OneThatIsShorterThanItSaysIsReadAndToldOf) {
+TEST_F(NarrationTest, OneThatIsShorterThanItSaysIsReadAndToldOf) {
   write(10s);
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 100);
   const std::string why = path_.string() +
                           ": the sound breaks off before its end: of 320000 bytes of sound it "
                           "has 319900";
-  const auto recording = read_recording(path_, 10s);
-  ASSERT_TRUE(recording) << recording.error().message;
-  EXPECT_NEAR(static_cast<double>(recording->samples.size()), 10.0 * voice::kEncoderRate, 200);
-  EXPECT_EQ(recording->complaint, why);
+  const auto narration = read_narration(path_, 10s);
+  ASSERT_TRUE(narration) << narration.error().message;
+  EXPECT_NEAR(static_cast<double>(narration->samples.size()), 10.0 * voice::kEncoderRate, 200);
+  EXPECT_EQ(narration->complaint, why);
   EXPECT_EQ(refusal(41s), (Error{ErrorKind::BadData, why})) << "why it cannot be the text";
 }
 
-TEST_F(RecordingTest, OneThatIsDamagedIsRefused) {
+TEST_F(NarrationTest, OneThatIsDamagedIsRefused) {
   write(10s, SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III);
   std::string bytes = folder_.read("talk.wav");
   bytes.insert(bytes.size() / 2, 5000, 'U');
@@ -72,23 +72,23 @@ TEST_F(RecordingTest, OneThatIsDamagedIsRefused) {
   EXPECT_NE(error.message.find("(ffmpeg -i OLD NEW keeps"), std::string::npos) << error.message;
 }
 
-TEST_F(RecordingTest, OneThatIsTooLongIsRefusedAndNotCut) {
+TEST_F(NarrationTest, OneThatIsTooLongIsRefusedAndNotCut) {
   write(90s);
-  EXPECT_TRUE(read_recording(path_, 50s, 90s));
+  EXPECT_TRUE(read_narration(path_, 50s, 90s));
   EXPECT_EQ(refusal(50s, 61s), bad("lasts more than 61 s, the longest that is read; cut it and its "
                                    "text into parts"));
 }
 
-TEST_F(RecordingTest, OneThatCannotBeTheTextIsRefused) {
+TEST_F(NarrationTest, OneThatCannotBeTheTextIsRefused) {
   write(10s);
-  EXPECT_TRUE(read_recording(path_, 2500ms));
-  EXPECT_TRUE(read_recording(path_, 39s));
+  EXPECT_TRUE(read_narration(path_, 2500ms));
+  EXPECT_TRUE(read_narration(path_, 39s));
   EXPECT_EQ(refusal(2s), bad("lasts more than 8 s, its text about 2 s: is it a reading of that "
                              "text?"));
   EXPECT_EQ(refusal(41s), bad("lasts 10 s, its text about 41 s: is it a reading of that text?"));
 }
 
-TEST_F(RecordingTest, OneThatIsNotThereIsUnreadable) {
+TEST_F(NarrationTest, OneThatIsNotThereIsUnreadable) {
   EXPECT_EQ(refusal(2s).kind, ErrorKind::Unreadable);
 }
 

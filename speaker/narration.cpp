@@ -1,4 +1,4 @@
-#include "speaker/recording.h"
+#include "speaker/narration.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,7 +22,7 @@ std::string whole_seconds(Milliseconds time) {
 
 }  // namespace
 
-Result<Recording> read_recording(const std::filesystem::path& path, Milliseconds said,
+Result<Narration> read_narration(const std::filesystem::path& path, Milliseconds said,
                                  Milliseconds longest) {
   const auto wrong = [&path](const std::string& why) {
     return Error{ErrorKind::BadData, at_place(path.string(), why)};
@@ -58,7 +58,7 @@ Result<Recording> read_recording(const std::filesystem::path& path, Milliseconds
     if (!complaint.empty()) return Error{ErrorKind::BadData, std::move(complaint)};
     return no_reading(whole_seconds(length));
   }
-  return Recording{std::move(samples), std::move(complaint)};
+  return Narration{std::move(samples), std::move(complaint)};
 }
 
 }  // namespace aucast::speaker

@@ -10,18 +10,18 @@
 
 namespace aucast::speaker {
 
-/// The longest recording that is read. It is held in memory, 230 MB for each hour.
-inline constexpr Milliseconds kRecordingMax = std::chrono::hours(3);
+/// The longest narration that is read. It is held in memory, 230 MB for each hour.
+inline constexpr Milliseconds kNarrationMax = std::chrono::hours(3);
 
-struct Recording {
+struct Narration {
   std::vector<float> samples;  ///< mono, in [-1,1], at voice::kEncoderRate
   std::string complaint;       ///< as SoundFile::complaint()
 };
 
-/// Reads the recording of a text that takes the synthesiser `said`. Unreadable as
+/// Reads the narration of a text that takes the synthesiser `said`. Unreadable as
 /// SoundFile::open(); BadData when it is no sound, is damaged, lasts longer than `longest`, or less
 /// than a quarter of `said` or more than four times that.
-[[nodiscard]] Result<Recording> read_recording(const std::filesystem::path& path, Milliseconds said,
-                                               Milliseconds longest = kRecordingMax);
+[[nodiscard]] Result<Narration> read_narration(const std::filesystem::path& path, Milliseconds said,
+                                               Milliseconds longest = kNarrationMax);
 
 }  // namespace aucast::speaker
