@@ -233,8 +233,10 @@ Result<void> run(const Options& options) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    return Error{ErrorKind::Failed,
-                 at_place(folder.string(), "no folder can be made: " + error.message())};
+    // Such as TEXT itself, if its name has no extension.
+    const std::string why = fs::exists(folder) ? "a file has this name" : error.message();
+    return Error{ErrorKind::Failed, at_place(folder.string(), "no folder can be made: " + why +
+                                                                  "; name another one (--output)")};
   }
   const fs::path stream_file = folder / (name + ".txt");
   const fs::path caption_file = folder / (name + ".vtt");

@@ -99,6 +99,17 @@ TEST(SpeakerApp, NeverWritesOverTheText) {
   EXPECT_EQ(folder.read("talk.vtt"), "Good morning.\n");
 }
 
+TEST(SpeakerApp, SaysThatTheTextHasTheNameOfTheFolder) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk", "Good morning.\n").string();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", text}), 1);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "au-speaker: " + text +
+                ": no folder can be made: a file has this name; name another one (--output)\n");
+  EXPECT_EQ(folder.read("talk"), "Good morning.\n");
+}
+
 TEST(SpeakerApp, NeverWritesOverTheLabels) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good morning.\n").string();
