@@ -14,21 +14,24 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+/// The command that fetches the models.
+std::string fetching(const std::filesystem::path& data) {
+  // An installation has the script in its data folder.
+  const std::filesystem::path script = std::filesystem::path("scripts") / "install_models.sh";
+  const auto installed = data / script;
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(installed, ignored);
+  return printable((there ? installed : script).string()) + " " + printable(data.string());
+}
+
 /// A model file, or the sentence that says where to get it.
 Result<std::string> read_model_file(const std::filesystem::path& data,
                                     const std::filesystem::path& file) {
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) {
-    // An installation has the script in its data folder.
-    const std::filesystem::path script = std::filesystem::path("scripts") / "install_models.sh";
-    const auto installed = data / script;
-    const bool there = std::filesystem::exists(installed, ignored);
-    return Error{ErrorKind::Unreadable,
-                 at_place(file.string(), "the models that read faces are not installed; '" +
-                                             printable((there ? installed : script).string()) +
-                                             " " + printable(data.string()) + "' fetches them")};
-  }
-  return read_file(file);
+  if (std::filesystem::exists(file, ignored)) return read_file(file);
+  return Error{ErrorKind::Unreadable,
+               at_place(file.string(), "the models that read faces are not installed; '" +
+                                           fetching(data) + "' fetches them")};
 }
 
 }  // namespace
@@ -53,7 +56,10 @@ Result<FaceModels> load_face_models(const std::filesystem::path& data) {
   if (!weights) return weights.error();
   auto tracker = mesh::FaceTracker::make({bytes_of(*detector), detector_file.string()},
                                          {bytes_of(*landmarks), landmark_file.string()});
-  if (!tracker) return tracker.error();
+  if (!tracker) {
+    const Error& error = tracker.error();
+    return Error{error.kind, error.message + "; '" + fetching(data) + "' fetches it anew"};
+  }
   return FaceModels{std::move(*tracker), std::move(*weights)};
 }
 

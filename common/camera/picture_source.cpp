@@ -70,8 +70,9 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
   Child* ffmpeg = source.ffmpeg_.get();
   if (patience && !await_picture(*ffmpeg, *patience, given_up)) {
     ffmpeg->stop();
-    return Error{kind, at_place(name, "no picture came for " +
-                                          std::to_string(patience->count() / 1000) + " s")};
+    return Error{kind,
+                 at_place(name, "no picture came for " + std::to_string(patience->count() / 1000) +
+                                    " s; is another program using it?")};
   }
   auto pictures =
       Y4mReader::open([ffmpeg](std::span<std::uint8_t> bytes) { return ffmpeg->read(bytes); });

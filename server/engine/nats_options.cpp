@@ -37,7 +37,7 @@ Result<void> check_readable(const EngineSettings& settings) {
     const auto file = read_secret_file(path, kBytesMax);
     if (!file) return file.error();
     if (file->open_to_others && path != settings.tls.certificate) {
-      spdlog::warn("{}: other users have access to it", printable(path.string()));
+      spdlog::warn("{}: other users have access to it (chmod 600)", printable(path.string()));
     }
   }
   return check_authorities(settings.tls.authorities);

@@ -77,7 +77,7 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path, const R
   Descriptor file(::open(path.c_str(), kFlags | O_EXCL, 0644));
   const bool made = file.open();
   if (!made) file = Descriptor(::open(path.c_str(), kFlags, 0644));
-  if (!file.open()) return cannot_record(path, system_reason(errno));
+  if (!file.open()) return cannot_record(path, system_reason(errno) + "; choose another place");
   if (const Objection objected = objection(file.get()); !objected.why.empty()) {
     // Another program that was quicker to lock the file writes to it now.
     if (made && !objected.others) ::unlink(path.c_str());

@@ -71,8 +71,9 @@ void RecordWriter::enqueue(std::size_t bytes, Makers makers) {
     return false;
   });
   if (full) {
-    end_with(
-        {ErrorKind::Failed, at_place(path_.string(), "cannot be written: the disk takes nothing")});
+    end_with({ErrorKind::Failed,
+              at_place(path_.string(),
+                       "cannot be written: the disk takes nothing; record to a faster one")});
   }
 }
 

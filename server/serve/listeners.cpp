@@ -73,7 +73,8 @@ Result<std::string> Listeners::open_to_guests(const std::string& bind, std::uint
   std::error_code not_numbers;
   asio::ip::make_address(bind, not_numbers);
   if (not_numbers) {
-    return Error{ErrorKind::Usage, "'" + escaped(bind) + "' is no address in numbers"};
+    return Error{ErrorKind::Usage,
+                 "'" + escaped(bind) + "' is no address in numbers, such as 0.0.0.0"};
   }
   if (auto opened = guests_.open(bind, port, kGuestFields); !opened) return opened.error();
   accept_from(guests_, ClientRegistry::Way::Guest);

@@ -242,11 +242,12 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
        seconds(options.drain_time, 0, kDrainSecondsMax,
                "is not a number of seconds from 0 to 3600")},
-      {"client-timeout", "S", "0", "disconnect clients silent for S seconds (0: never)",
-       "Disconnects clients that are silent for so many seconds, up to 86400. Every byte from the "
-       "client restarts the time; with a live stream, so does every byte that can be sent to it. A "
-       "paused client owes no answer. TCP detects a vanished host, and a client that stops "
-       "reading, within a minute anyway.",
+      {"client-timeout", "S", "0", "disconnect who owes an answer for so long (0: never)",
+       "Disconnects a client that has a keyframe to answer and sends no byte for so many seconds, "
+       "up to 86400; also one that takes no byte for so long, if its stream is live or it has "
+       "answered beforehand. The time does not run while a client is paused, nor before its stream "
+       "begins. TCP detects a vanished host, and a client that stops reading, within a minute "
+       "anyway.",
        seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {"max-clients", "N", "0", "most clients at a time (0: as the system allows)",
        "The number of clients at a time. One client too many is closed, with {error 503 "

@@ -46,7 +46,7 @@ struct TransmitterOptions {
   bool loop = false;                ///< start again at the end instead of {-2}
   bool live = false;                ///< one clock for all clients
   int classic_min = 20;             ///< percent 0-100; weaker AUs are left out for classic clients
-  Milliseconds client_timeout{0};   ///< longest wait for an answer; 0: no limit
+  Milliseconds client_timeout{0};   ///< longest wait for an answer that is owed; 0: no limit
   std::size_t max_clients = 0;      ///< at a time; 0: clients_with_room()
   std::size_t max_clients_per_address = 0;  ///< the same from one address; 0: no limit
   CredentialFiles credentials;              ///< certificates and tokens

@@ -38,7 +38,9 @@ Result<void> HttpServer::open(const std::string& address, std::uint16_t port, bo
   }
   spdlog::info("status at http://{}/", link::endpoint_text(listener_.endpoint()));
   if (!listener_.endpoint().address().is_loopback()) {
-    spdlog::warn("--http tells everybody who reaches that address how the transmitter is");
+    spdlog::warn(
+        "--http tells everybody who reaches that address how the transmitter is; 127.0.0.1:PORT "
+        "tells only this host");
   }
   return {};
 }

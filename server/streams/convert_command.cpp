@@ -168,8 +168,8 @@ Result<Converted> write_out(const ConvertOptions& options, const protocol::Strea
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
   std::error_code not_there;
   if (std::filesystem::equivalent(options.in, options.out, not_there)) {
-    return convert_usage(
-        at_place(options.in.string(), "would be replaced by what it is converted to"));
+    return convert_usage(at_place(
+        options.in.string(), "would be replaced by what it is converted to; choose another name"));
   }
   const SignalOptions& signal = options.source.signal;
   const auto conditioning = conditioning_of(signal);

@@ -118,7 +118,8 @@ Result<std::vector<Source>> address_source(const std::filesystem::path& path, Li
                            : protocol::parse_stream_address(path.string());
   if (!address) return address.error();
   if (live == LiveSources::None) {
-    return Error{ErrorKind::Usage, at_place(path.string(), "--check and --estimate read files")};
+    return Error{ErrorKind::Usage,
+                 at_place(path.string(), "--check and --estimate read files; leave it out")};
   }
   return std::vector<Source>{{.path = path, .name = address->stream, .live = true}};
 }
@@ -158,7 +159,8 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     return streams;
   }
   if (camera_device(path)) {
-    return Error{ErrorKind::Usage, "a camera is live: it can be served, not described"};
+    return Error{ErrorKind::Usage,
+                 "a camera is live: it can be served, not described; leave it out"};
   }
   const bool film = is_film(path);
   const auto text = film ? film_text(path, reading.source, {}, reading.stop)
@@ -225,7 +227,9 @@ Result<std::vector<std::filesystem::path>> files_of(const std::filesystem::path&
   }
   if (files.empty()) {
     return Error{ErrorKind::BadData,
-                 at_place(path.string(), "there is no .txt or .csv file in this folder")};
+                 at_place(path.string(),
+                          "there is no .txt or .csv file in this folder; films and other files "
+                          "are named one by one")};
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -50,7 +50,9 @@ Result<std::vector<std::string>> paths_below(const fs::path& folder) {
   std::vector<std::string> paths;
   std::error_code error;
   const auto fail = [&error](const fs::path& place) {
-    return Error{ErrorKind::Unreadable, at_place(place.string(), error.message())};
+    return Error{
+        ErrorKind::Unreadable,
+        at_place(place.string(), "cannot be read: " + error.message() + "; check its permissions")};
   };
   fs::recursive_directory_iterator entry(folder, error);
   if (error) return fail(folder);
@@ -62,7 +64,10 @@ Result<std::vector<std::string>> paths_below(const fs::path& folder) {
       paths.push_back("/" + path.lexically_relative(folder).generic_string());
     }
     if (paths.size() > kFilesMax) {
-      return Error{ErrorKind::Unreadable, at_place(folder.string(), "holds too many files")};
+      return Error{
+          ErrorKind::Unreadable,
+          at_place(folder.string(), "holds more than " + std::to_string(kFilesMax) +
+                                        " files; take out what does not belong to the page")};
     }
     entry.increment(error);
     if (error) return fail(folder);

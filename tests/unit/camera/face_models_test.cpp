@@ -39,6 +39,9 @@ TEST(FaceModels, ThatAreNoneAreBadData) {
   const auto models = load_face_models(folder.path());
   ASSERT_FALSE(models.has_value());
   EXPECT_EQ(models.error().kind, ErrorKind::BadData);
+  EXPECT_TRUE(models.error().message.ends_with("it is no TFLite file; 'scripts/install_models.sh " +
+                                               folder.path().string() + "' fetches it anew"))
+      << models.error().message;
 }
 
 }  // namespace

@@ -80,6 +80,14 @@ TEST_F(RecordFileTest, AnEmptyFileThatWasThereStays) {
   EXPECT_TRUE(std::filesystem::exists(path_));
 }
 
+TEST_F(RecordFileTest, WhereNoFileCanBeMadeAnotherPlaceIsAskedFor) {
+  const auto nowhere = folder_.path() / "none" / "kept.txt";
+  EXPECT_EQ(RecordFile::create(nowhere).error(),
+            (Error{ErrorKind::Failed, nowhere.string() +
+                                          ": cannot be recorded to: No such file or directory; "
+                                          "choose another place"}));
+}
+
 TEST_F(RecordFileTest, WhatIsThereIsNeverWrittenOver) {
   folder_.write("kept.txt", "yesterday");
   EXPECT_EQ(RecordFile::create(path_).error(),

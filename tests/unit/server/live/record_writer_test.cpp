@@ -25,7 +25,8 @@ TEST_F(RecordWriterTest, WhatComesTooFastEndsItAndWhatWasAcceptedIsKept) {
   (*writer)->add({"0;40\n"});
   const auto finished = (*writer)->finish();
   ASSERT_FALSE(finished);
-  EXPECT_NE(finished.error().message.find("the disk takes nothing"), std::string::npos);
+  EXPECT_NE(finished.error().message.find("the disk takes nothing; record to a faster one"),
+            std::string::npos);
   EXPECT_EQ(folder_.read("kept.txt"), "Beg_Stream\n12:20;40\nEnd_Stream\n");
   EXPECT_EQ((*writer)->written(), 1U);
 }

@@ -64,7 +64,9 @@ TEST(LoadSources, FolderWithoutStreamsIsBadData) {
   const TempFolder folder;
   const Error error = error_of({folder.path()});
   EXPECT_EQ(error.kind, ErrorKind::BadData);
-  EXPECT_TRUE(has(error, "there is no .txt or .csv file in this folder"));
+  EXPECT_TRUE(has(error,
+                  "there is no .txt or .csv file in this folder; films and other "
+                  "files are named one by one"));
 }
 
 TEST(LoadSources, BrokenOnesAreLeftOutOnlyWhenAskedAndWhileAnyIsLeft) {

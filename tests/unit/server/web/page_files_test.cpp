@@ -110,6 +110,15 @@ TEST_F(PageFilesTest, WithoutAPageTheRemedyIsSaid) {
   EXPECT_TRUE(PageFiles::read(folder_.path())->has_page());
 }
 
+TEST_F(PageFilesTest, AFolderThatIsNoPageIsRefused) {
+  for (int i = 0; i < 2000; ++i) folder_.write(std::to_string(i), "");
+  const auto files = PageFiles::read(folder_.path());
+  ASSERT_FALSE(files);
+  EXPECT_EQ(files.error().message,
+            folder_.path().string() +
+                ": holds more than 2000 files; take out what does not belong to the page");
+}
+
 TEST_F(PageFilesTest, AFileThatCannotBeReadIsNamed) {
   std::filesystem::create_symlink(folder_.path() / "nowhere", folder_.path() / "broken.js");
   const auto files = PageFiles::read(folder_.path());
