@@ -21,7 +21,7 @@ EngineEdge::EngineEdge(asio::io_context& io, const Reception::Options& options, 
     : name_(options.name),
       open_(std::move(open)),
       reception_(io, options,
-                 {std::move(on_moment), [] {},
+                 {std::move(on_moment), [this] { reason_.clear(); },
                   [this](const Parent::Outcome& outcome) { on_over(outcome); }}),
       follower_(options.id),
       timer_(io) {}
