@@ -81,11 +81,11 @@ void Pusher::on_answer(const PublishSession::Answer& answer) {
 
 void Pusher::on_served(const ClientRecord& record, const std::string& why) {
   serving_ = false;
-  if (record.keyframes > 0) {
-    redialler_.worked();
-    said_ = false;
-  }
-  if (record.end_reason == ClientEnd(protocol::CloseConnection::Why::Finished)) {
+  const bool finished = record.end_reason == ClientEnd(protocol::CloseConnection::Why::Finished);
+  // Who has the whole stream already is sent nothing.
+  if (finished || record.keyframes > 0) redialler_.worked();
+  if (record.keyframes > 0) said_ = false;
+  if (finished) {
     if (record.keyframes > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
     redialler_.again_in(is_live() ? Redialler::kNotReady : kOfferAgain);
   } else {

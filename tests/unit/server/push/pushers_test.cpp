@@ -1,6 +1,7 @@
 // Streams that are brought to a server which the test plays, on the same loop.
 #include "server/push/pushers.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include <asio/write.hpp>
 
 #include "protocol/live_feed.h"
+#include "tests/support/kept_log.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 
@@ -22,6 +24,7 @@ namespace aucast::server {
 namespace {
 
 using asio::ip::tcp;
+using Why = protocol::CloseConnection::Why;
 
 class PushersTest : public ::testing::Test {
  protected:
@@ -63,12 +66,12 @@ class PushersTest : public ::testing::Test {
     const int until = asked_ + times;
     return test::run_until(io_, [&] { return asked_ >= until; });
   }
-  /// The connection that was taken last has brought the stream to its end.
-  void finish_last() const {
+  /// The connection that was taken last has ended, after so many keyframes.
+  void end_last(protocol::CloseConnection::Why why, std::uint64_t keyframes) const {
     ClientRecord record;
-    record.keyframes = 1;
-    record.end_reason = ClientEnd(protocol::CloseConnection::Why::Finished);
-    served_.back()(record, "");
+    record.keyframes = keyframes;
+    record.end_reason = ClientEnd(why);
+    served_.back()(record, "it was cut off");
   }
 
   static constexpr std::string_view kTakes = "{hello v=2 window=2 stream=one takes=1}";
@@ -126,11 +129,28 @@ TEST_F(PushersTest, ALiveStreamThatHasEndedIsBroughtAgainWhenItGoesOn) {
   accept();
   ASSERT_TRUE(runs_until_taken(1));
   feed->end();
-  finish_last();
+  end_last(Why::Finished, 1);
   EXPECT_TRUE(runs_until_asked(2));
   EXPECT_EQ(served_.size(), 1U) << "not before";
   feed->add({});
   EXPECT_TRUE(runs_until_taken(2));
+}
+
+TEST_F(PushersTest, AFailureIsSaidAgainAfterTheOtherServerHadAllOfTheStream) {
+  stream_.emplace("one", std::make_shared<const protocol::LiveFeed>(250, 20));
+  ASSERT_TRUE(pushers_.open(to({here()}), "id", 0));
+  pushers_.start();
+  accept();
+  const test::KeptLog log;
+  ASSERT_TRUE(runs_until_taken(1));
+  end_last(Why::PeerGone, 0);
+  const std::string first = log.said();
+  EXPECT_NE(first.find("it was cut off"), std::string::npos) << first;
+  ASSERT_TRUE(runs_until_taken(2));
+  end_last(Why::Finished, 0);
+  ASSERT_TRUE(runs_until_taken(3));
+  end_last(Why::PeerGone, 0);
+  EXPECT_NE(log.said().substr(first.size()).find("it was cut off"), std::string::npos);
 }
 
 TEST_F(PushersTest, WithoutAddressesNothingIsWaitedFor) {
