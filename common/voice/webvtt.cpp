@@ -136,6 +136,8 @@ Result<std::vector<Cue>> read_cues(std::vector<Line>::const_iterator line,
       }
     }
   }
+  // A caption of no time is seen by nobody.
+  std::erase_if(cues, [](const Cue& cue) { return cue.end_ms == cue.begin_ms; });
   std::stable_sort(cues.begin(), cues.end(),
                    [](const Cue& a, const Cue& b) { return a.begin_ms < b.begin_ms; });
   return cues;
@@ -163,7 +165,7 @@ Result<std::vector<protocol::CaptionData>> parse_webvtt(std::string_view text,
     if (!captions.empty() && captions.back().place_ms == cue.begin_ms) captions.pop_back();
     captions.push_back({cue.begin_ms, cue.text});
     const bool gap = i + 1 == cues->size() || (*cues)[i + 1].begin_ms > cue.end_ms;
-    if (gap && cue.end_ms > cue.begin_ms) captions.push_back({cue.end_ms, {}});
+    if (gap) captions.push_back({cue.end_ms, {}});
   }
   return captions;
 }

@@ -45,6 +45,11 @@ TEST(Webvtt, ALaterCueTakesThePlaceOfOneThatLasts) {
             (Captions{{1000, "a"}, {3000, "c"}, {6000, ""}}));
 }
 
+TEST(Webvtt, ACueOfNoTimeIsNeverShown) {
+  EXPECT_EQ(read("WEBVTT\n\n00:01.000 --> 00:02.000\na\n\n00:02.000 --> 00:02.000\nnobody\n"),
+            (Captions{{1000, "a"}, {2000, ""}}));
+}
+
 TEST(Webvtt, SaysWhereWhatIsWrong) {
   EXPECT_EQ(error_of(""), "talk.vtt:1:1: no captions: it must begin with WEBVTT");
   EXPECT_EQ(error_of("1\n00:00:01,000 --> 00:00:02,000\nsubrip\n"),
