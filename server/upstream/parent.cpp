@@ -95,7 +95,7 @@ void Parent::handle(const protocol::DeliverKeyframe& event) {
     leave("it speaks classic only, and a relay needs level 2");
     return;
   }
-  if (floods("keyframes")) return;
+  if (floods()) return;
   leave(stream_.add(event, without_blanks_before(packet_)));
   packet_.clear();
   answers_ += session_.answer_received();
@@ -104,14 +104,14 @@ void Parent::handle(const protocol::DeliverKeyframe& event) {
 
 void Parent::handle(const protocol::DeliverVoice& event) {
   packet_.clear();
-  if (floods("packets")) return;
+  if (floods()) return;
   leave(stream_.add(event));
   moved_on_ = true;
 }
 
 void Parent::handle(const protocol::DeliverCaption& event) {
   packet_.clear();
-  if (floods("packets")) return;
+  if (floods()) return;
   leave(stream_.add(event));
   moved_on_ = true;
 }
@@ -135,7 +135,7 @@ void Parent::leave(std::optional<std::string> wrong) {
 }
 
 /// Leaves a parent that sends more of a live stream than a face can need.
-bool Parent::floods(const std::string& what) {
+bool Parent::floods() {
   if (!stream_.live()) return false;
   const Instant now = link_->now();
   if (now - second_begin_ >= std::chrono::seconds(1)) {
@@ -143,7 +143,8 @@ bool Parent::floods(const std::string& what) {
     in_second_ = 0;
   }
   if (++in_second_ <= kRelayedPerSecondMax) return false;
-  leave("it sends more than " + std::to_string(kRelayedPerSecondMax) + " " + what + " a second");
+  leave("it sends more than " + std::to_string(kRelayedPerSecondMax) +
+        " keyframes, voice packets and captions a second");
   return true;
 }
 

@@ -68,7 +68,7 @@ class Parent final : public link::LinkUser {
   void handle(const protocol::ReconnectClassic& event);
   void handle(const protocol::SessionFailed& event);
   void leave(std::optional<std::string> wrong);
-  [[nodiscard]] bool floods(const std::string& what);
+  [[nodiscard]] bool floods();
   void settle();
 
   std::shared_ptr<link::Link> link_;

@@ -301,7 +301,7 @@ TEST_F(ServerPush, AHostilePublisherCostsItsConnection) {
                   for (int i = 0; i < 3000; ++i) flood += "{1}";
                   return flood;
                 }(),
-            "it sends more than 2000 keyframes a second"}}) {
+            "it sends more than 2000 keyframes, voice packets and captions a second"}}) {
     std::string reply;
     RawClient bad = say_hello(campus, hello, reply);
     ASSERT_TRUE(reply.starts_with("{hello v=2 window=256 stream=bad ")) << reply;

@@ -191,7 +191,7 @@ TEST_F(ServerRelay, AParentThatLiesCostsALineInTheLog) {
       {"SSH-2.0-OpenSSH_9.2\r\n", "what is not the protocol"},
       {std::string(100'000, '\0'), "what is not the protocol"},
       {live + "{1" + std::string(100'000, ' '), "no closing brace within 4096 bytes"},
-      {live + flood, "it sends more than 2000 keyframes a second"},
+      {live + flood, "it sends more than 2000 keyframes, voice packets and captions a second"},
       {"{hello v=2 window=50 stream=other live=1}{1}", "it sends the stream 'other'"},
       {"{hello v=2 window=50 stream=webcam duration=40}{garbage}", "what is not the protocol"},
   };

@@ -329,7 +329,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveKeyframesIsLeft) {
   hear(many);
   EXPECT_FALSE(outcome_);
   hear("{1;0}");
-  EXPECT_NE(why().find("keyframes a second"), std::string::npos);
+  EXPECT_NE(why().find("2000 keyframes, voice packets and captions a second"), std::string::npos);
 }
 
 TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
@@ -340,7 +340,7 @@ TEST_F(RelayOfTalk, AFloodOfLiveVoiceIsLeft) {
   hear(many);
   EXPECT_FALSE(outcome_);
   hear("{a WAM}");
-  EXPECT_NE(why().find("packets a second"), std::string::npos);
+  EXPECT_NE(why().find("voice packets and captions a second"), std::string::npos);
 }
 
 TEST_F(RelayOfTalk, VoiceWithoutKeyframesTakesMemoryToo) {
