@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integration/player_run.h"
+#include "tests/support/eventually.h"
 #include "tests/support/served.h"
 
 namespace aucast::test {
@@ -95,10 +96,13 @@ TEST(Pictures, VideoAndSheetAreWritten) {
 TEST(Pictures, AnInterruptedVideoIsFinishedWithWhatThereIs) {
   for (const int number : {SIGINT, SIGHUP}) {
     const TempFolder folder;
+    const TempFolder drawn;  // tells when there is something
     const auto video = folder.path() / "talk.mp4";
     Process player({program("face-player"), "play", stream_file("talk.txt"), "--record",
-                    video.string(), "--size", "64x64"});
-    ASSERT_FALSE(player.wait(std::chrono::seconds(2)).has_value()) << player.err();
+                    video.string(), "--frames", drawn.path().string(), "--fps", "25", "--size",
+                    "64x64"});
+    ASSERT_TRUE(test::eventually([&] { return names_in(drawn.path()).size() > 30; }))
+        << player.err();
     player.signal(number);
     EXPECT_EQ(player.wait(std::chrono::seconds(60)), 0) << player.err();
     const Finished probe = test::run({"ffprobe", "-v", "error", "-show_entries", "format=duration",
@@ -106,6 +110,20 @@ TEST(Pictures, AnInterruptedVideoIsFinishedWithWhatThereIs) {
     EXPECT_EQ(probe.exit_code, 0) << probe.err;
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"talk.mp4"});
   }
+}
+
+TEST(Pictures, AVideoWithoutAPictureIsNotCalledWritten) {
+  const TempFolder folder;
+  const TempFolder drawn;
+  const auto video = folder.path() / "talk.mp4";
+  // All 50 pictures of a keyframe come before those of the video.
+  Process player({program("face-player"), "play", stream_file("talk.txt"), "--record",
+                  video.string(), "--frames", drawn.path().string(), "--size", "1024x1024"});
+  ASSERT_TRUE(test::eventually([&] { return !names_in(drawn.path()).empty(); })) << player.err();
+  player.signal(SIGINT);
+  EXPECT_EQ(player.wait(std::chrono::seconds(60)), 0) << player.err();
+  EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{});
+  EXPECT_EQ(player.err().find(video.string()), std::string::npos) << player.err();
 }
 
 TEST(Pictures, WithoutFfmpegTheMessageSaysWhatToInstall) {

@@ -145,7 +145,9 @@ class Film {
     if (sinks_.sheet) {
       if (auto finished = sinks_.sheet->finish(); !finished) return finished;
     }
-    progress_.end_with(where_they_are(options_.output, stats_.frames_drawn));
+    OutputOptions written = options_.output;
+    if (sinks_.video_next == 0) written.record.clear();  // a video of no picture is not written
+    progress_.end_with(where_they_are(written, stats_.frames_drawn));
     if (const std::string left = sinks_.frames ? sinks_.frames->leftovers() : std::string();
         !left.empty()) {
       spdlog::warn("{}", left);
