@@ -7,7 +7,7 @@
 namespace aucast {
 
 bool is_sound(const std::filesystem::path& path) {
-  const std::string ending = lowered(path.extension().string());
+  const std::string ending = file_ending(path);
   return std::find(kSoundEndings.begin(), kSoundEndings.end(), ending) != kSoundEndings.end();
 }
 

@@ -136,6 +136,10 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
+std::string file_ending(const std::filesystem::path& file) {
+  return lowered(file.extension().string());
+}
+
 std::string counted(std::uint64_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
 }

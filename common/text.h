@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ namespace aucast {
 
 /// The text with ASCII capitals in lower case, every other byte as it is.
 [[nodiscard]] std::string lowered(std::string_view text);
+
+/// What a file's name ends in, with its dot, in lower case: ".mp4" for A.MP4. Empty: it has none.
+[[nodiscard]] std::string file_ending(const std::filesystem::path& file);
 
 /// "1 packet", "6 packets".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view thing);

@@ -88,7 +88,7 @@ Result<void> check_background(const OutputOptions& output) {
 
 /// A name that tells of something else, such as face.jpg, is a mistake; none, or a device, is not.
 Result<void> check_png(const char* option, const std::filesystem::path& file) {
-  const std::string ending = lowered(file.extension().string());
+  const std::string ending = file_ending(file);
   if (ending.empty() || ending == ".png") return {};
   return usage_error(std::string(option) + " writes a PNG: let its name end in .png");
 }
@@ -101,7 +101,7 @@ Result<void> settle_sound(const PlayerOptions& options) {
   if (sound.none && sound.device) {
     return usage_error("--no-sound leaves nothing for --sound-device to play: give one of them");
   }
-  if (!sound.file.empty() && sound.file.extension() != ".wav") {
+  if (!sound.file.empty() && file_ending(sound.file) != ".wav") {
     return usage_error("--sound writes a WAV file: let its name end in .wav");
   }
   return {};
@@ -159,7 +159,7 @@ Result<void> check_export(const ExportOptions& exported) {
   if (exported.files.empty() || exported.files.size() > 2) {
     return usage_error("export needs FILE.glb, or a stream file and FILE.glb");
   }
-  if (exported.glb().extension() != ".glb") {
+  if (file_ending(exported.glb()) != ".glb") {
     return usage_error("export writes a GLB file: let the name of '" +
                        escaped(exported.glb().string()) + "' end in .glb");
   }
@@ -234,7 +234,7 @@ Command take_command(std::vector<std::string>& arguments) {
 }  // namespace
 
 bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output) {
-  const std::string ending = output.record.extension().string();
+  const std::string ending = file_ending(output.record);
   return !sound.none && (!sound.file.empty() || ending == ".mp4" || ending == ".webm");
 }
 

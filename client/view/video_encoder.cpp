@@ -20,7 +20,7 @@ constexpr int kGifFpsMax = 50;  ///< browsers slow down what asks for more
 enum class Format : std::uint8_t { Mp4, Webm, Gif };
 
 std::optional<Format> format_of(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
+  const std::string ending = file_ending(path);
   if (ending == ".mp4") return Format::Mp4;
   if (ending == ".webm") return Format::Webm;
   if (ending == ".gif") return Format::Gif;

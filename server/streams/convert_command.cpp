@@ -149,7 +149,7 @@ std::string found_report(const ConvertOptions& options, const sources::SourceCon
 Result<Converted> write_out(const ConvertOptions& options, const protocol::StreamFile& stream,
                             std::string said) {
   std::string text;
-  if (lowered(options.out.extension().string()) == ".csv") {
+  if (file_ending(options.out) == ".csv") {
     const std::uint64_t ms = protocol::media_ms(stream, options.keyframe_ms);
     auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes);
     if (!can) return can.error();

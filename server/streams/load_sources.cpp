@@ -204,7 +204,7 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
 
 /// A folder may hold a README too.
 bool is_served_from_folder(const std::filesystem::path& path) {
-  const std::string extension = lowered(path.extension().string());
+  const std::string extension = file_ending(path);
   return (extension == ".txt" || extension == ".csv") && !path.filename().string().starts_with('.');
 }
 

@@ -19,7 +19,7 @@ namespace {
 /// Whether a file may be what is wanted, by its ending. Tables are recognised by their content and
 /// may have any ending: those that are not offered can still be typed.
 bool may_open(Purpose purpose, const fs::path& file) {
-  const std::string ending = lowered(file.extension().string());
+  const std::string ending = file_ending(file);
   switch (purpose) {
     case Purpose::PlayStream:
       return ending == ".txt" || ending == ".csv" || ending == ".tsv" || is_face_file(file) ||

@@ -111,6 +111,7 @@ TEST(PlayerOptions, ReadWhatIsExported) {
   EXPECT_EQ(moved.exported.glb(), "talk.glb");
   EXPECT_EQ(moved.exported.basis, glb::Basis::Aus);
   EXPECT_EQ(moved.output.fps, 60);
+  EXPECT_EQ(accepted({"export", "FACE.GLB"}).exported.glb(), "FACE.GLB");
   EXPECT_NE(refused({"export"}).find("needs FILE.glb"), std::string::npos);
   EXPECT_NE(refused({"export", "talk.txt"}).find("end in .glb"), std::string::npos);
   EXPECT_NE(refused({"export", "a", "b", "c.glb"}).find("needs FILE.glb"), std::string::npos);
@@ -217,9 +218,10 @@ TEST(PlayerOptions, VoiceIsWantedWhereItIsHeardOrWritten) {
   EXPECT_FALSE(accepted({"host", "--headless"}).playback.voice);
   EXPECT_TRUE(accepted({"host", "--headless", "--sound-device", "default"}).playback.voice);
   EXPECT_TRUE(accepted({"host", "--record", "a.mp4"}).playback.voice);
+  EXPECT_TRUE(accepted({"host", "--headless", "--record", "A.WEBM"}).playback.voice);
   EXPECT_FALSE(accepted({"host", "--record", "a.mp4", "--no-sound"}).playback.voice);
   EXPECT_FALSE(accepted({"host", "--record", "a.gif"}).playback.voice);
-  const PlayerOptions written = accepted({"host", "--sound", "a.wav", "--volume", "30", "--mute"});
+  const PlayerOptions written = accepted({"host", "--sound", "A.WAV", "--volume", "30", "--mute"});
   EXPECT_TRUE(written.playback.voice);
   EXPECT_TRUE(written.output.fast);
   EXPECT_EQ(written.sound.volume, 30);

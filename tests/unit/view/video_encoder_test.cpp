@@ -73,7 +73,7 @@ TEST(VideoEncoder, WritesEachKind) {
   const struct {
     const char* name;
     const char* codec;
-  } kinds[]{{"a.mp4", "h264"}, {"a.webm", "vp9"}, {"a.gif", "gif"}};
+  } kinds[]{{"a.mp4", "h264"}, {"a.webm", "vp9"}, {"A.GIF", "gif"}};
   for (const auto& kind : kinds) {
     const auto file = folder.path() / kind.name;
     const auto done = write_video(file, 64, 48, 25, 10);
