@@ -53,8 +53,8 @@ struct CloseConnection {
     SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
-    Refused,        ///< an {error ...} was sent, or there was no room for a classic client, which
-                    ///< is closed without one; `reason` says why
+    Refused,        ///< an {error ...} was sent, or a classic client, which is closed without one,
+                    ///< had no room or no stream in time; `reason` says why
     BrokenOff,      ///< the stream came from another server, which is lost: the rest cannot be sent
   };
   Why why = Why::Finished;

@@ -7,6 +7,7 @@
 #include "common/files.h"
 #include "common/mesh/face_tracker.h"
 #include "common/mesh/measures.h"
+#include "common/number_of.h"
 
 /// Pictures in, what a camera source measures on them out: for the training of its weights and for
 /// looking at it.
@@ -57,7 +58,9 @@ void print_row(std::size_t picture, const mesh::Landmarks& landmarks,
 }
 
 int run(const std::vector<std::string>& arguments) {
-  if (arguments.size() != 3) {
+  const auto width = arguments.size() == 3 ? number_of<std::size_t>(arguments[1]) : std::nullopt;
+  const auto height = arguments.size() == 3 ? number_of<std::size_t>(arguments[2]) : std::nullopt;
+  if (width.value_or(0) == 0 || height.value_or(0) == 0) {
     std::fprintf(stderr, "usage: face-measures MODELS WIDTH HEIGHT < rgb24 > measures.csv\n");
     return exit_code({ErrorKind::Usage, {}});
   }
@@ -69,13 +72,11 @@ int run(const std::vector<std::string>& arguments) {
       mesh::FaceTracker::make({bytes_of(*detector), "face_detection_short_range.tflite"},
                               {bytes_of(*landmarks), "face_landmark_with_attention.tflite"});
   if (!tracker) return fail(tracker.error());
-  const std::size_t width = std::stoul(arguments[1]);
-  const std::size_t height = std::stoul(arguments[2]);
-  std::vector<std::uint8_t> rgb(width * height * 3);
+  std::vector<std::uint8_t> rgb(*width * *height * 3);
   print_header();
   for (std::size_t picture = 0; std::fread(rgb.data(), 1, rgb.size(), stdin) == rgb.size();
        ++picture) {
-    if (const auto face = tracker->follow({width, height, rgb})) {
+    if (const auto face = tracker->follow({*width, *height, rgb})) {
       print_row(picture, *face, mesh::kTypicalStillPoints);
     }
   }
