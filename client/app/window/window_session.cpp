@@ -242,10 +242,14 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
       [&](const gui::MirrorCommand& one) { mirror_.apply(one); },
       [&](const gui::GalleryCommand& one) { gallery_.apply(one, options_as_shown()); },
-      [&](const gui::FileCommand& one) { files_.apply(one, now); },
+      [&](const gui::FileCommand& one) {
+        files_.apply(one, now);
+        leave_once_saved();
+      },
       [&](const gui::SettingsCommand& one) { settings_.apply(one, now); },
       [&](const gui::Leave& one) {
         if (one.saves) save_all(now);
+        leaves_once_saved_ = one.saves && files_.browser().open;
         // What saving cannot end is asked about on its own.
         asks_to_leave_ = one.saves && !unsaved() && unfinished();
         leaving_ = one.really || (one.saves && !unsaved() && !unfinished());
@@ -352,6 +356,12 @@ void WindowSession::save_all(Instant now) {
     if (editor_.unsaved()) return;  // why is said
   }
   if (composer_.unsaved()) apply(gui::SaveComposition{}, now);
+}
+
+/// The dialog that saving on leaving has opened may have closed.
+void WindowSession::leave_once_saved() {
+  if (files_.browser().open || !std::exchange(leaves_once_saved_, false)) return;
+  if (!unsaved()) ask_to_leave();
 }
 
 void WindowSession::ask_to_leave() {

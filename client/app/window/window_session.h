@@ -135,6 +135,7 @@ class WindowSession {
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void apply_face(const gui::FaceCommand& command, Instant now);
   void save_all(Instant now);
+  void leave_once_saved();
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || composer_.unsaved(); }
   /// Whether a gallery or a GLB file is being made in the background.
   [[nodiscard]] bool makes_files() const {
@@ -171,6 +172,7 @@ class WindowSession {
   gui::VideoView video_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
+  bool leaves_once_saved_ = false;  ///< for which a file is being chosen
   bool leaving_ = false;
 };
 

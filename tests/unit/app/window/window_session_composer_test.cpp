@@ -172,6 +172,32 @@ TEST_F(WindowSessionComposerTest, LeavingAsksAboutAKeyframeThatWasNotAdded) {
   EXPECT_FALSE(session_->leaving());
 }
 
+TEST_F(WindowSessionComposerTest, SavingOnLeavingLeavesOnceTheNewFileHasItsName) {
+  const test::TempFolder folder;
+  make_two();
+  session_->ask_to_leave();
+  ask(gui::Leave{.really = false, .saves = true});
+  ASSERT_TRUE(model().browser.open);
+  ask(gui::ChooseFile{"/proc/no-such-file.txt"});
+  EXPECT_FALSE(session_->leaving()) << "it is not saved yet";
+  ask(gui::ChooseFile{(folder.path() / "mine.txt").string()});
+  EXPECT_FALSE(model().composer.unsaved);
+  EXPECT_TRUE(session_->leaving());
+}
+
+TEST_F(WindowSessionComposerTest, WhoCancelsTheSavingOnLeavingStays) {
+  const test::TempFolder folder;
+  make_two();
+  session_->ask_to_leave();
+  ask(gui::Leave{.really = false, .saves = true});
+  ask(gui::CloseBrowser{});
+  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(model().asks_to_leave);
+  ask(gui::Browse{gui::Purpose::SaveStream});
+  ask(gui::ChooseFile{(folder.path() / "mine.txt").string()});
+  EXPECT_FALSE(session_->leaving()) << "that was saved for its own sake";
+}
+
 TEST_F(WindowSessionComposerTest, LeavingAsksWhenTheStreamIsNotSaved) {
   compose(gui::ComposeAu{12, 50, 50, false});
   compose(gui::AddKeyframe{});
