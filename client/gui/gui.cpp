@@ -352,9 +352,9 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
     welcome(state_->look, model, free, commands);
   }
   const float bar = state_->shows_bar() ? transport_height(state_->look, model, free) : 0;
-  captions(state_->look, model, free, bar);
   state_->notice.other_server |= std::exchange(state_->remote.renamed, false);
-  notices(state_->look, model, free, bar, state_->notice, commands);
+  const float taken = notices(state_->look, model, free, bar, state_->notice, commands);
+  captions(state_->look, model, free, taken);
   gallery_dialog(state_->look, model, free, state_->gallery, commands);
   // Of two questions side by side ImGui would show none.
   if (!model.asks_to_leave) {

@@ -39,7 +39,7 @@ void written(const Look& look, const char* id, const std::string& text, float x,
 
 }  // namespace
 
-void captions(const Look& look, const GuiModel& model, float width, float bar) {
+void captions(const Look& look, const GuiModel& model, float width, float taken) {
   const SpokenView& spoken = model.spoken;
   if (!spoken.shown || model.editor.active || model.composer.active) return;
   // Nothing is said any more.
@@ -50,7 +50,7 @@ void captions(const Look& look, const GuiModel& model, float width, float bar) {
     written(look, "title", spoken.title, width / 2, margin, 0, room);
   }
   if (spoken.caption.empty()) return;
-  written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - bar - margin,
+  written(look, "caption", spoken.caption, width / 2, ImGui::GetIO().DisplaySize.y - taken - margin,
           1, room);
 }
 

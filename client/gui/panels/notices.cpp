@@ -58,9 +58,10 @@ std::string again(const RemoteSettings& tried, int in_s) {
 
 }  // namespace
 
-void notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
-             GuiCommands& commands) {
-  float bottom = ImGui::GetIO().DisplaySize.y - bar - 14 * look.scale;
+float notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
+              GuiCommands& commands) {
+  const float lowest = ImGui::GetIO().DisplaySize.y - bar - 14 * look.scale;
+  float bottom = lowest;
   if (!model.notice.text.empty() && sentence(look, "notice", model.notice, width, bottom)) {
     commands.push_back(CloseNotice{});
   }
@@ -70,12 +71,12 @@ void notices(const Look& look, const GuiModel& model, float width, float bar, No
   // What is said of a server that was given up is over when another one is named.
   const bool renamed = std::exchange(form.other_server, false);
   if (renamed && model.playing.activity == Activity::Over) form.closed = now.text;
-  form.shown.clear();
-  if (now.text.empty() || !form.closed.empty()) return;
-  form.shown = now.text;
+  form.shown = form.closed.empty() ? now.text : "";
+  if (form.shown.empty()) return bar + lowest - bottom;
   if (model.playing.tries_again)
     now.text += "\n" + again(model.remote_settings, model.playing.again_s);
   if (sentence(look, "trouble", now, width, bottom)) form.closed = form.shown;
+  return bar + lowest - bottom;
 }
 
 }  // namespace aucast::gui

@@ -123,9 +123,9 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
 /// The part of the remote player's panel about sound: volume, level, device. Draws nothing if there
 /// is no device.
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands);
-/// Draws the stream's title and the caption over the face, at its top and its bottom. `bar`: the
-/// height that the transport bar takes there.
-void captions(const Look& look, const GuiModel& model, float width, float bar);
+/// Draws the stream's title and the caption over the face, at its top and its bottom. `taken`: the
+/// height that the transport bar and notices() take there.
+void captions(const Look& look, const GuiModel& model, float width, float taken);
 
 /// The notice about the connection.
 struct NoticeForm {
@@ -135,9 +135,10 @@ struct NoticeForm {
 };
 
 /// Shows over the face what is wrong with the connection and, for a while, what was just done.
-/// `bar`: as for captions().
-void notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
-             GuiCommands& commands);
+/// `bar`: the height that the transport bar takes at the bottom. Returns the height that is taken
+/// there now.
+float notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
+              GuiCommands& commands);
 
 /// What is being typed in the file dialog.
 struct FileForm {

@@ -60,6 +60,26 @@ TEST_F(OverFace, WithoutTheBarItsPlaceIsFree) {
   EXPECT_GT(rect_of("notice").Max.y, notice + 20);
 }
 
+TEST_F(OverFace, ACaptionMakesWayForNotices) {
+  play_something();
+  model_.spoken.caption = "Yes.";
+  model_.playing.activity = Activity::Playing;
+  frames(3);
+  const float alone = rect_of("caption").Max.y;
+  model_.notice.text = "saved";
+  frames(3);
+  const ImRect notice = rect_of("notice");
+  EXPECT_LT(rect_of("caption").Max.y, notice.Min.y);
+  model_.playing.detail = "the server has not been heard of for 5 s";
+  frames(3);
+  EXPECT_LT(rect_of("caption").Max.y, rect_of("trouble").Min.y);
+  EXPECT_EQ(rect_of("notice").Max.y, notice.Max.y) << "what can be clicked stays";
+  model_.playing.detail.clear();
+  model_.notice.text.clear();
+  frames(3);
+  EXPECT_EQ(rect_of("caption").Max.y, alone);
+}
+
 TEST_F(OverFace, ANoticeIsWholeInItsFirstPicture) {
   model_.notice.text = "saved";
   frames(3);
