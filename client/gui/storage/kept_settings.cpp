@@ -287,9 +287,11 @@ LoadedSettings load_settings(const fs::path& file) {
     fs::rename(file, aside, failed);
     loaded.may_write = !failed;
   }
-  loaded.complaint = parsed.error().message + "; the usual settings are used, " +
-                     (loaded.may_write ? "that file is now " + aside.string()
-                                       : "and nothing will be written there");
+  loaded.complaint =
+      parsed.error().message + "; the usual settings are used, " +
+      (loaded.may_write ? "that file is now " + aside.string() +
+                              "; correct it and give it its old name to have them again"
+                        : "and nothing will be written there; move that file away or remove it");
   return loaded;
 }
 
@@ -297,8 +299,9 @@ Result<void> save_settings(const KeptSettings& settings, const fs::path& file) {
   std::error_code failed;
   fs::create_directories(file.parent_path(), failed);
   if (failed) {
-    return Error{ErrorKind::Failed,
-                 "cannot make " + at_place(file.parent_path().string(), failed.message())};
+    return Error{ErrorKind::Failed, "cannot make " +
+                                        at_place(file.parent_path().string(), failed.message()) +
+                                        "; XDG_CONFIG_HOME can name another folder"};
   }
   return write_file_atomically(file, format_settings(settings));
 }

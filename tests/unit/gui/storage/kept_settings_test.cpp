@@ -106,6 +106,15 @@ TEST(KeptSettings, AreSavedInAFolderThatIsMadeForThem) {
   EXPECT_EQ(load_settings(file).settings, unusual());
 }
 
+TEST(KeptSettings, WhereTheyCannotBeKeptAnotherPlaceIsNamed) {
+  const test::TempFolder folder;
+  const auto in_the_way = folder.write("aucast", "");
+  const auto saved = save_settings({}, in_the_way / "face-player.toml");
+  ASSERT_FALSE(saved);
+  EXPECT_NE(saved.error().message.find("XDG_CONFIG_HOME"), std::string::npos)
+      << saved.error().message;
+}
+
 TEST(KeptSettings, ABrokenFileIsPutAsideAndSaid) {
   const test::TempFolder folder;
   const auto file = folder.path() / "face-player.toml";
@@ -115,7 +124,7 @@ TEST(KeptSettings, ABrokenFileIsPutAsideAndSaid) {
   EXPECT_EQ(loaded.settings, KeptSettings{});
   EXPECT_TRUE(loaded.may_write);
   EXPECT_NE(loaded.complaint.find("face-player.toml:2:"), std::string::npos) << loaded.complaint;
-  EXPECT_NE(loaded.complaint.find(".broken"), std::string::npos) << loaded.complaint;
+  EXPECT_NE(loaded.complaint.find(".broken; correct it"), std::string::npos) << loaded.complaint;
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(read_file(folder.path() / "face-player.toml.broken").value(), text);
 }
@@ -138,7 +147,8 @@ TEST(KeptSettings, WhatCannotBeReadStaysWhereItIs) {
   for (const auto& file : {fifo, large}) {
     const LoadedSettings loaded = load_settings(file);
     EXPECT_FALSE(loaded.may_write) << file;
-    EXPECT_NE(loaded.complaint.find("nothing will be written there"), std::string::npos)
+    EXPECT_NE(loaded.complaint.find("nothing will be written there; move that file away"),
+              std::string::npos)
         << loaded.complaint;
     EXPECT_TRUE(std::filesystem::exists(file)) << file;
     EXPECT_FALSE(std::filesystem::exists(file.string() + ".broken")) << file;
