@@ -55,7 +55,7 @@ if [ -z "$port" ]; then
     cat "$work/server.txt" >&2
     exit 1
 fi
-"$bin/face-player" "127.0.0.1:$port" --data "$data" --speed 1000 &
+"$bin/face-player" "127.0.0.1:$port" --data "$data" --speed 1000 --no-sound &
 player=$!
 
 # Places are those of a window of 1280 x 800; the panel is as far from the right everywhere.

@@ -224,8 +224,9 @@ struct Notice {
 
 /// What is heard, and where.
 struct SoundView {
-  bool there = false;  ///< there is a sound device
-  int volume = 100;    ///< percent
+  bool there = false;   ///< there is a sound device
+  bool missed = false;  ///< sound is wanted, but there is no device
+  int volume = 100;     ///< percent
   bool muted = false;
   int peak_percent = 0;  ///< level of the sound before volume and mute; 100: the maximum, 0: 48 dB
                          ///< below it

@@ -44,9 +44,10 @@ void level_meter(const Look& look, int percent) {
 }
 
 void device_choice(const Look& look, const SoundView& sound, GuiCommands& commands) {
-  label(look, tr("sound.device"));
+  label(look, tr("sound.device"), tr("sound.device_tip"));
   const char* shown = sound.device.empty() ? tr("sound.usual_device") : sound.device.c_str();
-  if (!ImGui::BeginCombo("##device", shown)) return;
+  const bool open = ImGui::BeginCombo("##device", shown);
+  if (!open) return tip(tr("sound.device_tip"));
   if (ImGui::IsWindowAppearing()) commands.push_back(SoundCommand(ListDevices{}));
   if (list_item(tr("sound.usual_device"), sound.device.empty())) {
     commands.push_back(SoundCommand(ChooseDevice{}));
@@ -63,9 +64,14 @@ void device_choice(const Look& look, const SoundView& sound, GuiCommands& comman
 
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) {
   const SoundView& sound = model.sound;
-  if (sound.there || !sound.devices.empty()) {
-    heading(look, tr("sound.title"));
-    label(look, tr("sound.volume"));
+  const bool shows = sound.there || sound.missed || !sound.devices.empty();
+  if (shows) heading(look, tr("sound.title"));
+  if (sound.missed) {
+    label(look, tr("sound.volume"), tr("sound.missed_tip"));
+    toned_text(Tone::Waiting, tr("sound.missed"));
+    tip(tr("sound.missed_tip"));
+  } else if (shows) {
+    label(look, tr("sound.volume"), tr("sound.volume_tip"));
     const float mute_width = 64 * look.scale;
     const float width =
         ImGui::GetContentRegionAvail().x - mute_width - ImGui::GetStyle().ItemSpacing.x;
@@ -81,15 +87,15 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
     tip(tr("sound.mute_tip"));
     label(look, tr("sound.level"), tr("tip.level_meter"));
     level_meter(look, sound.peak_percent);
-    device_choice(look, sound, commands);
   }
+  if (shows) device_choice(look, sound, commands);
   if (model.spoken.title.empty() && model.spoken.caption.empty() && model.spoken.shown) return;
   bool shown = model.spoken.shown;
   label(look, tr("sound.captions"));
   if (ImGui::Checkbox(tr("sound.captions_on"), &shown)) {
     commands.push_back(SoundCommand(ToggleCaptions{}));
   }
-  tip("c");
+  tip(tr("sound.captions_tip"));
 }
 
 }  // namespace aucast::gui

@@ -42,7 +42,7 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"file.rate_tip", "how many are made of the rows of a second"},
     {"file.rate_zero", "one for each row"},
     {"file.gain", "Gain %"},
-    {"file.gain_tip", "of all AUs"},
+    {"file.gain_tip", "multiplies the intensities of all AUs; 200 makes them twice as strong"},
     {"file.gain_zero", "as it is"},
     {"file.neutral", "Neutral, s"},
     {"file.neutral_tip",

@@ -16,6 +16,7 @@ SoundSession::SoundSession(const SoundOptions& options, sound::HeardPlayer& play
                            Notices& notices)
     : player_(player),
       notices_(notices),
+      wanted_(!options.none),
       device_(options.device.value_or("default")),
       volume_(options.volume),
       muted_(options.mute) {
@@ -67,6 +68,7 @@ void SoundSession::advanced(Instant now) {
   if (const auto place = player_.heard_place()) spoken_.move_to(*player_.playback(), *place);
   if (player_.sound().take_loss()) {
     has_device_ = false;
+    missed_ = true;
     notices_.say(gui::tr("said.device_lost"), true, now);
     spdlog::warn("the sound device plays no more; going on without it");
   }
@@ -74,6 +76,7 @@ void SoundSession::advanced(Instant now) {
 
 void SoundSession::set_out(std::unique_ptr<sound::SoundOut> out) {
   has_device_ = out != nullptr;
+  missed_ = wanted_ && !has_device_;
   player_.sound().set_out(std::move(out));
 }
 
@@ -127,6 +130,7 @@ gui::SoundView SoundSession::sound_view() const {
   constexpr double kRange = 48;
   gui::SoundView view;
   view.there = has_device_;
+  view.missed = missed_;
   view.volume = volume_;
   view.muted = muted_;
   if (const float peak = player_.sound().peak(); peak > 0) {

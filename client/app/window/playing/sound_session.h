@@ -62,7 +62,9 @@ class SoundSession {
   Notices& notices_;
   std::unique_ptr<sound::SoundTrack> track_;  ///< the sound file; null: the sound comes with what
                                               ///< plays
+  bool wanted_;                               ///< sound is not turned off by the options
   bool has_device_ = false;
+  bool missed_ = false;               ///< what is wanted has no device
   std::string device_;                ///< the chosen one; empty: the default one
   std::vector<std::string> devices_;  ///< those to choose from
   std::filesystem::path file_;        ///< the file from which what plays was read; empty: none

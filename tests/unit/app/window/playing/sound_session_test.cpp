@@ -41,10 +41,27 @@ TEST(SoundSession, ALostDeviceIsThereNoMore) {
   session.advanced(now);
   EXPECT_FALSE(session.has_device());
   EXPECT_FALSE(session.sound_view().there);
+  EXPECT_TRUE(session.sound_view().missed);
   EXPECT_EQ(notices.view().text, "the sound device plays no more");
 
   session.set_out(std::make_unique<sound::test::CrankedOut>(crank));
   EXPECT_TRUE(session.has_device());
+  EXPECT_FALSE(session.sound_view().missed);
+}
+
+TEST(SoundSession, ADeviceIsMissedUnlessNoSoundIsWanted) {
+  Notices notices;
+  const face::Face face;
+  const pipeline::AuMapping mapping{face, {}, {}};
+  sound::HeardPlayer player(mapping, playback::Interpolation::Linear);
+  SoundOptions options;
+  SoundSession wanting(options, player, notices);
+  wanting.set_out(nullptr);
+  EXPECT_TRUE(wanting.sound_view().missed);
+  options.none = true;
+  SoundSession silent(options, player, notices);
+  silent.set_out(nullptr);
+  EXPECT_FALSE(silent.sound_view().missed);
 }
 
 }  // namespace
