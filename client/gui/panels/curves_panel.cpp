@@ -20,6 +20,8 @@ constexpr float kValueWidth = 34;
 /// More of them begin folded: the table of AUs is below them.
 constexpr std::size_t kCurvesOpen = 8;
 constexpr float kNameSize = 0.85F;
+/// How much of a line its name covers.
+constexpr float kNameGround = 0.7F;
 
 /// What is drawn of the curves stays the same until another stream is opened.
 void make_outlines(const LocalView& local, std::size_t columns, CurvesForm& form) {
@@ -47,11 +49,17 @@ void line_of(const Look& look, const std::vector<float>& outline, ImVec2 from, I
                                           1.5F * look.scale);
 }
 
-/// The name of an AU, drawn before its line, or it would hide that.
-void name_behind(const Look& look, int number, ImVec2 at) {
-  ImGui::GetWindowDrawList()->AddText(
-      ImGui::GetFont(), kNameSize * ImGui::GetFontSize(), ImVec2(at.x + 4 * look.scale, at.y),
-      ImGui::GetColorU32(ImGuiCol_TextDisabled), au_name(number).c_str());
+/// The name of an AU over its line, which is dimmed there and still to be followed.
+void name_over(const Look& look, int number, ImVec2 from, ImVec2 to) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string name = au_name(number);
+  const float size = kNameSize * ImGui::GetFontSize();
+  const float width = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, name.c_str()).x;
+  const float inset = 4 * look.scale;
+  const ImVec2 end(std::min(from.x + width + 2 * inset, to.x), to.y);
+  list.AddRectFilled(from, end, ImGui::GetColorU32(ImGuiCol_FrameBg, kNameGround));
+  list.AddText(ImGui::GetFont(), size, ImVec2(from.x + inset, (from.y + to.y - size) / 2),
+               ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
 }
 
 /// The heading, a part to fold; returns whether it is open.
@@ -110,8 +118,8 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
       below = curve.number;
     }
     list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    name_behind(look, curve.number, ImVec2(left, y + text));
     line_of(look, form.outlines[i], from, to);
+    name_over(look, curve.number, from, to);
     list.AddText(ImVec2(corner.x, y + text), ImGui::GetColorU32(ImGuiCol_Text),
                  std::to_string(curve.number).c_str());
     const std::string value =
