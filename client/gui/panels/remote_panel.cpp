@@ -234,12 +234,22 @@ void said(const Look& look, const char* name, const std::string& value, const ch
   quiet_text(value.empty() ? "-" : value);
 }
 
-/// A chart that a click makes larger or smaller again.
+/// A chart that a click makes larger or smaller again. The panel is scrolled to what would not be
+/// seen of the larger one, which is still under the pointer then.
 void chart(const Look& look, std::span<const PlotLine> lines, float small, float large_height,
            float mark, bool& large) {
-  if (plot(look, lines, (large ? large_height : small) * look.scale, mark)) large = !large;
+  const bool clicked = plot(look, lines, (large ? large_height : small) * look.scale, mark);
+  if (clicked) large = !large;
   if (pointed_at()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   tip(large ? tr("play.smaller") : tr("play.larger"));
+  if (!clicked || !large) return;
+  // The room that it takes from the next frame on.
+  const float spacing = ImGui::GetStyle().ItemSpacing.y;
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - spacing);
+  ImGui::Dummy(ImVec2(1, (large_height - small) * look.scale));
+  const float end = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+  const float hidden = ImGui::GetItemRectMax().y + spacing - end;
+  if (hidden > 0) ImGui::SetScrollY(ImGui::GetScrollY() + hidden);
 }
 
 void buffers(const Look& look, const GuiModel& model, bool& large) {

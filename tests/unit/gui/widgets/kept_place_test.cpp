@@ -59,5 +59,30 @@ TEST_F(KeptPlaces, AtTheTopOfThePanelNothingIsScrolled) {
   EXPECT_EQ(contents()->Scroll.y, 0);
 }
 
+TEST_F(KeptPlaces, AChartThatAClickMakesLargerIsSeenWholeAndStillUnderThePointer) {
+  model_.playing.au_history = {{12, {0, 0.5F, 1}}};
+  frames(3);
+  const ImGuiWindow& panel = *contents();
+  const float usual = panel.ContentSize.y;
+  // The window ends where the panel's content does.
+  ImGui::GetIO().DisplaySize.y = panel.Pos.y + usual + 40;
+  frames(3);
+  const auto click = [this] {
+    ImGui::GetIO().MouseDown[0] = true;
+    frames(1);
+    ImGui::GetIO().MouseDown[0] = false;
+    frames(4);
+  };
+  float y = panel.Pos.y + usual - 60;
+  point_at(panel.Pos.x + 100, y);
+  ASSERT_EQ(panel.Scroll.y, 0);
+  click();
+  const float more = panel.ContentSize.y - usual;
+  ASSERT_GT(more, 100) << "the pointer is on the chart";
+  EXPECT_GT(panel.Scroll.y, 0);
+  click();
+  EXPECT_EQ(panel.ContentSize.y, usual) << "the pointer is on it still";
+}
+
 }  // namespace
 }  // namespace aucast::gui
