@@ -142,7 +142,7 @@ void WindowSession::advance(Instant now) {
   }
   playback_.advance(now);
   lister_.advance();
-  gallery_.advance();
+  gallery_.advance(now);
   if (const auto exported = export_.advance()) {
     say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }

@@ -23,6 +23,18 @@ std::vector<std::string> wanted_sweeps(const GallerySettings& settings) {
   return sweeps;
 }
 
+std::string progress_text(const GalleryView& view) {
+  constexpr long kMinute = 60;
+  if (view.ending) return tr("gallery.ending");
+  if (view.total == 0) return tr("gallery.beginning");
+  const std::string drawn = tr("gallery.progress", view.drawn, view.total);
+  if (!view.left_s) return drawn;
+  const long left = *view.left_s;
+  return drawn + ", " +
+         (left < 2 * kMinute ? tr("gallery.seconds_left", left)
+                             : tr("gallery.minutes_left", (left + kMinute / 2) / kMinute));
+}
+
 std::string problem(const GallerySettings& settings) {
   if (settings.folder.empty()) return tr("gallery.no_folder");
   if (wanted_sections(settings).empty()) return tr("gallery.no_section");

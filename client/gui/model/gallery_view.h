@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -46,8 +47,9 @@ struct GalleryView {
   bool running = false;
   bool ending = false;  ///< it was cancelled but has not ended yet
   std::size_t drawn = 0;
-  std::size_t total = 0;  ///< 0: unknown so far
-  std::string outcome;    ///< how the last gallery ended, as a sentence; empty: there was none
+  std::size_t total = 0;         ///< 0: unknown so far
+  std::optional<long> left_s{};  ///< how long the rest will take, about; nullopt: unknown so far
+  std::string outcome;  ///< how the last gallery ended, as a sentence; empty: there was none
   bool failed = false;
   friend bool operator==(const GalleryView&, const GalleryView&) = default;
 };
@@ -69,6 +71,8 @@ using GalleryCommand =
 [[nodiscard]] std::vector<std::string> wanted_sections(const GallerySettings& settings);
 /// The sweeps that are wanted; empty if the section of sweeps is not.
 [[nodiscard]] std::vector<std::string> wanted_sweeps(const GallerySettings& settings);
+/// "3 of 10 pictures, about 2 min left": how far a gallery is that is being made.
+[[nodiscard]] std::string progress_text(const GalleryView& view);
 /// Why no gallery can be made with these settings, as a sentence; empty: one can.
 [[nodiscard]] std::string problem(const GallerySettings& settings);
 

@@ -86,15 +86,9 @@ bool size(const Look& look, GallerySettings& settings) {
 }
 
 void progress(const GalleryView& view) {
-  std::string text = view.ending ? tr("gallery.ending") : tr("gallery.beginning");
-  float share = 0;
-  if (view.total > 0) {
-    share = static_cast<float>(view.drawn) / static_cast<float>(view.total);
-    if (!view.ending) {
-      text = tr("gallery.progress", view.drawn, view.total);
-    }
-  }
-  ImGui::ProgressBar(share, ImVec2(-1, 0), text.c_str());
+  const float share =
+      view.total == 0 ? 0.0F : static_cast<float>(view.drawn) / static_cast<float>(view.total);
+  ImGui::ProgressBar(share, ImVec2(-1, 0), progress_text(view).c_str());
 }
 
 }  // namespace

@@ -63,6 +63,8 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"gallery.ending", "ending ..."},
     {"gallery.beginning", "beginning ..."},
     {"gallery.progress", "{drawn} of {total} pictures"},
+    {"gallery.seconds_left", "about {seconds} s left"},
+    {"gallery.minutes_left", "about {minutes} min left"},
     {"gallery.help", "Pictures of the face that is shown, with index.html and manifest.csv."},
     {"gallery.make", "Make them"},
     {"gallery.planned", "Pictures: {count}"},

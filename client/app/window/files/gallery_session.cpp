@@ -1,5 +1,6 @@
 #include "client/app/window/files/gallery_session.h"
 
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -53,6 +54,8 @@ void GallerySession::plan(const PlayerOptions& shown) {
 void GallerySession::begin(const PlayerOptions& shown) {
   view_.outcome.clear();
   view_.drawn = view_.total = 0;
+  view_.left_s.reset();
+  first_at_.reset();
   const auto begun =
       work_.begin([make = make_, options = options_under(shown)](BackgroundWork::Course& course) {
         return make(options, course);
@@ -62,10 +65,26 @@ void GallerySession::begin(const PlayerOptions& shown) {
   if (!begun) view_.outcome = begun.error().message;
 }
 
-void GallerySession::advance() {
-  if (!work_.running()) return;
+/// How long the rest takes, if it goes on at the pace of what has been drawn.
+void GallerySession::estimate(Instant now) {
+  /// Of fewer pictures the pace is a guess.
+  constexpr std::size_t kFew = 3;
+  if (work_.done() == view_.drawn) return;
   view_.drawn = work_.done();
+  if (!first_at_) {
+    first_at_ = now;
+    first_ = view_.drawn;
+  }
+  const std::size_t since = view_.drawn - first_;
+  if (since < kFew || view_.drawn > view_.total) return;
+  const double each_s = seconds(now - *first_at_) / static_cast<double>(since);
+  view_.left_s = std::lround(std::ceil(each_s * static_cast<double>(view_.total - view_.drawn)));
+}
+
+void GallerySession::advance(Instant now) {
+  if (!work_.running()) return;
   view_.total = work_.total();
+  estimate(now);
   const auto outcome = work_.take_outcome();
   if (!outcome) return;
   view_.running = view_.ending = false;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "client/app/background_work.h"
 #include "client/app/player_options.h"
 #include "client/gui/model/gallery_view.h"
+#include "common/time.h"
 
 namespace aucast::app {
 
@@ -22,8 +25,8 @@ class GallerySession {
   void apply(const gui::GalleryCommand& command, const PlayerOptions& shown);
   /// Sets the folder for the pictures.
   void set_folder(const std::filesystem::path& folder) { view_.settings.folder = folder.string(); }
-  /// Updates view() with how far the work is.
-  void advance();
+  /// Updates view() with how far the work is at `now`.
+  void advance(Instant now);
   /// Waits until the gallery that is being made has ended; advance() then tells.
   void wait() const { work_.wait(); }
   [[nodiscard]] const gui::GalleryView& view() const { return view_; }
@@ -32,11 +35,14 @@ class GallerySession {
   [[nodiscard]] PlayerOptions options_under(PlayerOptions shown) const;
   void plan(const PlayerOptions& shown);
   void begin(const PlayerOptions& shown);
+  void estimate(Instant now);
 
   Make make_;
   Count count_;
   gui::GalleryView view_;
   BackgroundWork work_;
+  std::optional<Instant> first_at_;  ///< when the first picture was there, which takes longest
+  std::size_t first_ = 0;            ///< how many were there then
 };
 
 }  // namespace aucast::app

@@ -1,5 +1,6 @@
 #include "client/app/window/files/gallery_session.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 
@@ -8,7 +9,7 @@
 namespace aucast::app {
 namespace {
 
-/// A gallery of three pictures, of which the next one is drawn when the test says so.
+/// A gallery of three pictures or more, of which the next one is drawn when the test says so.
 class GallerySessionTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -19,11 +20,11 @@ class GallerySessionTest : public testing::Test {
   void ask(const gui::GalleryCommand& command) { session_.apply(command, shown_); }
   Result<std::string> make(const PlayerOptions& options, BackgroundWork::Course& course) {
     made_with_ = options;
-    for (std::size_t drawn = 0; drawn < 3; ++drawn) {
+    for (std::size_t drawn = 0; drawn < pictures_; ++drawn) {
       std::unique_lock lock(mutex_);
       const bool may = news_.wait(lock, course.stop(), [&] { return may_draw_ > drawn; });
       if (!may) return Error{ErrorKind::Failed, "stopped"};
-      course.reached(drawn + 1, 3);
+      course.reached(drawn + 1, pictures_);
       drawn_ = drawn + 1;
       news_.notify_all();
     }
@@ -38,13 +39,15 @@ class GallerySessionTest : public testing::Test {
   }
   void end() {
     session_.wait();
-    session_.advance();
+    session_.advance(now_);
   }
 
+  Instant now_{std::chrono::hours(1)};
   PlayerOptions shown_;
   PlayerOptions made_with_;
   std::mutex mutex_;
   std::condition_variable_any news_;
+  std::size_t pictures_ = 3;
   std::size_t may_draw_ = 0;
   std::size_t drawn_ = 0;
   /// As many as there are sections, and no sweep but that of AU 12.
@@ -69,7 +72,7 @@ TEST_F(GallerySessionTest, SaysHowFarItIsAndWhatCameOfIt) {
   ask(gui::BeginGallery{});
   EXPECT_TRUE(view_.running);
   draw(2);
-  session_.advance();
+  session_.advance(now_);
   EXPECT_EQ(view_.drawn, 2U);
   EXPECT_EQ(view_.total, 3U);
   EXPECT_TRUE(view_.running);
@@ -85,6 +88,25 @@ TEST_F(GallerySessionTest, SaysHowFarItIsAndWhatCameOfIt) {
   EXPECT_EQ(made_with_.gallery.only, (std::vector<std::string>{"aus", "prototypes"}));
   EXPECT_TRUE(made_with_.gallery.sweeps.empty()) << "that section is not wanted";
   EXPECT_EQ(made_with_.output.width, 600);
+}
+
+TEST_F(GallerySessionTest, TellsHowLongTheRestTakesOnceAFewAreDrawn) {
+  pictures_ = 11;
+  ask(gui::BeginGallery{});
+  const auto drawn_at = [this](std::size_t pictures, int second) {
+    draw(pictures);
+    now_ = Instant(std::chrono::hours(1) + std::chrono::seconds(second));
+    session_.advance(now_);
+    return view_.left_s;
+  };
+  EXPECT_EQ(drawn_at(1, 20), std::nullopt) << "the first one tells little";
+  EXPECT_EQ(drawn_at(2, 21), std::nullopt);
+  EXPECT_EQ(drawn_at(4, 26), 14) << "three in 6 s, seven to come";
+  EXPECT_EQ(drawn_at(4, 90), 14) << "nothing new is known";
+  draw(11);
+  end();
+  ask(gui::BeginGallery{});
+  EXPECT_EQ(view_.left_s, std::nullopt);
 }
 
 TEST_F(GallerySessionTest, IsCancelledAndCanBeginAgain) {
