@@ -80,7 +80,7 @@ double with_brow_ridge(const Form& form, double d, const Vec3& p) {
 /// shoulder.
 double neck_column(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
-  double d = round_cone(p, {0, -1.0, 0.3}, {0, -11.5, -1.9}, 2.70 * wide, 2.90 * wide);
+  double d = round_cone(p, {0, -1.0, 0.3}, {0, -11.5, -1.9}, 2.96 * wide, 2.90 * wide);
   const Vec3 throat{0, -4.4, 2.5 * wide - 0.4};
   d = melt(d, round_cone(p, throat, {0, -11.5, 1.75 * wide - 1.6}, 1.55 * wide, 1.45 * wide), 1.2);
   d = melt(d, ellipsoid(p - Vec3{1.9, -1.2, -0.9}, {1.6, 2.6, 2.0}), 1.5);  // splenius
@@ -236,13 +236,14 @@ double fold_depth(const Identity& who, const Vec3& p) {
 }
 
 double head_distance(const Identity& who, const Vec3& p) {
-  // Everything below the cheekbones is narrowed a little; it did more for the looks than any other
-  // single number.
+  // The face below the cheekbones is narrowed a little; it did more for the looks than any other
+  // single number. The neck is not, or it is a tube that widens downwards.
   const double narrowing = smooth_step(1.6, -4.2, p.y) * smooth_step(-10.5, -8.0, p.y);
   const Vec3 q{soft_abs(p.x * (1 + who.form.narrowing * narrowing), 0.10), p.y, p.z};
+  const Vec3 beside{soft_abs(p.x, 0.10), p.y, p.z};
   double d = melt(cranium(who.form, q), face_mass(who.form, q), 1.2);
   d = with_brow_ridge(who.form, d, q);
-  d = melt(d, neck(who.form, q), 1.3);
+  d = melt(d, neck(who.form, beside), 1.3);
   d = with_orbit(who.form, d, q);
   d += lid_relief(who, p);
   d = with_nose(who.form, d, q);

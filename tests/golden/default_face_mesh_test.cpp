@@ -63,6 +63,22 @@ class DefaultFaceMesh : public DefaultFace {
   }
 };
 
+TEST_F(DefaultFaceMesh, HasANeckNearlyAsWideAsTheFaceAtTheMouth) {
+  const face::FaceMesh& mesh = face().mesh;
+  const auto half_width = [&](float low, float high) {
+    float widest = 0;
+    for (std::size_t i = 0; i < layout().size(); ++i) {
+      const glm::vec3& p = mesh.positions[i];
+      if (p.y >= low && p.y <= high) widest = std::max(widest, p.x);
+    }
+    return widest;
+  };
+  const float face = half_width(-2.6F, -2.0F);
+  const float neck = half_width(-6.0F, -5.0F);
+  EXPECT_GT(neck, 0.74F * face) << neck << " beside " << face;
+  EXPECT_LT(neck, face);
+}
+
 TEST_F(DefaultFaceMesh, IsFiniteAndWithinItsRanges) {
   const face::FaceMesh& mesh = face().mesh;
   for (const glm::vec3& p : mesh.positions) {
