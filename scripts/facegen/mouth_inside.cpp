@@ -145,7 +145,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double height = of_crown(arch.heights, tooth, u);
       // Their corners are round, most those away from the middle; a deep notch between the first
       // two would be a black dot.
-      const double notch = (molar || u < 0.5 ? 0.015 : 0.04) * power(across, 5) * v * v;
+      const double notch = (molar || u < 0.5 ? 0.03 : 0.08) * power(across, 4) * v * v;
       const double toward_bite = height * v - notch;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
@@ -199,7 +199,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.0, 0.40, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(1.75, 0.25, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.80, 0.72, 0.66};
@@ -231,8 +231,8 @@ void shade_tongue(Part& tongue) {
     vertex.occlusion = mix(0.12, 0.74, smooth_step(5.0, 7.0, p.z));
     vertex.gloss = mix(0.1, 1.6, smooth_step(5.9, 7.0, p.z));
     vertex.colour *= mix(0.26, 1.40, smooth_step(4.2, 6.9, p.z)) *
-                     mix(0.60, 1.0, smooth_step(1.40, 0.60, std::abs(p.x))) *
-                     (1 - 0.24 * bell(p.x, 0.18) * smooth_step(7.2, 6.4, p.z));
+                     mix(0.38, 1.0, smooth_step(1.30, 0.40, std::abs(p.x))) *
+                     (1 - 0.34 * bell(p.x, 0.15) * smooth_step(7.3, 6.6, p.z));
   }
 }
 
