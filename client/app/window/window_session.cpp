@@ -277,11 +277,15 @@ void WindowSession::ask_streams(const gui::RemoteSettings& settings, Instant now
 }
 
 void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant now) {
-  if (std::holds_alternative<gui::ComposeShown>(command)) {
-    const std::optional<AuFrame> aus = aus_shown();
-    if (!aus || shown_ == Shown::Composer) return;
+  // Where nothing is being composed, what is added is the face that is seen.
+  const bool takes = std::holds_alternative<gui::ComposeShown>(command) ||
+                     (gui::command_if<gui::AddKeyframe>(command) && !composer_.composes());
+  if (const auto aus = aus_shown(); takes && aus && shown_ != Shown::Composer) {
     composer_.take(*aus);
     show_edited(Shown::Composer, now);
+  }
+  if (gui::command_if<gui::NewComposition>(command) && composer_.unsaved()) {
+    say(gui::tr("said.new_stream"), false, now);
   }
   if (composer_.apply(command)) show_edited(Shown::Composer, now);
   if (std::holds_alternative<gui::PlayComposition>(command)) {
@@ -365,8 +369,7 @@ void WindowSession::leave_once_saved() {
 }
 
 void WindowSession::ask_to_leave() {
-  // Asking twice is an answer.
-  leaving_ = asks_to_leave_ || (!unsaved() && !unfinished());
+  leaving_ = !unsaved() && !unfinished();
   asks_to_leave_ = !leaving_;
 }
 

@@ -106,8 +106,8 @@ class WindowSession {
   /// Whether playing has come to its end; false if nothing has been opened.
   [[nodiscard]] bool over() const { return playback_.over(); }
   /// The user wants to leave: leaving() becomes true, unless something is unsaved or unfinished: a
-  /// keyframe that was not added, a gallery, a GLB file. In that case the panels ask first, and a
-  /// second call leaves.
+  /// keyframe that was not added, a gallery, a GLB file. In that case the panels ask, and go on
+  /// asking however often this is called.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::AnimationSettings& animation() const { return settings_.animation(); }

@@ -335,7 +335,7 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   if (wide_button(tr("button.neutral"), 1, 5, true)) ask(commands, ComposeNeutral{});
   tip(tr("tip.neutral"));
   if (wide_button(tr("compose.take"), 2, 5, composer.can_take)) ask(commands, ComposeShown{});
-  tip(tr("compose.take_tip"));
+  tip(composer.can_take ? tr("compose.take_tip") : tr("compose.take_none"), true);
   if (wide_button(tr("button.undo"), 3, 5, composer.can_undo)) ask(commands, UndoComposing{});
   if (wide_button(tr("button.redo"), 4, 5, composer.can_redo)) ask(commands, RedoComposing{});
   time_of_keyframe(look, composer, commands);

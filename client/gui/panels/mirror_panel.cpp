@@ -8,7 +8,6 @@
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
@@ -41,7 +40,6 @@ void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form
                           ImGui::GetStyle().ItemSpacing.x);
   ImGui::InputTextWithHint("##source", "camera, camera:/dev/video2", form.source.data(),
                            form.source.size());
-  stay_in_field();
   tip(tr("tip.camera"));
   ImGui::SameLine();
   if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {

@@ -5,7 +5,6 @@
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
@@ -41,7 +40,6 @@ void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
   ImGui::InputTextWithHint("##picturefolder", tr("play.folder_hint"), form.folder.data(),
                            form.folder.size());
   if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
-  stay_in_field();
   ImGui::SameLine();
   if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
     commands.push_back(Browse{Purpose::PictureFolder});
@@ -51,7 +49,6 @@ void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
   if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
     wanted.pattern = form.name.data();
   }
-  stay_in_field();
   tip(tr("play.name_tip", "{number}", "{face}", "{stream}", "{keyframe}", "{aus}", "{date}"));
   if (const auto name = picture_name(wanted.pattern, {}, 1); !name) {
     toned_text(Tone::Bad, name.error().message);

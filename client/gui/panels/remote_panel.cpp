@@ -11,7 +11,6 @@
 #include "client/gui/model/view_text.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
@@ -185,7 +184,6 @@ void path(const Look& look, const char* name, std::span<char> text, const char* 
   label(look, name, help);
   ImGui::InputTextWithHint(with_id("", name).c_str(), tr("play.path_hint"), text.data(),
                            text.size());
-  stay_in_field();
   tip(help);
 }
 

@@ -28,6 +28,8 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"compose.take", "Take"},
     {"compose.show_tip", "the face shows something else: show this keyframe, and pause"},
     {"compose.take_tip", "the AUs that the face shows now, playing or as an expression"},
+    {"compose.take_none",
+     "the face shows this keyframe already, or is made of muscles, not of AUs"},
     {"curves.title", "Curves of {count} AUs"},
     {"curves.help", "Percent at the playing position, or at the pointer; a click seeks."},
     {"editor.yours", "{au}  (yours)"},

@@ -79,9 +79,10 @@ struct ArrowSteps {
 /// Whether the mouse holds the previous item.
 [[nodiscard]] bool held_by_mouse();
 
-/// Call it after a text field. When Enter has ended it, the field stays active with all its text
-/// selected until Esc, Tab or a click, because what is typed next is still meant for it and is no
-/// shortcut.
+/// Call it after a text field in which one tries one thing after another. When Enter has ended it,
+/// the field stays active with all its text selected until Esc, Tab or a click, because what is
+/// typed next is still meant for it and is no shortcut. (In a field that keeps a setting, such as a
+/// path, that would lose the setting.)
 void stay_in_field();
 
 /// The items made while it lives are for the mouse only: there are other keys for what they do.

@@ -271,13 +271,19 @@ TEST_F(WindowLoopTest, ClosesAtOnceWhenNothingIsUnsaved) {
   EXPECT_TRUE(loop().done());
 }
 
-TEST_F(WindowLoopTest, AsksBeforeItClosesOnUnsavedWorkAndTakesTheSecondTimeForAnAnswer) {
+TEST_F(WindowLoopTest, AsksBeforeItClosesOnUnsavedWorkHoweverOftenItIsClosed) {
   ask(gui::SetChannel{channel("jaw"), 1, false});
   display_.closing = true;
   tick();
   EXPECT_FALSE(loop().done());
   EXPECT_TRUE(display_.shown.asks_to_leave);
   press(Key::Quit);
+  display_.closing = true;
+  tick();
+  EXPECT_FALSE(loop().done());
+  EXPECT_TRUE(display_.shown.asks_to_leave);
+  ask(gui::Leave{true});
+  tick();
   EXPECT_TRUE(loop().done());
 }
 

@@ -147,6 +147,29 @@ TEST_F(WindowSessionComposerTest, APlaceThatCannotBeWrittenIsSaidAndNothingIsLos
   EXPECT_TRUE(model().composer.unsaved);
 }
 
+TEST_F(WindowSessionComposerTest, WhatIsAddedIsTheFaceThatIsSeen) {
+  ask(gui::ShowAus{"6,12:60"});
+  compose(gui::AddKeyframe{});
+  ask(gui::ShowAus{"4"});
+  compose(gui::ChooseKeyframe{0});
+  EXPECT_EQ(model().composer.rows->size(), 1U);
+  ASSERT_EQ(model().composer.aus.size(), 2U) << "it is not the neutral face";
+  EXPECT_EQ(model().composer.aus[1].left_percent, 60);
+  ask(gui::ShowAus{"4"});
+  compose(gui::AddKeyframe{});
+  EXPECT_EQ(model().composer.aus.size(), 2U) << "of a chosen keyframe it is a copy";
+}
+
+TEST_F(WindowSessionComposerTest, ANewStreamSaysHowWhatIsNotSavedComesBack) {
+  compose(gui::NewComposition{});
+  EXPECT_TRUE(model().notice.text.empty()) << "there was nothing";
+  make_two();
+  compose(gui::NewComposition{});
+  EXPECT_EQ(model().notice.text, "a new stream: Undo brings back the keyframes that are not saved");
+  compose(gui::UndoComposing{});
+  EXPECT_EQ(model().composer.rows->size(), 2U);
+}
+
 TEST_F(WindowSessionComposerTest, LeavingAsksAboutAKeyframeThatWasNotAdded) {
   const test::TempFolder folder;
   compose(gui::ComposeAu{12, 50, 50, false});

@@ -115,6 +115,15 @@ TEST_F(Arrows, LettersTypedAfterReturnInAFieldAreNoShortcuts) {
   EXPECT_FALSE(gui_->wants_keys());
 }
 
+TEST_F(Arrows, ASettingThatWasTypedIsNotTypedOverByTheNextShortcut) {
+  ASSERT_TRUE(go_to_tab("Camera"));
+  ASSERT_TRUE(go_to("##source"));
+  type("camera:/dev/video2");
+  EXPECT_TRUE(gui_->wants_keys());
+  press(ImGuiKey_Enter);
+  EXPECT_FALSE(gui_->wants_keys());
+}
+
 TEST_F(Arrows, ANumberBeyondItsRangeIsCutAndThatIsSaid) {
   ASSERT_TRUE(go_to_tab("Expression"));
   const ImGuiID frames_field = ImHashStr("", 0, id_of("##frames"));
