@@ -63,27 +63,26 @@ struct ServerSession::State {
   ClientPacketDecoder decoder;
   Phase phase = Phase::Grace;
   std::optional<Instant> deadline;
-  Instant now;  ///< of the call that is being worked on
-
   bool peer_ended = false;
   ErrorReply held_back;
   char first_byte = '\0';  ///< the very first byte that came
   SpareCodes spare_codes;
+  CloseConnection farewell;  ///< the event at the end of the drain
+  std::size_t drained_bytes = 0;
 
-  /// How many answers the running call may still take to packets that it sent itself.
-  std::size_t early_left = 0;
-  std::size_t due = 0;  ///< packets in flight since before the running call
+  // Of the call that is being worked on.
+  Instant now;
+  std::size_t due = 0;  ///< packets in flight since before it
+  std::size_t early_left =
+      0;  ///< how many answers it may still take to packets that it sent itself
+  std::vector<ServerEvent> events;
 
   State(const ServerCatalogue& from, const Joining& how, Instant at)
       : catalogue(&from),
         joining(how),
         delivery(first_of(from), from.loop),
-        now(at),
-        spare_codes(at) {}
-
-  CloseConnection farewell;  ///< the event at the end of the drain
-  std::size_t drained_bytes = 0;
-  std::vector<ServerEvent> events;
+        spare_codes(at),
+        now(at) {}
 
   void begin_call(Instant at);
   [[nodiscard]] std::vector<ServerEvent> take_events() { return std::exchange(events, {}); }

@@ -141,24 +141,28 @@ void LiveStream::show(const protocol::Keyframe& keyframe) {
 
 /// Does what is due while nothing comes.
 void LiveStream::rest(SteadyTime now) {
-  reader_.idle(now);
-  const auto easing = reader_.take_keyframes();
-  // Of a stream that has ended nobody sees the face go to neutral.
-  if (!feed_->ended()) {
-    for (const sources::LiveKeyframe& keyframe : easing) send(keyframe, true, now);
-  }
+  ease(now);
   if (voice_ && !feed_->ended() && now >= beat()) fill_pause(now);
-  const auto since = silent_since();
-  if (!since) {
-    if (!silence_.ends() || feed_->ended() || !silence_.is_final() || begun()) return;
+  if (const auto since = silent_since()) {
+    if (silence_.to_be_said(*since, now)) {
+      spdlog::info("{}: nothing comes; the face holds, then goes to neutral", name_);
+    }
+    if (!feed_->ended() && silence_.is_over(*since, now)) end_by_silence();
+  } else if (!feed_->ended() && silence_.ends() && silence_.is_final() && !begun()) {
     spdlog::warn("{}: it ended before the first keyframe", sources::name_of(options_.path));
     end();
-    return;
   }
-  if (silence_.to_be_said(*since, now)) {
-    spdlog::info("{}: nothing comes; the face holds, then goes to neutral", name_);
-  }
-  if (feed_->ended() || !silence_.is_over(*since, now)) return;
+}
+
+/// The face goes to neutral when it was held long enough.
+void LiveStream::ease(SteadyTime now) {
+  reader_.idle(now);
+  const auto easing = reader_.take_keyframes();
+  if (feed_->ended()) return;  // nobody sees it
+  for (const sources::LiveKeyframe& keyframe : easing) send(keyframe, true, now);
+}
+
+void LiveStream::end_by_silence() {
   if (silence_.is_final()) {
     spdlog::info("{}: it has ended, and so has the stream", sources::name_of(options_.path));
   } else {

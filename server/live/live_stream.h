@@ -92,6 +92,8 @@ class LiveStream {
   void send_thinned(SteadyTime now);
   void show(const protocol::Keyframe& keyframe);
   void rest(SteadyTime now);
+  void ease(SteadyTime now);
+  void end_by_silence();
   void end();
   [[nodiscard]] std::optional<SteadyTime> silent_since() const;
   [[nodiscard]] SteadyTime beat() const;

@@ -21,10 +21,10 @@ namespace aucast::gui {
 
 /// The curves as they are drawn.
 struct CurvesForm {
-  std::shared_ptr<const AuCurves>
-      shown;  ///< of the model; others are folded or not by their number
-  std::shared_ptr<const AuCurves> of;
-  std::size_t columns = 0;
+  /// Of the model: when others come, the part is folded or not by how many they are.
+  std::shared_ptr<const AuCurves> shown;
+  std::shared_ptr<const AuCurves> of;        ///< those that `outlines` was made of ...
+  std::size_t columns = 0;                   ///< ... for so many columns of pixels
   std::vector<std::vector<float>> outlines;  ///< one per curve
   int row = 0;                               ///< the curve chosen by keys, whose value is shown
 };
@@ -56,6 +56,7 @@ struct RemoteForm {
   CurvesForm curves;
 };
 
+/// The Play tab: where streams come from, what is received, sound, pictures and curves.
 void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands);
 
 /// What is being typed in the expression panel.
@@ -186,6 +187,7 @@ void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiComma
 /// The question for a name, or whether to delete a face, while the form asks it.
 void face_dialog(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
 
+/// The View tab: the face, what of it is drawn, and how the window looks.
 void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
                      GuiCommands& commands);
 
