@@ -54,11 +54,14 @@ int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
   return place;
 }
 
-/// Whether the label, an AU's packet or the source have the words; case does not matter.
+/// Whether the label, an AU's packet or the source have the words; case does not matter. Numbers of
+/// AUs may be typed with spaces between them.
 bool is_meant(const ExpressionButton& button, const std::string& words) {
-  return lowered(button.label + "\n" + data_word(button.label) + "\n" + button.name + "\n" +
-                 in_words(button))
-             .find(words) != std::string::npos;
+  std::string numbers = words;
+  std::replace(numbers.begin(), numbers.end(), ' ', ',');
+  const std::string text = lowered(button.label + "\n" + data_word(button.label) + "\n" +
+                                   button.name + "\n" + in_words(button));
+  return text.find(words) != std::string::npos || text.find(numbers) != std::string::npos;
 }
 
 /// Tells an expression from others of its label.

@@ -115,6 +115,18 @@ TEST_F(Arrows, LettersTypedAfterReturnInAFieldAreNoShortcuts) {
   EXPECT_FALSE(gui_->wants_keys());
 }
 
+TEST_F(Arrows, ActionUnitsAreFoundWithSpacesBetweenThem) {
+  model_.expressions.buttons.push_back({"Fear", "1,2,4", ExpressionKind::Other});
+  model_.expressions.buttons.push_back({"Sadness", "1,4", ExpressionKind::Other});
+  ASSERT_TRUE(go_to_tab("Expression"));
+  ASSERT_TRUE(go_to("##more"));
+  press(ImGuiKey_Enter);
+  type("1 4");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ShowExpression>());
+  EXPECT_EQ(asked<ShowExpression>()->index, 3U);
+}
+
 TEST_F(Arrows, ASettingThatWasTypedIsNotTypedOverByTheNextShortcut) {
   ASSERT_TRUE(go_to_tab("Camera"));
   ASSERT_TRUE(go_to("##source"));
