@@ -14,6 +14,8 @@
 namespace aucast::gui {
 namespace {
 
+constexpr float kUpWidth = 60;
+
 const char* title_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::PlayStream:
@@ -60,8 +62,16 @@ bool path_is_typed(const BrowserView& view, const FileForm& form) {
   return form.folder.data() != view.folder;
 }
 
+/// Backspace does the same where nothing is being typed.
+void up_button(const Look& look, const BrowserView& view, GuiCommands& commands) {
+  const bool backspace =
+      !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace));
+  if (!ImGui::Button(tr("file.up"), ImVec2(kUpWidth * look.scale, 0)) && !backspace) return;
+  commands.push_back(EnterFolder{std::filesystem::path(view.folder).parent_path().string()});
+}
+
 void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
-  const float up = 60 * look.scale;
+  const float up = kUpWidth * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
   // Stays in the field, so that what was mistyped can be corrected.
   if (std::exchange(form.entered, false) && !view.problem.empty()) ImGui::SetKeyboardFocusHere();
@@ -73,8 +83,7 @@ void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiC
   // The one that was typed last counts.
   if (ImGui::IsItemEdited() && !is_saving(view.purpose)) form.name[0] = 0;
   ImGui::SameLine();
-  const auto parent = std::filesystem::path(view.folder).parent_path();
-  if (ImGui::Button(tr("file.up"), ImVec2(up, 0))) commands.push_back(EnterFolder{parent.string()});
+  up_button(look, view, commands);
 }
 
 /// One click chooses a file; a second click on it, or Enter, takes it. A folder opens at the first

@@ -43,6 +43,11 @@ fs::path with_ending(fs::path file, Purpose purpose) {
   return file += ending_of(purpose);
 }
 
+/// Whether it is what saving has left: the version before, or a file that was not completed.
+bool is_left_over(std::string_view name) {
+  return name.ends_with('~') || name.find(".part-") != std::string_view::npos;
+}
+
 /// Folders first, then files, each by name. Hidden entries, and files that cannot be what is
 /// wanted, are left out.
 std::vector<FileEntry> entries_of(const fs::path& folder, Purpose purpose, std::error_code& error) {
@@ -50,7 +55,7 @@ std::vector<FileEntry> entries_of(const fs::path& folder, Purpose purpose, std::
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     FileEntry entry;
     entry.name = it->path().filename().string();
-    if (entry.name.starts_with('.')) continue;
+    if (entry.name.starts_with('.') || is_left_over(entry.name)) continue;
     std::error_code ignored;
     entry.folder = it->is_directory(ignored);
     const bool offered = it->is_regular_file(ignored) && may_open(purpose, it->path());

@@ -57,6 +57,22 @@ TEST_F(FileDialog, APathThatWasTypedIsNotLostOnTheWayToTheButton) {
   EXPECT_EQ(asked<ChooseFile>()->file, "/data/table.csv");
 }
 
+TEST_F(FileDialog, BackspaceGoesUpWhereNothingIsTyped) {
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::PlayStream;
+  model_.browser.folder = "/data/streams";
+  model_.browser.entries = {{"anger.txt", false}};
+  frames(5);
+  press(ImGuiKey_Backspace);
+  ASSERT_TRUE(asked<EnterFolder>());
+  EXPECT_EQ(asked<EnterFolder>()->folder, "/data");
+  commands_.clear();
+  ASSERT_TRUE(tab_to("##folder"));
+  type("/tmp/x");
+  press(ImGuiKey_Backspace);
+  EXPECT_FALSE(asked<EnterFolder>()) << "a letter is taken back";
+}
+
 TEST_F(FileDialog, ANameThatWasRefusedIsTypedAnew) {
   model_.browser.open = true;
   model_.browser.purpose = Purpose::SaveStream;

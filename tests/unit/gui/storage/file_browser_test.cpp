@@ -48,6 +48,12 @@ TEST_F(FileBrowserTest, OffersWhatCanBeOpened) {
   EXPECT_EQ(browser_.view().entries.size(), 9U) << "what is there would be replaced";
 }
 
+TEST_F(FileBrowserTest, DoesNotListWhatSavingHasLeft) {
+  for (const char* left : {"a.txt~", "b.txt.part-1804289383"}) folder_.write(left, "");
+  browser_.open(Purpose::SaveStream, folder_.path());
+  EXPECT_EQ(browser_.view().entries.size(), 3U);
+}
+
 TEST_F(FileBrowserTest, ANewFileWithoutAnEndingGetsThatOfItsKind) {
   const auto saved_as = [this](Purpose purpose, const char* typed) {
     browser_.open(purpose, folder_.path());
