@@ -393,11 +393,11 @@ void Gui::toggle_bare() {
 }
 
 bool Gui::end_bare() {
-  return std::exchange(state_->bare, false);
+  return std::exchange(state_->bare, false) && !state_->hidden;
 }
 
 bool Gui::show_panel() {
-  return !std::exchange(state_->panel, true);
+  return !std::exchange(state_->panel, true) && !state_->hidden;
 }
 
 void Gui::set_hidden(bool hidden) {

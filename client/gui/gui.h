@@ -46,9 +46,9 @@ class Gui {
   void toggle_panel();
   /// Shows only the face, or panel and bar again.
   void toggle_bare();
-  /// Shows panel and bar again; returns whether they were hidden.
+  /// Shows panel and bar again; returns whether that is seen.
   bool end_bare();
-  /// Shows the panel again; returns whether it was hidden.
+  /// Shows the panel again; returns whether that is seen.
   bool show_panel();
   /// Hides panel, bar and pointer for now, or shows them again.
   void set_hidden(bool hidden);

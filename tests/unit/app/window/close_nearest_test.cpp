@@ -17,6 +17,17 @@ TEST(CloseNearest, ShowsThePanelAgainBeforeItEndsFullScreen) {
   EXPECT_FALSE(close_nearest(panels, nothing, false).ends_full_screen);
 }
 
+TEST(CloseNearest, WhatIsNotSeenDoesNotHoldFullScreen) {
+  gui::Gui panels(1.0F);
+  ImGui::GetIO().DisplaySize = ImVec2(800, 600);
+  panels.toggle_panel();
+  panels.toggle_bare();
+  panels.set_hidden(true);
+  EXPECT_TRUE(close_nearest(panels, {}, true).ends_full_screen);
+  panels.set_hidden(false);
+  EXPECT_GT(panels.covered_width(), 0) << "the panel comes back with the window";
+}
+
 TEST(CloseNearest, ASentenceDoesNotHoldFullScreen) {
   gui::Gui panels(1.0F);
   ImGui::GetIO().DisplaySize = ImVec2(800, 600);
