@@ -172,7 +172,8 @@ Result<void> WindowFiles::play(const fs::path& file, Instant now) {
   const gui::KnownTable table{name, gui::settings_for(tables_, name)};
   auto opened = open_stream(file, table.settings, kDialogNames);
   if (!opened) return opened.error();
-  users_.notices.clear();
+  files_.opened(file);
+  users_.playback.open(std::move(opened->keyframes), file.filename().string(), now);
   if (!opened->found.empty()) {
     gui::remember_table(tables_, table);
     std::string text = gui::in_used_language(opened->found);
@@ -181,8 +182,6 @@ Result<void> WindowFiles::play(const fs::path& file, Instant now) {
     for (const std::string& one : opened->warnings) text += "\n" + gui::in_used_language(one);
     users_.notices.say(text, !opened->warnings.empty(), now);
   }
-  files_.opened(file);
-  users_.playback.open(std::move(opened->keyframes), file.filename().string(), now);
   users_.playback.play_beside(file, now);
   hooks_.show(Shown::Playback, now);
   return {};

@@ -57,6 +57,7 @@ void PlaybackSession::begin(std::unique_ptr<PlayingStream> stream, Instant now) 
   sound_.begin_again();
   meter_.begin_again();
   explained_.clear();
+  notices_.clear();  // what went wrong before is over
 }
 
 void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::string name,

@@ -70,6 +70,9 @@ TEST_F(ConnectTest, ATokenFileThatIsNotThereIsSaid) {
   EXPECT_TRUE(model().notice.bad);
   EXPECT_NE(model().notice.text.find("/no/such/token"), std::string::npos);
   EXPECT_EQ(model().playing.activity, Activity::Idle);
+  settings = {"127.0.0.1", 1};
+  ask(gui::Connect{settings});
+  EXPECT_TRUE(model().notice.text.empty()) << "it was about another server";
 }
 
 }  // namespace
