@@ -93,7 +93,7 @@ class WindowSession {
   /// made anew.
   [[nodiscard]] std::uint64_t face_changes() const { return faces_.changes(); }
   [[nodiscard]] gui::GuiModel model() const;
-  /// "AUcast - playing", for the title of the window.
+  /// "lecture.example.org/talk - AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
   /// Addresses that answered, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const {

@@ -191,7 +191,12 @@ Duration PlaybackSession::idle_time(Instant now) const {
 
 std::string PlaybackSession::title() const {
   const std::string title = "AUcast";
-  return stream_ == nullptr ? title : stream_->title(title, over());
+  if (stream_ == nullptr) return title;
+  const std::string whole = stream_->title(title, over());
+  if (!stream_->of_chosen_server()) return whole;
+  const gui::RemoteSettings& from = servers_.settings();
+  const std::string stream = from.stream.empty() ? "" : "/" + from.stream;
+  return gui::server_text(from) + stream + " - " + whole;
 }
 
 std::vector<gui::AuRow> PlaybackSession::au_rows() const {

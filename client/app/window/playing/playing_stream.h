@@ -65,6 +65,8 @@ class PlayingStream {
   /// ended too.
   [[nodiscard]] virtual std::string title(const std::string& program, bool over) const = 0;
   [[nodiscard]] virtual Played played() const = 0;
+  /// Whether it comes from a server that the user chose.
+  [[nodiscard]] virtual bool of_chosen_server() const { return false; }
   /// Whether the server, one that the user chose, has ended the stream.
   [[nodiscard]] virtual bool ended_by_server() const { return false; }
   /// Adds what is peculiar to this kind.

@@ -38,6 +38,7 @@ class RemoteStream final : public PlayingStream {
   [[nodiscard]] std::string title(const std::string& program, bool over) const override;
   /// The keyframes that have begun so far, at most Played::kKept.
   [[nodiscard]] Played played() const override { return received_; }
+  [[nodiscard]] bool of_chosen_server() const override { return server_ == Server::Chosen; }
   [[nodiscard]] bool ended_by_server() const override;
   void describe(gui::PlayingView& view) const override;
 

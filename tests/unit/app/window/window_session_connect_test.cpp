@@ -75,5 +75,13 @@ TEST_F(ConnectTest, ATokenFileThatIsNotThereIsSaid) {
   EXPECT_TRUE(model().notice.text.empty()) << "it was about another server";
 }
 
+TEST_F(ConnectTest, TheTitleOfTheWindowNamesServerAndStream) {
+  gui::RemoteSettings settings{"127.0.0.1", 1};
+  settings.stream = "lecture";
+  ask(gui::Connect{settings});
+  EXPECT_TRUE(session_->title().starts_with("127.0.0.1:1/lecture - AUcast - "))
+      << session_->title();
+}
+
 }  // namespace
 }  // namespace aucast::app
