@@ -71,6 +71,7 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
                                Instant now) {
   if (!complaint.empty()) say(complaint, true, now);
   playback_.servers().set(settings.remote, settings.recent);
+  playback_.sound().set_volume(settings.volume);
   editor_.set_transition(settings.transition);
   faces_.remember(settings.face);
   files_.begin_with(settings);
@@ -81,6 +82,7 @@ gui::KeptSettings WindowSession::kept() const {
   gui::KeptSettings kept;
   kept.remote = playback_.servers().to_keep();
   kept.recent = playback_.servers().recent();
+  kept.volume = playback_.sound().volume();
   kept.face = faces_.next();
   kept.transition = editor_.transition();
   files_.keep(kept);

@@ -148,6 +148,11 @@ void read_display(Fields fields, DisplaySettings& display) {
   fields.finish();
 }
 
+void read_sound(Fields fields, int& volume) {
+  fields.take("volume", volume, 0, 100);
+  fields.finish();
+}
+
 std::string line(std::string_view key, int value) {
   return toml_line(key, std::to_string(value));
 }
@@ -196,6 +201,7 @@ Result<KeptSettings> parse_settings(std::string_view text, const std::string& fi
   if (const auto* table = reader.table_if("pictures")) {
     read_pictures({*table, problems}, settings.pictures);
   }
+  if (const auto* table = reader.table_if("sound")) read_sound({*table, problems}, settings.volume);
   reader.finish();
   if (auto good = problems.result(); !good) return good.error();
   return settings;
@@ -255,6 +261,7 @@ std::string format_settings(const KeptSettings& settings) {
           line("width", pictures.width) + line("height", pictures.height);
   text += "\n[window]\n" + line("language", settings.display.language) +
           line("text_percent", settings.display.text_percent);
+  text += "\n[sound]\n" + line("volume", settings.volume);
   return text;
 }
 

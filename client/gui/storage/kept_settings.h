@@ -23,6 +23,7 @@ struct KeptSettings {
   RenderingSettings rendering;
   PictureSettings pictures;
   DisplaySettings display;
+  int volume = 100;  ///< percent
   friend bool operator==(const KeptSettings&, const KeptSettings&) = default;
 };
 

@@ -117,10 +117,14 @@ void SoundSession::toggle_mute(Instant now) {
                now);
 }
 
-void SoundSession::change_volume(int by, Instant now) {
-  volume_ = std::clamp(volume_ + by, 0, 100);
-  muted_ = false;
+void SoundSession::set_volume(int percent) {
+  volume_ = std::clamp(percent, 0, 100);
   player_.sound().set_volume(volume_);
+}
+
+void SoundSession::change_volume(int by, Instant now) {
+  set_volume(volume_ + by);
+  muted_ = false;
   player_.sound().set_muted(muted_);
   notices_.say(gui::tr("said.volume", volume_), false, now);
 }

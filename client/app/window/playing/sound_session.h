@@ -47,6 +47,9 @@ class SoundSession {
   [[nodiscard]] bool has_device() const { return has_device_; }
 
   void apply(const gui::SoundCommand& command, Instant now);
+  /// Sets the volume, in percent, without a word.
+  void set_volume(int percent);
+  [[nodiscard]] int volume() const { return volume_; }
   /// Changes the volume by `by` percent.
   void change_volume(int by, Instant now);
 

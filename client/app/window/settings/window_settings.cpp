@@ -57,6 +57,8 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
       "--language", [](auto& s) -> auto& { return s.display.language; });
   copy(
       "--text-size", [](auto& s) -> auto& { return s.display.text_percent; });
+  copy(
+      "--volume", [](auto& s) -> auto& { return s.volume; });
   for (const char* option : {"--idle", "--blink"}) {
     copy(
         option, [](auto& s) -> auto& { return s.rendering.blinking; });
@@ -86,6 +88,7 @@ KeptSettings settings_of(const PlayerOptions& options) {
   settings.remote.tls = playback.security.tls;
   settings.animation = {options.face.mixer, options.face.rules, playback.interpolation};
   settings.display = options.display;
+  settings.volume = options.sound.volume;
   settings.rendering.layers = options.output.layers;
   settings.rendering.blinking = playback.blink.has_value();
   settings.rendering.blink = playback.blink.value_or(settings.rendering.blink);

@@ -41,6 +41,16 @@ TEST_F(ConnectTest, AnAddressThatDidNotAnswerIsNotKept) {
   EXPECT_EQ(session_->kept().remote, settings.remote);
 }
 
+TEST_F(ConnectTest, TheVolumeIsKeptWithoutAWord) {
+  gui::KeptSettings settings;
+  settings.volume = 96;
+  session_->begin_with(settings, "", clock_.now());
+  EXPECT_EQ(model().sound.volume, 96);
+  EXPECT_TRUE(model().notice.text.empty());
+  session_->change_volume(-2, clock_.now());
+  EXPECT_EQ(session_->kept().volume, 94);
+}
+
 TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
   auto french = gui::load_language(assets_->data_folder / "languages" / "fr.toml");
   ASSERT_TRUE(french) << french.error().message;

@@ -31,6 +31,7 @@ KeptSettings unusual() {
   settings.rendering.light_percent = 150;
   settings.rendering.blinking = true;
   settings.tables = {{"/tables/a \"b\".csv", {25, 10, 150, 2}}, {"/tables/c.csv", {0, 30, 0, 0}}};
+  settings.volume = 96;
   settings.pictures = {"/pictures", "{face}-{number}", 1920, 1080};
   settings.rendering.blink = {77, 2500, 75, playback::Interpolation::Cosine};
   return settings;

@@ -86,6 +86,17 @@ TEST_F(WindowSettingsTest, TheSecondOfSeveralHostsIsTriedWithoutBeingKept) {
   EXPECT_FALSE(on_disk().remote.reconnect);
 }
 
+TEST_F(WindowSettingsTest, TheVolumeOfTheCommandLineComesBeforeTheKeptOne) {
+  write("[sound]\nvolume = 96\n");
+  EXPECT_EQ(WindowSettings(parsed({}), file_).in_force().volume, 96);
+  WindowSettings settings(parsed({"--volume", "40"}), file_);
+  EXPECT_EQ(settings.in_force().volume, 40);
+  gui::KeptSettings now = settings.in_force();
+  now.transition.frames = 60;
+  ASSERT_TRUE(settings.keep(now));
+  EXPECT_EQ(on_disk().volume, 96);
+}
+
 TEST_F(WindowSettingsTest, HowFarBehindIsKeptAndSaidByTheCommandLine) {
   write("[remote]\nbehind = \"time\"\nbehind_ms = 150\n");
   const auto buffers = [](const WindowSettings& settings, const PlayerOptions& given) {
