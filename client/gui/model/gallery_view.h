@@ -51,6 +51,7 @@ struct GalleryView {
   std::optional<long> left_s{};  ///< how long the rest will take, about; nullopt: unknown so far
   std::string outcome;  ///< how the last gallery ended, as a sentence; empty: there was none
   bool failed = false;
+  bool stopped = false;  ///< by the user, before it was complete
   friend bool operator==(const GalleryView&, const GalleryView&) = default;
 };
 

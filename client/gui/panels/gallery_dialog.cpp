@@ -124,7 +124,7 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
     if (view.running) {
       progress(view);
     } else if (!view.outcome.empty()) {
-      toned_text(view.failed ? Tone::Bad : Tone::Good, view.outcome);
+      toned_text(view.failed ? Tone::Bad : view.stopped ? Tone::Waiting : Tone::Good, view.outcome);
     } else {
       const float top = ImGui::GetCursorPosY();
       ImGui::AlignTextToFramePadding();

@@ -88,7 +88,8 @@ void GallerySession::advance(Instant now) {
   const auto outcome = work_.take_outcome();
   if (!outcome) return;
   view_.running = view_.ending = false;
-  view_.failed = !*outcome && !work_.cancelled();
+  view_.stopped = !*outcome && work_.cancelled();
+  view_.failed = !*outcome && !view_.stopped;
   view_.outcome = *outcome ? **outcome : outcome->error().message;
 }
 

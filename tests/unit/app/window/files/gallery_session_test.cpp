@@ -116,12 +116,14 @@ TEST_F(GallerySessionTest, IsCancelledAndCanBeginAgain) {
   end();
   EXPECT_FALSE(view_.running);
   EXPECT_FALSE(view_.failed) << "it was wanted so";
+  EXPECT_TRUE(view_.stopped) << "but it is not complete";
   EXPECT_EQ(view_.outcome, "stopped");
   EXPECT_FALSE(view_.ending);
   ask(gui::BeginGallery{});
   draw(3);
   end();
   EXPECT_FALSE(view_.running);
+  EXPECT_FALSE(view_.stopped);
   EXPECT_EQ(view_.outcome, "three pictures");
 }
 
