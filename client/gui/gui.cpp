@@ -100,13 +100,30 @@ bool can_save(const EditorView& editor) {
   return !editor.unsaved || (editor.au > 0 && !others);
 }
 
-void save_before_leaving(const EditorView& editor, GuiCommands& commands) {
-  ImGui::BeginDisabled(!can_save(editor));
-  if (ImGui::Button(tr("button.save"))) {
-    commands.push_back(Leave{.really = false, .saves = true});
+/// To stay comes first, and is what Enter does.
+void leave_buttons(const GuiModel& model, float room, const char* leave, GuiCommands& commands) {
+  const bool unsaved = model.editor.unsaved || model.composer.unsaved;
+  const auto answer = [&commands](const Leave& one) {
+    commands.push_back(one);
     ImGui::CloseCurrentPopup();
+  };
+  const int shares = unsaved ? 3 : 2;
+  // So wide that all are in one row, if the screen has the room.
+  float widest = 0;
+  for (const char* text : {tr("leave.stay"), tr("button.save"), leave}) {
+    widest = std::max(widest, ImGui::CalcTextSize(text).x);
   }
-  ImGui::EndDisabled();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float each = widest + 2 * style.FramePadding.x + style.ItemSpacing.x;
+  ImGui::Dummy(ImVec2(std::min(room, static_cast<float>(shares) * each), 0));
+  // The key that asked is not an answer.
+  const bool escaped = !ImGui::IsWindowAppearing() &&
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  if (wide_button(tr("leave.stay"), 0, shares, true, true) || escaped) answer(Leave{false});
+  if (unsaved && wide_button(tr("button.save"), 1, shares, can_save(model.editor))) {
+    answer({.really = false, .saves = true});
+  }
+  if (wide_button(leave, shares - 1, shares, true)) answer(Leave{true});
 }
 
 void leave_question(const Look& look, const GuiModel& model, GuiCommands& commands) {
@@ -127,27 +144,7 @@ void leave_question(const Look& look, const GuiModel& model, GuiCommands& comman
                          std::min(room, ImGui::CalcTextSize(why.c_str()).x + 1));
   ImGui::TextUnformatted(why.c_str());
   ImGui::PopTextWrapPos();
-  ImGui::Spacing();
-  const float buttons = ImGui::CalcTextSize(tr("leave.stay")).x +
-                        (unsaved ? ImGui::CalcTextSize(tr("button.save")).x : 0) +
-                        ImGui::CalcTextSize(leave).x + 6 * style.FramePadding.x +
-                        2 * style.ItemSpacing.x;
-  // The key that asked is not an answer.
-  const bool escaped = !ImGui::IsWindowAppearing() &&
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (ImGui::Button(tr("leave.stay")) || escaped) {
-    commands.push_back(Leave{false});
-    ImGui::CloseCurrentPopup();
-  }
-  if (unsaved) {
-    if (buttons <= room) ImGui::SameLine();
-    save_before_leaving(model.editor, commands);
-  }
-  if (buttons <= room) ImGui::SameLine();
-  if (ImGui::Button(leave)) {
-    commands.push_back(Leave{true});
-    ImGui::CloseCurrentPopup();
-  }
+  leave_buttons(model, room, leave, commands);
   ImGui::EndPopup();
 }
 

@@ -111,6 +111,24 @@ TEST_F(OverFace, TheQuestionOnLeavingFitsWithLargeLetters) {
   EXPECT_GT(question()->Size.y, before) << "the stream is named too";
 }
 
+TEST_F(OverFace, TheQuestionOnLeavingHasItsAnswersInOneRowAndStaysByEnter) {
+  model_.composer.unsaved = true;
+  model_.asks_to_leave = true;
+  frames(4);
+  const ImGuiWindow* const question = ImGui::FindWindowByID(ImHashStr("###leave"));
+  ASSERT_NE(question, nullptr);
+  const ImRect& answer = question->NavRectRel[0];  // that has the focus
+  const ImRect stay = answer;
+  press(ImGuiKey_Tab);
+  EXPECT_EQ(focus(), ImHashStr("Save", 0, question->ID));
+  EXPECT_EQ(answer.Min.y, stay.Min.y);
+  EXPECT_FLOAT_EQ(answer.GetWidth(), stay.GetWidth());
+  press(ImGuiKey_Tab, true);
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<Leave>());
+  EXPECT_FALSE(asked<Leave>()->really);
+}
+
 TEST_F(OverFace, TheQuestionOnLeavingNamesWhatIsBeingMade) {
   model_.gallery.running = true;
   model_.gallery.settings.folder = "/pictures/gallery";
