@@ -6,13 +6,20 @@
 #include <cstdint>
 
 namespace aucast::sources {
+namespace {
 
-std::vector<LoudAu> loud_aus(const Signals& neutral) {
+bool is_eyelid(std::size_t number) {
+  return number == 5 || number == 43 || number == 45;
+}
+
+/// Those above kNeutralPercentMax, the largest first.
+std::vector<LoudAu> largest(const Signals& signals, bool moves) {
   PerAu percents(0);
   for (const bool right : {false, true}) {
     for (std::size_t number = 1; number < kAuCount; ++number) {
-      const float signal = neutral[channel_of(number, right)];
+      const float signal = signals[channel_of(number, right)];
       if (!is_signal(signal) || opposite_of(number) != 0) continue;
+      if (moves && is_eyelid(number)) continue;
       const double percent = std::round(signal * 100);
       if (percent <= kNeutralPercentMax) continue;
       percents.set({static_cast<std::uint8_t>(number), right ? Side::Right : Side::Left}, percent);
@@ -20,11 +27,18 @@ std::vector<LoudAu> loud_aus(const Signals& neutral) {
   }
   std::vector<LoudAu> loud;
   for (const auto& [au, percent] : percents.exceptions()) {
-    loud.push_back({au, static_cast<int>(percent)});
+    loud.push_back({au, static_cast<int>(percent), moves});
   }
   std::stable_sort(loud.begin(), loud.end(),
                    [](const LoudAu& a, const LoudAu& b) { return a.percent > b.percent; });
   return loud;
+}
+
+}  // namespace
+
+std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral) {
+  auto loud = largest(neutral.signals, false);
+  return loud.empty() ? largest(neutral.movement, true) : loud;
 }
 
 std::string not_neutral_text(const std::vector<LoudAu>& loud) {
@@ -33,7 +47,7 @@ std::string not_neutral_text(const std::vector<LoudAu>& loud) {
 
 std::string loud_text(const std::vector<LoudAu>& loud) {
   constexpr std::size_t kShownMax = 3;
-  std::string text;
+  std::string text = !loud.empty() && loud.front().moves ? "movement of " : "";
   for (std::size_t i = 0; i < std::min(loud.size(), kShownMax); ++i) {
     text += (i == 0 ? "AU" : ", AU") + au_name_text(loud[i].au) + " " +
             std::to_string(loud[i].percent) + " %";

@@ -3,29 +3,33 @@
 #include <string>
 #include <vector>
 
+#include "common/sources/neutral.h"
 #include "common/sources/per_au.h"
-#include "common/sources/signals.h"
 
 namespace aucast::sources {
 
-/// An AU that is too strong for a neutral face.
+/// An AU that is too strong for a neutral face, or moves too far for one at rest.
 struct LoudAu {
   AuName au;
   int percent = 0;
+  bool moves = false;  ///< `percent` is how far
   friend bool operator==(const LoudAu&, const LoudAu&) = default;
 };
 
-/// The strongest that an AU of a neutral face may be; recognisers see up to 25 % in one.
+/// The strongest that an AU of a neutral face may be, and the farthest that it may move;
+/// recognisers see up to 25 % in one.
 inline constexpr double kNeutralPercentMax = 30;
 
 /// The AUs of what is taken for a neutral face that are stronger than kNeutralPercentMax, the
-/// strongest first. Turns of head and eyes do not count, since the camera may be to one side.
-[[nodiscard]] std::vector<LoudAu> loud_aus(const Signals& neutral);
+/// strongest first; if there are none, those that move by more, for the median of a face that talks
+/// or grimaces may be weak. Turns of head and eyes do not count, since the camera may be to one
+/// side, nor do movements of the eyelids, which blink and follow the eyes.
+[[nodiscard]] std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral);
 
 /// "AU12 100 %, AU1 40 %: no neutral face was taken off": what is to be known of these.
 [[nodiscard]] std::string not_neutral_text(const std::vector<LoudAu>& loud);
 
-/// The strongest few: "AU7 100 %, AU20 100 %, AUL10 77 % and 12 more".
+/// The strongest few: "AU7 100 %, AU20 100 %, AUL10 77 % and 12 more", "movement of AU4 73 %".
 [[nodiscard]] std::string loud_text(const std::vector<LoudAu>& loud);
 
 }  // namespace aucast::sources

@@ -22,6 +22,12 @@ float median(const std::vector<float>& sorted) {
   return (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
+float movement(const std::vector<float>& sorted) {
+  if (sorted.empty()) return kNoSignal;
+  const std::size_t tenth = (sorted.size() + 9) / 10;
+  return sorted.size() <= 2 * tenth ? 0 : sorted[sorted.size() - 1 - tenth] - sorted[tenth];
+}
+
 }  // namespace
 
 void take_off(Signals& signals, const Signals& neutral) {
@@ -54,10 +60,12 @@ bool NeutralMeter::add(double seconds, const Signals& signals) {
 
 MeasuredNeutral NeutralMeter::measured() const {
   const double span = begin_seconds_ ? std::round(*last_seconds_ - *begin_seconds_) : 0;
-  MeasuredNeutral neutral{no_signals(), wanted_seconds_ > kSecondsMax ? span : wanted_seconds_,
-                          rows_};
+  MeasuredNeutral neutral;
+  neutral.seconds = wanted_seconds_ > kSecondsMax ? span : wanted_seconds_;
+  neutral.rows = rows_;
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
     neutral.signals[channel] = median(sorted_[channel]);
+    neutral.movement[channel] = movement(sorted_[channel]);
   }
   return neutral;
 }

@@ -11,15 +11,18 @@ namespace aucast::sources {
 
 /// A neutral face that was measured.
 struct MeasuredNeutral {
-  Signals signals = no_signals();  ///< no data: none was seen
-  double seconds = 0;              ///< how long: as asked, or what there was of a whole recording
-  std::size_t rows = 0;            ///< with data
+  Signals signals = no_signals();   ///< no data: none was seen
+  Signals movement = no_signals();  ///< how far apart each one's values are, without the lowest and
+                                    ///< the highest tenth
+  double seconds = 0;               ///< how long: as asked, or what there was of a whole recording
+  std::size_t rows = 0;             ///< with data
 };
 
 /// Subtracts the neutral face; a signal for which `neutral` has no data stays as it is.
 void take_off(Signals& signals, const Signals& neutral);
 
-/// Measures the median of each signal, over the first seconds in which a face is seen.
+/// Measures the median and the movement of each signal, over the first seconds in which a face is
+/// seen.
 class NeutralMeter {
  public:
   /// `seconds` above 0.
@@ -29,7 +32,7 @@ class NeutralMeter {
   /// seconds have passed: it takes no more.
   bool add(double seconds, const Signals& signals);
   [[nodiscard]] bool done() const { return done_; }
-  /// The medians of the samples taken so far.
+  /// Of the samples taken so far.
   [[nodiscard]] MeasuredNeutral measured() const;
 
  private:

@@ -230,12 +230,12 @@ void RecordingReader::measure(std::int64_t face, Track& track) {
 /// which it is one.
 void RecordingReader::judge_neutral(std::int64_t face, Found& found) {
   if (conditioning_.neutral_turns_only) return;
-  found.not_neutral = loud_aus(found.neutral->signals);
+  found.not_neutral = loud_aus(*found.neutral);
   if (found.not_neutral.empty()) return;
   for (const double seconds : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0}) {
     const NeutralMeter meter = measured_in(face, seconds);
     if (!meter.done()) return;  // there are no more
-    if (!loud_aus(meter.measured().signals).empty()) continue;
+    if (!loud_aus(meter.measured()).empty()) continue;
     found.neutral_seconds = seconds;
     return;
   }

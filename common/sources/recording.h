@@ -63,7 +63,7 @@ struct Found {
   double rows_a_second = 0;                ///< mean over the recording; 0 if there is one row
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
   std::vector<LoudAu> not_neutral;         ///< AUs that were subtracted as `neutral`, but are too
-                                           ///< strong for a neutral face
+                                           ///< strong or move too far for a neutral face
   std::optional<double> neutral_seconds;   ///< if there are any: a value of --neutral without them
 };
 

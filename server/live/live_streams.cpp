@@ -131,7 +131,7 @@ void LiveStreams::condition(const sources::ConditioningSettings& settings) {
 void LiveStreams::warn_unless_neutral(const std::string& name,
                                       const sources::MeasuredNeutral& neutral) const {
   if (options_.each.reader.conditioning.neutral_turns_only) return;
-  const auto loud = sources::loud_aus(neutral.signals);
+  const auto loud = sources::loud_aus(neutral);
   if (loud.empty()) return;
   spdlog::warn("{}: {}; start again with a neutral face, or leave out --neutral", name,
                sources::not_neutral_text(loud));

@@ -96,6 +96,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
      "is neutral"},
     {"made.not_neutral_span",
      "{aus}: no neutral face was taken off; 'Neutral, s' {seconds} takes off one"},
+    {"made.movement", "movement of {aus}"},
     {"made.and_more", "{aus} and {count} more"},
     {"bad.copied", "this face cannot be copied to {place}: {why}"},
     {"bad.renamed", "this face cannot be renamed to {place}: {why}"},

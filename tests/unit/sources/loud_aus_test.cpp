@@ -35,10 +35,10 @@ Found found_with(const std::string& text, double neutral_s, bool turns_only = fa
 }
 
 TEST(LoudAus, NamesTheStrongestAusThatNoNeutralFaceHas) {
-  Signals neutral = no_signals();
+  MeasuredNeutral neutral;
   const auto set = [&](std::size_t number, float left, float right) {
-    neutral[channel_of(number, false)] = left;
-    neutral[channel_of(number, true)] = right;
+    neutral.signals[channel_of(number, false)] = left;
+    neutral.signals[channel_of(number, true)] = right;
   };
   set(1, 0.3F, 0.3F);
   set(54, 0.9F, 0.9F);
@@ -59,12 +59,28 @@ TEST(LoudAus, ASpanThatIsNeutralIsRecommended) {
   const Found found = found_with(loud_at_first(2, 30), 2);
   ASSERT_EQ(found.not_neutral.size(), 2U);
   EXPECT_EQ(found.not_neutral[0].au.number, 12);
-  EXPECT_EQ(found.neutral_seconds, 5.0) << "of which most is neutral";
+  EXPECT_EQ(found.neutral_seconds, 20.0) << "of which nine tenths are neutral";
   const std::string said =
-      "AU12 100 %, AU1 40 %: no neutral face was taken off; --neutral 5 takes off one";
+      "AU12 100 %, AU1 40 %: no neutral face was taken off; --neutral 20 takes off one";
   EXPECT_EQ(warnings(found), std::vector<std::string>{said});
   EXPECT_NE(found_lines(found).find("  not neutral " + said + "\n"), std::string::npos);
   EXPECT_NE(found_sentence(found).find(said), std::string::npos);
+}
+
+TEST(LoudAus, AFaceThatMovesIsNotAtRestThoughItsMedianIsWeak) {
+  const Found found = found_with(loud_at_first(2, 5), 5);
+  EXPECT_EQ(warnings(found),
+            std::vector<std::string>{"movement of AU12 96 %: no neutral face was taken off; leave "
+                                     "out --neutral, or cut what is before the face is neutral"});
+}
+
+TEST(LoudAus, EyelidsBlinkAndFollowTheEyesOfAFaceAtRest) {
+  MeasuredNeutral neutral;
+  for (const std::size_t number : {5U, 45U, 63U}) neutral.movement[number] = 0.9F;
+  EXPECT_TRUE(loud_aus(neutral).empty());
+  neutral.movement[7] = 0.31F;
+  EXPECT_EQ(loud_aus(neutral), (std::vector<LoudAu>{{{7, Side::Left}, 31, true}}));
+  EXPECT_EQ(loud_text(loud_aus(neutral)), "movement of AUL7 31 %");
 }
 
 TEST(LoudAus, WithoutSuchASpanItIsToBeLeftOut) {

@@ -28,6 +28,8 @@ TEST(Neutral, IsTheMedianOfTheFirstSeconds) {
   EXPECT_EQ(measured.seconds, 0.5);
   EXPECT_EQ(measured.signals[12], 0.25F);
   EXPECT_FALSE(is_signal(measured.signals[1])) << "never seen";
+  EXPECT_NEAR(measured.movement[12], 0.1, 1e-6) << "without the lowest and the highest";
+  EXPECT_FALSE(is_signal(measured.movement[1]));
 }
 
 TEST(Neutral, OfAnEvenNumberOfRowsIsBetweenTheMiddleTwo) {

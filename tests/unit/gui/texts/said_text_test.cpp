@@ -50,6 +50,8 @@ const std::vector<std::string> kSaid = {
     "AU7 100 %, AU20 100 %, AU10 77 % and 12 more: no neutral face was taken off; leave out "
     "'Neutral, "
     "s', or cut what is before the face is neutral",
+    "movement of AU4 73 %, AU1 61 %, AU2 58 % and 2 more: no neutral face was taken off; 'Neutral, "
+    "s' 1 takes off one",
     "AU7 100 %: no neutral face was taken off; 'Neutral, s' 10 takes off one",
     "/tmp/a.txt: cannot be read: No such file or directory",
     "/tmp/a.txt: cannot be read: Permission denied",
