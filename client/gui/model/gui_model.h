@@ -46,11 +46,12 @@ struct BufferBar {
 
 /// One AU, in the keyframe under way and on the face at this moment.
 struct AuRow {
-  std::string label;         ///< "12", "L14"
-  std::string name;          ///< FACS name; empty for a number without one
-  int received_percent = 0;  ///< 0: not received: a rule added it, or it is fading
-  int shown_percent = 0;     ///< 0: a rule removed it, or it does not show yet
-  std::string why;           ///< the rule that changed it; empty: none did
+  std::string label;          ///< "12", "L14"
+  std::string name;           ///< FACS name; empty for a number without one
+  int received_percent = 0;   ///< 0: not received: a rule added it, or it is fading
+  int shown_percent = 0;      ///< 0: a rule removed it, or it does not show yet
+  std::string why;            ///< the rule that changed it; empty: none did
+  bool room_for_why = false;  ///< the row is as tall without one
   friend bool operator==(const AuRow&, const AuRow&) = default;
 };
 

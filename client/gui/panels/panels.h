@@ -9,6 +9,7 @@
 
 #include "client/gui/model/gui_commands.h"
 #include "client/gui/model/gui_model.h"
+#include "client/gui/model/steady_rows.h"
 #include "client/gui/model/thumbnails.h"
 #include "client/gui/widgets/widgets.h"
 #include "protocol/limits.h"
@@ -52,7 +53,8 @@ struct RemoteForm {
   RecordForm record;
   bool large_chart = false;   ///< of the strongest AUs
   bool large_buffer = false;  ///< the chart of the receiver's fill
-  bool to_aus = false;        ///< scroll to the table of AUs
+  SteadyRows aus;
+  bool to_aus = false;  ///< scroll to the table of AUs
   CurvesForm curves;
 };
 

@@ -320,7 +320,11 @@ void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
   heading(look, tr("play.aus"), tr("tip.au"));
   intensities(look, model.playing, form.large_chart);
   const bool made = model.editor.active || model.composer.active;
-  if (model.playing.aus.empty()) {
+  const std::vector<AuRow>& rows =
+      made ? model.playing.aus
+           : form.aus.with(model.playing.aus,
+                           model.local.open ? model.local.name : model.playing.stream);
+  if (rows.empty()) {
     quiet_text(made                             ? tr("play.made_without")
                : model.playing.keyframe.empty() ? tr("play.none_yet")
                                                 : tr("play.neutral_face"));
@@ -330,7 +334,7 @@ void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
                                tr("tip.au_shown")};
   const AuTableWords of_made{tr("expression.asked"), tr("tip.au_asked"), tr("expression.legend"),
                              tr("tip.au_blended")};
-  au_table(look, made ? of_made : of_stream, model.playing.aus);
+  au_table(look, made ? of_made : of_stream, rows);
 }
 
 /// Opens stream files, also those that were opened before.
@@ -362,7 +366,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form,
   if (!model.playing.local) buffers(look, model, form.large_buffer);
   animation(look, model, commands);
   curves_part(look, model, form.curves, commands);
-  // Last: it grows and shrinks while it plays.
+  // Last: it grows while it plays.
   action_units(look, model, form);
 }
 

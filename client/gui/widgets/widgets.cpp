@@ -432,15 +432,20 @@ void au_table(const Look& look, const AuTableWords& words, const std::vector<AuR
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     mark_row(row.label);
+    const bool idle = row.received_percent + row.shown_percent == 0;
+    if (idle) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::TableNextColumn();
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const bool cut = ImGui::CalcTextSize(row.name.c_str()).x > ImGui::GetContentRegionAvail().x;
     fitted_text(row.name, right);
+    if (idle) ImGui::PopStyleColor();
     if (cut) tip(row.name);
     if (!row.why.empty()) {
       quiet_text(row.why);
       tip(tr("tip.rule"));
+    } else if (row.room_for_why) {
+      ImGui::NewLine();
     }
     ImGui::TableNextColumn();
     percent(row.received_percent, false);

@@ -49,6 +49,20 @@ TEST_F(KeptPlaces, WhatThePointerIsOnStaysThere) {
   EXPECT_EQ(contents()->Scroll.y, scrolled);
 }
 
+TEST_F(KeptPlaces, AusThatComeAndGoMoveNothing) {
+  model_.playing.keyframe = "keyframe 3";
+  model_.playing.aus = {{"6", "Cheek Raiser", 40, 20, "opposition"},
+                        {"12", "Lip Corner Puller", 80, 80, ""}};
+  frames(4);
+  const float before = contents()->ContentSize.y;
+  model_.playing.aus = {{"12", "Lip Corner Puller", 20, 20, ""}};
+  frames(4);
+  EXPECT_EQ(contents()->ContentSize.y, before);
+  model_.playing.aus.clear();
+  frames(4);
+  EXPECT_EQ(contents()->ContentSize.y, before) << "a neutral keyframe";
+}
+
 TEST_F(KeptPlaces, AtTheTopOfThePanelNothingIsScrolled) {
   ImGui::GetIO().DisplaySize = ImVec2(800, 420);
   frames(2);

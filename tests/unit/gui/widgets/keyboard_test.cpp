@@ -307,7 +307,7 @@ TEST_F(Keyboard, NothingMovesWhenAConnectionComes) {
 TEST_F(Keyboard, TheTableOfAusIsOneStepAway) {
   ImGui::GetIO().DisplaySize = ImVec2(800, 500);
   model_.playing.keyframe = "keyframe 3";
-  model_.playing.aus.assign(40, {"51", "Head Turn Left", 100, 60, ""});
+  for (int au = 1; au < 40; ++au) model_.playing.aus.push_back({std::to_string(au), "", 9, 6, ""});
   frames(4);
   ASSERT_TRUE(go_to("###jump"));
   press(ImGuiKey_Enter);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/gui/model/gui_model.h"
+
+namespace aucast::gui {
+
+/// The rows of AUs of a stream that plays, so that they stay where they are: an AU that the stream
+/// has had keeps its row, and a row that a rule has changed keeps the room for saying so.
+class SteadyRows {
+ public:
+  /// The rows to be drawn for `rows`, in the order of au_rows(). `stream`: whose they are; for
+  /// another one the rows begin anew.
+  const std::vector<AuRow>& with(const std::vector<AuRow>& rows, const std::string& stream);
+
+ private:
+  std::string stream_;
+  std::vector<AuRow> kept_;
+};
+
+}  // namespace aucast::gui
