@@ -109,7 +109,7 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
                   model.video.completing.empty(), recording)) {
     commands.push_back(ToggleVideo{});
   }
-  tip(tr("play.video_tip"));
+  tip(recording ? tr("play.end_video_tip") : tr("play.video_tip"));
   if (wide_button(tr("play.gallery"), 2, 4, true, model.gallery.running)) {
     commands.push_back(GalleryCommand(OpenGallery{}));
   }

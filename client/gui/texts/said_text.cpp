@@ -40,7 +40,11 @@ bool is_said(std::string_view key) {
   return key.starts_with("net.") || key.starts_with("made.") || key.starts_with("bad.");
 }
 
+/// A server's words, which name an option of face-player; the window has a field for it.
+constexpr std::string_view kNeedsToken = "401 a token is needed here (--token-file)";
+
 std::optional<std::string> translated(std::string_view english) {
+  if (english == kNeedsToken) return tr("play.needs_token");
   for (std::size_t row = 0; row < kEnglish.size(); ++row) {
     if (!is_said(kEnglish[row].key)) continue;
     auto values = places_in(english, kEnglish[row].text);

@@ -122,6 +122,18 @@ TEST_F(SaidText, ASentenceComesBeforeWhatIsKnownInEnglishOnly) {
   EXPECT_EQ(error_in_used_language(usage), usage.message);
 }
 
+TEST_F(SaidText, ATokenIsAskedForWhereTheWindowHasAFieldForIt) {
+  const std::string said =
+      "venus:4650: the server refused: 401 a token is needed here (--token-file)";
+  for (const bool in_french : {false, true}) {
+    if (in_french) use_french();
+    const std::string shown = in_used_language(said);
+    EXPECT_EQ(shown.find("--token-file"), std::string::npos) << shown;
+    EXPECT_NE(shown.find(tr("play.token_file")), std::string::npos) << shown;
+    EXPECT_NE(shown.find("401"), std::string::npos) << shown;
+  }
+}
+
 TEST_F(SaidText, KeepsNamesAndNumbersAndWhatItDoesNotKnow) {
   use_french();
   const std::string refused = in_used_language(kSaid[0]);
