@@ -61,7 +61,12 @@ void timeline_row(const Look& look, const ComposerView& composer, int index, Thu
   ImGui::SetCursorScreenPos(ImVec2(left, line));
   fitted_text(std::to_string(index + 1) + "   " + row.aus, right - 10 * look.scale);
   ImGui::SetCursorScreenPos(ImVec2(right, line));
-  toned_line(Tone::Quiet, row.time);
+  // Grey could not be read on the colour of a chosen row.
+  if (chosen) {
+    ImGui::TextUnformatted(row.time.c_str());
+  } else {
+    toned_line(Tone::Quiet, row.time);
+  }
   ImGui::SetCursorScreenPos(below);
 }
 
@@ -205,16 +210,17 @@ void pad(const Look& look, const ComposerView& composer, GuiCommands& commands) 
                      ImGui::GetStyle().FrameRounding);
   const unsigned line = ImGui::GetColorU32(ImGuiCol_Border);
   list.AddLine(ImVec2(from.x + margin, middle.y), ImVec2(to.x - margin, middle.y), line);
-  list.AddLine(ImVec2(middle.x, from.y + margin), ImVec2(middle.x, to.y - margin), line);
   const unsigned quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   const float row = ImGui::GetTextLineHeight();
+  list.AddLine(ImVec2(middle.x, from.y + row + margin / 2), ImVec2(middle.x, to.y - margin), line);
   const auto word = [&](const char* text, float x, float y) {
     list.AddText(ImVec2(x, y), quiet, text);
   };
   const float gap = 4 * look.scale;
   word(tr("compose.sad"), from.x + gap, middle.y);
   word(tr("compose.happy"), to.x - ImGui::CalcTextSize(tr("compose.happy")).x - gap, middle.y);
-  word(tr("compose.excited"), middle.x - ImGui::CalcTextSize(tr("compose.excited")).x - gap,
+  // Over the axis, for beside it are prototypes.
+  word(tr("compose.excited"), middle.x - ImGui::CalcTextSize(tr("compose.excited")).x / 2,
        from.y + gap / 2);
   word(tr("compose.calm"), middle.x - ImGui::CalcTextSize(tr("compose.calm")).x - gap,
        to.y - row - gap / 2);
