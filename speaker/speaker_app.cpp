@@ -234,7 +234,8 @@ Result<void> run(const Options& options) {
   fs::create_directories(folder, error);
   if (error) {
     // Such as TEXT itself, if its name has no extension.
-    const std::string why = fs::exists(folder) ? "a file has this name" : error.message();
+    std::error_code unknown;
+    const std::string why = fs::exists(folder, unknown) ? "a file has this name" : error.message();
     return Error{ErrorKind::Failed, at_place(folder.string(), "no folder can be made: " + why +
                                                                   "; name another one (--output)")};
   }

@@ -110,6 +110,17 @@ TEST(SpeakerApp, SaysThatTheTextHasTheNameOfTheFolder) {
   EXPECT_EQ(folder.read("talk"), "Good morning.\n");
 }
 
+TEST(SpeakerApp, AFolderThatIsALinkToItselfIsSaid) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  const auto loop = folder.path() / "loop";
+  std::filesystem::create_symlink("loop", loop);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", loop.string()}), 1);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("no folder can be made"),
+            std::string::npos);
+}
+
 TEST(SpeakerApp, NeverWritesOverTheLabels) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good morning.\n").string();
