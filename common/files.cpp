@@ -191,7 +191,7 @@ Result<Temporary> open_temporary_beside(const fs::path& path) {
   std::random_device random;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     fs::path temporary = path;
-    temporary += ".part-" + std::to_string(random());
+    temporary += std::string(kTemporaryMark) + std::to_string(random());
     Descriptor file(::open(temporary.c_str(), kFlags, 0644));
     if (file.open()) return Temporary{std::move(temporary), std::move(file)};
     if (errno != EEXIST) break;

@@ -66,6 +66,9 @@ struct SecretFile {
 /// ending the program.
 void ignore_file_size_signal();
 
+/// What the name of a file that is not complete yet has after that of the file to be.
+inline constexpr std::string_view kTemporaryMark = ".part-";
+
 /// Creates an empty file beside `path`, for another program to write to. Its name is random, and it
 /// is never somebody else's file or link. replace_file() renames it to `path`.
 [[nodiscard]] Result<std::filesystem::path> create_temporary_beside(

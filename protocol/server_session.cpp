@@ -72,9 +72,8 @@ struct ServerSession::State {
 
   // Of the call that is being worked on.
   Instant now;
-  std::size_t due = 0;  ///< packets in flight since before it
-  std::size_t early_left =
-      0;  ///< how many answers it may still take to packets that it sent itself
+  std::size_t due = 0;         ///< packets in flight since before it
+  std::size_t early_left = 0;  ///< answers that it may still take to packets that it sent itself
   std::vector<ServerEvent> events;
 
   State(const ServerCatalogue& from, const Joining& how, Instant at)

@@ -55,8 +55,7 @@ struct PlaybackOptions {
   bool voice = false;  ///< ask for the stream's voice, because it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
-  bool one_round =
-      false;  ///< several hosts, no --reconnect: it is an error if none of them answers
+  bool one_round = false;         ///< several hosts, no --reconnect: fails if none answers
   Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
   net::SecurityOptions security;  ///< TLS, its files and the token's
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking

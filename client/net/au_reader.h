@@ -151,9 +151,8 @@ class AuReader {
   playback::KeyframeBuffers buffers_;
   std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
   bool settled_ = false;                     ///< the server is known to go on
-  std::deque<playback::Keyframe>
-      kept_;             ///< came when both buffers were full, case A of KeyframeBuffers::store()
-  std::string waiting_;  ///< received bytes that wait for room in kept_
+  std::deque<playback::Keyframe> kept_;      ///< those of case A of KeyframeBuffers::store()
+  std::string waiting_;                      ///< received bytes that wait for room in kept_
   AnswerLedger ledger_;
   bool called_for_speak_ = false;
   bool user_paused_ = false;

@@ -282,9 +282,11 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
   // Where nothing is being composed, what is added is the face that is seen.
   const bool takes = std::holds_alternative<gui::ComposeShown>(command) ||
                      (gui::command_if<gui::AddKeyframe>(command) && !composer_.composes());
-  if (const auto aus = aus_shown(); takes && aus && shown_ != Shown::Composer) {
-    composer_.take(*aus);
-    show_edited(Shown::Composer, now);
+  if (takes && shown_ != Shown::Composer) {
+    if (const auto aus = aus_shown()) {
+      composer_.take(*aus);
+      show_edited(Shown::Composer, now);
+    }
   }
   if (gui::command_if<gui::NewComposition>(command) && composer_.unsaved()) {
     say(gui::tr("said.new_stream"), false, now);

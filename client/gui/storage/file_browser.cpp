@@ -7,6 +7,7 @@
 
 #include "client/face/face_folder.h"
 #include "client/gui/texts/said_text.h"
+#include "common/files.h"
 #include "common/film_name.h"
 #include "common/sound_name.h"
 #include "common/text.h"
@@ -45,7 +46,7 @@ fs::path with_ending(fs::path file, Purpose purpose) {
 
 /// Whether it is what saving has left: the version before, or a file that was not completed.
 bool is_left_over(std::string_view name) {
-  return name.ends_with('~') || name.find(".part-") != std::string_view::npos;
+  return name.ends_with('~') || name.find(kTemporaryMark) != std::string_view::npos;
 }
 
 /// Folders first, then files, each by name. Hidden entries, and files that cannot be what is
