@@ -45,8 +45,9 @@ class WordPacket {
 /// braces.
 [[nodiscard]] bool is_field_value(std::string_view text);
 
-/// Each reads the text() of a finished WordPacket with its word. An unsupported version is no fault
-/// here; the fields after it are then not read, since they may mean something else.
+/// Each reads the text() of a finished WordPacket that has the function's own word (hello, error,
+/// streams). An unsupported version is no fault here; no other field is then read, since it may
+/// mean something else.
 [[nodiscard]] std::variant<HelloAsked, FieldFault> parse_hello_asked(std::string_view text);
 [[nodiscard]] std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text);
 [[nodiscard]] std::variant<ErrorReply, FieldFault> parse_error_reply(std::string_view text);

@@ -22,7 +22,8 @@ struct Script {
   std::string title;              ///< from a line "# title: ..."; empty: none
   std::string text;               ///< UTF-8, without cues and comments
   std::vector<Cue> cues;          ///< in the order of the text
-  std::vector<std::size_t> ends;  ///< of each paragraph: how many characters come before it
+  std::vector<std::size_t> ends;  ///< of each paragraph: how many characters come before
+                                  ///< its end
 };
 
 /// Reads a text, which messages call `file`: empty lines separate paragraphs, a line that begins

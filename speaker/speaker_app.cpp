@@ -48,7 +48,7 @@ std::vector<OptionRow> rows_of(Options& options) {
   std::vector<OptionRow> rows{
       {"text", "TEXT", "", "a text file, UTF-8; - for stdin", "", word(options.text), "Files",
        Where::Positional},
-      {"output", "DIR", "", "folder for the files (TEXT without its extension)",
+      {"output", "DIR", "", "folder for the files (TEXT's name, no extension)",
        "The folder for the files, which is made if need be. Default: the name of TEXT without its "
        "extension.",
        word(options.output), "", Where::Anywhere, 'o'},
@@ -85,7 +85,7 @@ CommandPage speaker_page() {
           .usage = {"au-speaker [OPTIONS] TEXT"},
           .about =
               "Makes a face speak: turns a text into speech, a stream file for the face, and\n"
-              "captions.\n",
+              "captions. In parentheses: defaults.\n",
           .rows = unbound(rows_of(described)),
           .notes =
               "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other\n"

@@ -167,9 +167,9 @@ std::vector<OptionRow> rules_rows(FaceOptions& face) {
 std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
-      {"speed", "MS", "", "time of keyframes without one (the server's or 250)",
-       "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: what "
-       "the server says, or 250 ms.",
+      {"speed", "MS", "", "time of keyframes without one (250)",
+       "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: 250 ms, "
+       "or what a server says.",
        whole(playback.speed, 1, kSpeedMaxMs), "Animation"},
       {"interpolation", "KIND", "linear", "linear or cosine (linear)",
        "Between keyframes: linear or cosine.",

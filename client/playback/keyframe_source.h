@@ -13,16 +13,18 @@
 namespace aucast::playback {
 
 /// One set of AUs with the time to reach it, on its way from the wire to the face (its wire form is
-/// protocol::Keyframe).
+/// protocol::Keyframe). Places of keyframes, voice and captions are here all on one clock: that of
+/// the client (PROTOCOL.md, Voice) or of the file. It is not that of the places on the wire.
 struct Keyframe {
   AuFrame aus;
   std::optional<Milliseconds> time;     ///< the packet's own time, if it had one
   int pace_percent = 100;               ///< live: percentage of its time that it takes, 95-105
   std::optional<Instant> arrived{};     ///< live: when it came
   std::optional<Instant> due{};         ///< --live: when the face should have reached it
-  std::optional<Milliseconds> place{};  ///< where it is reached, on the source's own clock
+  std::optional<Milliseconds> place{};  ///< where it is reached
   Milliseconds span{0};                 ///< its length on that clock, whatever --speed says
-  bool spoken = false;  ///< live: a voice is heard meanwhile, so its pace stays in 99.5-100.5 %
+  bool spoken = false;                  ///< live: a voice is heard meanwhile, so that the pace used
+                                        ///< stays within 99.5-100.5 %, whatever pace_percent is
 };
 
 /// Bytes of voice that wait to be taken, at most: an hour at 24 kbit/s.
@@ -33,14 +35,14 @@ inline constexpr std::size_t kVoicePacketsMax = 360'000;
 
 /// One Opus packet of a source's voice.
 struct Voice {
-  Milliseconds place{0};  ///< where its sound begins, on the clock of Keyframe::place
+  Milliseconds place{0};  ///< where its sound begins
   std::string opus;
 };
 
 /// The caption from a place on, until the next one; empty: none.
 struct Caption {
-  Milliseconds place{0};  ///< on the clock of Keyframe::place
-  std::string text;       ///< UTF-8
+  Milliseconds place{0};
+  std::string text;  ///< UTF-8
 };
 
 /// Why a source has nothing more to give.
@@ -84,7 +86,7 @@ struct SourceStatus {
   bool paused = false;           ///< by the user, or by -1 because the buffers are full
   std::uint64_t keyframes_received = 0;
   std::uint64_t bytes_received = 0;
-  std::uint64_t bytes_sent = 0;  ///< answers, as the protocol has them
+  std::uint64_t bytes_sent = 0;  ///< all that was sent, as bytes of the protocol
   std::uint64_t pauses_sent = 0;
   std::uint64_t resumes_sent = 0;
   double receive_seconds = 0;  ///< from connected to {-2} or the end

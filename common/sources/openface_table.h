@@ -8,8 +8,8 @@
 
 namespace aucast::sources {
 
-/// The longest time between two rows of a written table; readers take a longer one for missing
-/// rows.
+/// The longest time between two rows of a written table. Readers conclude from a longer one that
+/// rows are missing.
 inline constexpr std::uint32_t kRowMsMax = 100;
 
 /// A stream as a table.

@@ -242,7 +242,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
        seconds(options.drain_time, 0, kDrainSecondsMax,
                "is not a number of seconds from 0 to 3600")},
-      {"client-timeout", "S", "0", "disconnect who owes an answer for so long (0: never)",
+      {"client-timeout", "S", "0", "drop clients that owe an answer for S s (0: never)",
        "Disconnects a client that has a keyframe to answer and sends no byte for so many seconds, "
        "up to 86400; also one that takes no byte for so long, if its stream is live or it has "
        "answered beforehand. The time does not run while a client is paused, nor before its stream "
@@ -255,7 +255,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "
        "(ulimit -n) is raised to the hard limit at the start.",
        whole(options.max_clients, 0, kClientsMax)},
-      {"max-clients-per-address", "N", "0", "most of them from one address (0: any number)",
+      {"max-clients-per-address", "N", "0", "most clients from one address (0: any number)",
        "The number of clients at a time from one address; of an IPv6 address the first 64 "
        "bits count. Clients behind one router share an address.",
        whole(options.max_clients_per_address, 0, kClientsMax)},

@@ -248,7 +248,8 @@ CommandPage convert_page() {
                     "au-transmitter convert [OPTIONS] --to DIR IN..."},
           .about =
               "Converts a recording, a film or a stream file to a stream file or an OpenFace\n"
-              "table. All changes are kept, however small (there is no dead band).\n"
+              "table. All changes are kept, however small: the dead band of a profile is not\n"
+              "applied.\n"
               "In parentheses: defaults.\n",
           .rows = unbound(rows_of(described)),
           .examples = {"au-transmitter convert webcam.csv talk.txt",

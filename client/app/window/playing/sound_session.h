@@ -67,7 +67,7 @@ class SoundSession {
                                               ///< plays
   bool wanted_;                               ///< sound is not turned off by the options
   bool has_device_ = false;
-  bool missed_ = false;               ///< what is wanted has no device
+  bool missed_ = false;               ///< sound is wanted, and no device plays it
   std::string device_;                ///< the chosen one; empty: the default one
   std::vector<std::string> devices_;  ///< those to choose from
   std::filesystem::path file_;        ///< the file from which what plays was read; empty: none
