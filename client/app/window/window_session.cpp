@@ -178,7 +178,8 @@ const std::vector<float>& WindowSession::activations(Instant now) {
 
 void WindowSession::face_shown(Instant at, bool moved) {
   playback_.face_shown();
-  if (moved && !onsets_.file().empty()) onsets_.add(at, keyframe_shown(), aus_shown());
+  if (!moved || onsets_.file().empty()) return;
+  onsets_.add(at, {keyframe_shown(), playback_.reached(), aus_shown()});
 }
 
 std::vector<float> WindowSession::face_of(const std::string& aus) const {

@@ -179,6 +179,12 @@ bool PlaybackSession::apply(const gui::PlaybackCommand& command, Instant now) {
 
 // === What the panels show.
 
+std::uint64_t PlaybackSession::reached() const {
+  if (stream_ == nullptr) return 0;
+  const playback::PlaybackProgress progress = stream_->playback().progress();
+  return progress.keyframe != 0 && progress.mu < 1 ? progress.keyframe - 1 : progress.keyframe;
+}
+
 Duration PlaybackSession::idle_time(Instant now) const {
   if (stream_ == nullptr) return PlayingStream::kIdle;
   // The device wants silence too.

@@ -70,6 +70,8 @@ class PlaybackSession {
   [[nodiscard]] std::uint64_t keyframe() const {
     return stream_ == nullptr ? 0 : stream_->playback().progress().keyframe;
   }
+  /// The last keyframe that the face has reached, from 1; 0: none.
+  [[nodiscard]] std::uint64_t reached() const;
   /// The AUs of the face, after the rules.
   [[nodiscard]] const AuFrame& aus() const { return player_.face().face().aus; }
   /// Whether playing has come to its end; false if nothing has been opened.

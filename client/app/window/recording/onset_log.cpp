@@ -21,7 +21,7 @@ Result<std::unique_ptr<OnsetLog>> OnsetLog::create(const std::filesystem::path& 
 
 OnsetLog::OnsetLog(std::filesystem::path path, std::filesystem::path temporary)
     : path_(std::move(path)), temporary_(std::move(temporary)), rows_(temporary_) {
-  rows_ << "monotonic_s,keyframe,aus\n";
+  rows_ << "monotonic_s,keyframe,aus,reached\n";
 }
 
 OnsetLog::~OnsetLog() {
@@ -29,11 +29,17 @@ OnsetLog::~OnsetLog() {
   if (const auto finished = finish(); !finished) spdlog::warn("{}", finished.error().message);
 }
 
-void OnsetLog::add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus) {
+void OnsetLog::add(Instant shown, const FaceShown& face) {
   std::array<char, 40> time{};
   std::snprintf(time.data(), time.size(), "%.6f", seconds(shown.time_since_epoch()));
-  rows_ << time.data() << ',' << keyframe << ",\""
-        << (aus ? protocol::format_au_set(*aus) : std::string()) << "\"\n";
+  rows_ << time.data() << ',' << face.keyframe << ",\""
+        << (face.aus ? protocol::format_au_set(*face.aus) : std::string()) << "\",";
+  if (face.keyframe != 0) {
+    // Fewer than before: playing has gone back, or begun again.
+    if (face.reached > reached_) rows_ << face.reached;
+    reached_ = face.reached;
+  }
+  rows_ << '\n';
 }
 
 Result<void> OnsetLog::finish() {

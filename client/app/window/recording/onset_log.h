@@ -12,11 +12,19 @@
 
 namespace aucast::app {
 
+/// What a picture shows.
+struct FaceShown {
+  std::uint64_t keyframe = 0;  ///< the one under way, from 1; 0: nothing plays
+  std::uint64_t reached = 0;   ///< the last one whose face was reached; 0: none. Not read if
+                               ///< nothing plays
+  std::optional<AuFrame> aus;  ///< nullopt: the face is made of muscles
+};
+
 /// Logs when each face was on the display, for experiments: a table with a row for each picture in
 /// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds after the picture was
-/// handed to the display; keyframe, from 1, or 0 if nothing plays; aus, those shown, as in a
-/// packet, empty if the face is made of muscles. The file appears with finish(); until then the
-/// rows are in a temporary file beside it.
+/// handed to the display; keyframe, as in FaceShown; aus, those shown, as in a packet; reached, in
+/// the first picture after the end of a keyframe the number of that keyframe, else empty. The file
+/// appears with finish(); until then the rows are in a temporary file beside it.
 class OnsetLog {
  public:
   [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
@@ -25,7 +33,7 @@ class OnsetLog {
   OnsetLog(const OnsetLog&) = delete;
   OnsetLog& operator=(const OnsetLog&) = delete;
 
-  void add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus);
+  void add(Instant shown, const FaceShown& face);
   /// Call it once. Fails if a row could not be written.
   [[nodiscard]] Result<void> finish();
 
@@ -35,6 +43,7 @@ class OnsetLog {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream rows_;
+  std::uint64_t reached_ = 0;  ///< of the last row while something played
   bool finished_ = false;
 };
 

@@ -13,8 +13,8 @@ Result<void> OnsetSession::begin(const std::filesystem::path& file) {
   return {};
 }
 
-void OnsetSession::add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus) {
-  if (log_ != nullptr) log_->add(shown, keyframe, aus);
+void OnsetSession::add(Instant shown, const FaceShown& face) {
+  if (log_ != nullptr) log_->add(shown, face);
 }
 
 Result<void> OnsetSession::end() {

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "client/app/window/recording/onset_log.h"
-#include "common/action_unit.h"
 #include "common/result.h"
 #include "common/time.h"
 
@@ -19,7 +16,7 @@ class OnsetSession {
   /// Logs what is shown from now on in this file. Finishes the previous one first.
   [[nodiscard]] Result<void> begin(const std::filesystem::path& file);
   /// Adds a face that had moved, as OnsetLog::add(); does nothing if no table is written.
-  void add(Instant shown, std::uint64_t keyframe, const std::optional<AuFrame>& aus);
+  void add(Instant shown, const FaceShown& face);
   /// Completes the file. Succeeds if there is none.
   [[nodiscard]] Result<void> end();
   /// The file that is being written; empty: none.

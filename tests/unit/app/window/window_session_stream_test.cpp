@@ -48,10 +48,14 @@ TEST_F(StreamSessionTest, TheTimesOfItsFacesAreWrittenUntilTheUserEndsIt) {
   EXPECT_EQ(model().onsets, (folder_.path() / "times.csv").string());
   session_->face_shown(Instant(std::chrono::seconds(5)), true);
   session_->face_shown(Instant(std::chrono::seconds(6)), false);
+  go_on(Milliseconds(200));
+  go_on(Milliseconds(10));
+  session_->face_shown(Instant(std::chrono::seconds(7)), true);
   ask(gui::EndOnsets{});
   EXPECT_EQ(model().onsets, "");
   EXPECT_FALSE(model().notice.bad) << model().notice.text;
-  EXPECT_EQ(folder_.read("times.csv"), "monotonic_s,keyframe,aus\n5.000000,1,\"0\"\n");
+  EXPECT_EQ(folder_.read("times.csv"),
+            "monotonic_s,keyframe,aus,reached\n5.000000,1,\"0\",\n7.000000,2,\"26:45\",1\n");
 }
 
 TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
