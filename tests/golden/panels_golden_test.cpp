@@ -250,6 +250,18 @@ TEST_F(Replay, InFrenchAllHasRoom) {
   test::expect_as_baseline(panel(), "panel_compose_french", kTolerance, kShareMax);
 }
 
+TEST_F(Replay, TheChartOfTheBufferSaysWhatItsEdgesAre) {
+  dress_ = [](gui::GuiModel& model) {
+    as_from_a_server(model);
+    // Seven sets at most, of a hundred: a flat line unless the scale is theirs.
+    for (float& fill : model.playing.receiver_history) fill *= 0.12F;
+    model.playing.receiver = {7, 100, 8};
+  };
+  open(1, small_stream());
+  replay("at 0\nat 250\nclick 670 424\n");
+  test::expect_as_baseline(panel(), "panel_play_buffers", kTolerance, kShareMax);
+}
+
 TEST_F(Replay, LettersOfTwiceTheSizeHaveRoomInASmallWindow) {
   dress_ = as_from_a_server;
   height_ = 600;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/gui/model/fill_scale.h"
 #include "client/gui/model/view_text.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
@@ -235,8 +236,8 @@ void said(const Look& look, const char* name, const std::string& value, const ch
 /// A chart that a click makes larger or smaller again. The panel is scrolled to what would not be
 /// seen of the larger one, which is still under the pointer then.
 void chart(const Look& look, std::span<const PlotLine> lines, float small, float large_height,
-           float mark, bool& large) {
-  const bool clicked = plot(look, lines, (large ? large_height : small) * look.scale, mark);
+           const PlotScale& scale, bool& large) {
+  const bool clicked = plot(look, lines, (large ? large_height : small) * look.scale, scale);
   if (clicked) large = !large;
   if (pointed_at()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   tip(large ? tr("play.smaller") : tr("play.larger"));
@@ -250,6 +251,25 @@ void chart(const Look& look, std::span<const PlotLine> lines, float small, float
   if (hidden > 0) ImGui::SetScrollY(ImGui::GetScrollY() + hidden);
 }
 
+/// How many sets waited in the Receiver buffer. Small it has room for the scale alone.
+void fill_chart(const Look& look, const PlayingView& playing, bool& large) {
+  const BufferBar& buffer = playing.receiver;
+  const std::size_t top = fill_scale(playing.receiver_history, buffer);
+  const float enlarged = static_cast<float>(buffer.capacity) / static_cast<float>(top);
+  std::vector<float> values = playing.receiver_history;
+  for (float& value : values) value *= enlarged;
+  PlotScale scale;
+  scale.mark = enlarged * static_cast<float>(buffer.threshold_percent) / 100;
+  scale.top = tr("play.sets", top);
+  if (large) {
+    if (scale.mark > 0) scale.mark_text = tr("play.begins_at");
+    scale.begin = tr("play.ago_30");
+    scale.end = tr("play.now");
+  }
+  const PlotLine line{&values, ImGui::GetColorU32(ImGuiCol_PlotLines)};
+  chart(look, {&line, 1}, 34, 160, scale, large);
+}
+
 void buffers(const Look& look, const GuiModel& model, bool& large) {
   heading(look, tr("play.buffers"));
   const PlayingView& playing = model.playing;
@@ -257,9 +277,7 @@ void buffers(const Look& look, const GuiModel& model, bool& large) {
   buffer_bar(look, tr("play.playout"), playing.playout, tr("tip.playout"));
   // Always as many rows: no control moves when a connection comes or goes.
   label(look, tr("play.last_30"), tr("tip.last_30"));
-  const PlotLine line{&playing.receiver_history, ImGui::GetColorU32(ImGuiCol_PlotLines)};
-  chart(look, {&line, 1}, 34, 160, static_cast<float>(playing.receiver.threshold_percent) / 100,
-        large);
+  fill_chart(look, playing, large);
   said(look, tr("play.received"), playing.in);
   said(look, tr("play.sent"), playing.out);
   said(look, tr("play.protocol"), playing.protocol, tr("tip.protocol"));
@@ -279,7 +297,7 @@ void intensities(const Look& look, const PlayingView& playing, bool& large) {
         {&trace.values, colour_of_line(i), std::to_string(trace.number), static_cast<int>(i)});
   }
   quiet_text(tr("play.strongest"));
-  chart(look, lines, kSmall, kLarge, 0, large);
+  chart(look, lines, kSmall, kLarge, {}, large);
   if (!large) return;
   for (std::size_t i = 0; i < playing.au_history.size(); ++i) {
     const int number = playing.au_history[i].number;

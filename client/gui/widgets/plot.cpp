@@ -62,9 +62,23 @@ void line_labels(const Look& look, std::span<const PlotLine> lines, float x, flo
   }
 }
 
+/// Writes what the edges of a plot stand for, small and grey.
+void scale_texts(const PlotScale& scale, ImVec2 from, ImVec2 to, float mark_y) {
+  const float size = 0.8F * ImGui::GetFontSize();
+  const auto write = [&](float x, float y, const std::string& text) {
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size, ImVec2(x, y),
+                                        ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
+  };
+  write(from.x, from.y, scale.top);
+  write(from.x, mark_y - size, scale.mark_text);
+  write(from.x, to.y - size, scale.begin);
+  const float width = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, scale.end.c_str()).x;
+  write(to.x - width, to.y - size, scale.end);
+}
+
 }  // namespace
 
-bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark) {
+bool plot(const Look& look, std::span<const PlotLine> lines, float height, const PlotScale& scale) {
   constexpr float kSamplesWide = 121;  // half a minute, four a second
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
@@ -86,9 +100,10 @@ bool plot(const Look& look, std::span<const PlotLine> lines, float height, float
   const float end = to.x - inset - labels;
   const float bottom = to.y - inset;
   const float reach = size.y - 2 * inset;
-  if (mark > 0) {
-    const float y = bottom - mark * reach;
-    list->AddLine(ImVec2(from.x, y), ImVec2(to.x, y), colour_of(Tone::Waiting), look.scale);
+  const float mark_y = bottom - scale.mark * reach;
+  if (scale.mark > 0) {
+    list->AddLine(ImVec2(from.x, mark_y), ImVec2(to.x, mark_y), colour_of(Tone::Waiting),
+                  look.scale);
   }
   list->PushClipRect(from, to, true);
   std::vector<ImVec2> points;
@@ -110,6 +125,7 @@ bool plot(const Look& look, std::span<const PlotLine> lines, float height, float
     }
   }
   if (labels > 0) line_labels(look, lines, end + inset, from.y + inset, bottom);
+  scale_texts(scale, ImVec2(from.x + inset, from.y + inset), ImVec2(end, bottom), mark_y);
   list->PopClipRect();
   return clicked;
 }

@@ -114,9 +114,17 @@ struct PlotLine {
   std::string label{};  ///< written beside its end; empty: none
   int marker = -1;      ///< the sign drawn along it, as in line_name(); -1: none
 };
+/// What is written at a plot's edges; empty: nothing.
+struct PlotScale {
+  float mark = 0;           ///< a level to reach, in [0,1]; 0: none
+  std::string mark_text{};  ///< above its line
+  std::string top{};        ///< what a value of 1 is
+  std::string begin{};      ///< when the half minute begins, and ends
+  std::string end{};
+};
 /// Draws lines over the last half minute, the newest values at the right, across the whole width.
-/// `mark`: a level to reach, in [0,1]; 0: none. Returns whether it was clicked.
-bool plot(const Look& look, std::span<const PlotLine> lines, float height, float mark);
+/// Returns whether it was clicked.
+bool plot(const Look& look, std::span<const PlotLine> lines, float height, const PlotScale& scale);
 /// Writes the name of a line in its colour, after its sign: colours alone do not tell lines apart.
 void line_name(const Look& look, int marker, const std::string& name);
 /// The colour of a line in a plot of several.

@@ -216,11 +216,12 @@ gui::PlayingView PlaybackSession::playing_view() const {
   gui::PlayingView view;
   view.state = gui::tr("state.none");
   view.receiver.capacity = buffers_.receiver_capacity;
-  view.receiver.threshold_percent = buffers_.threshold_percent;
+  if (!buffers_.by_time) view.receiver.threshold_percent = buffers_.threshold_percent;
   view.playout.capacity = buffers_.playout_capacity;
   if (stream_ == nullptr) return view;
   const playback::SourceStatus status = stream_->playback().status();
   const playback::PlaybackState state = stream_->playback().state();
+  if (status.live) view.receiver.threshold_percent = 0;  // a delay is waited for, not sets
   view.activity = gui::activity_of(state, status);
   view.state = gui::state_in_words(state, status, buffers_);
   view.aus = au_rows();

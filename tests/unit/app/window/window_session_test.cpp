@@ -287,6 +287,14 @@ TEST_F(WindowSessionTest, AnEmptyViewIsNotKeptForTheNextStart) {
   EXPECT_FALSE(session_->rendering().layers.textured);
 }
 
+TEST_F(WindowSessionTest, ABufferThatWaitsForATimeHasNoThreshold) {
+  open({frame({})});
+  gui::RemoteSettings settings{"127.0.0.1", 1, 50, 20, 30, 0};
+  settings.behind = gui::Behind::Auto;
+  ask(gui::Connect{settings});
+  EXPECT_EQ(model().playing.receiver.threshold_percent, 0);
+}
+
 TEST_F(WindowSessionTest, ConnectReplacesWhatPlayedAndHoldsTheFace) {
   open({frame({{26, Side::Both, 100}}), frame({})});
   go_on(Milliseconds(0));
