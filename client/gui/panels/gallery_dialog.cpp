@@ -5,7 +5,6 @@
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
-#include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {
@@ -22,7 +21,6 @@ bool text_field(const char* id, const char* hint, const std::string& now, std::a
     now.copy(text.data(), N - 1);
   }
   const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), N);
-  stay_in_field();
   if (!changed) return false;
   taken = text.data();
   return true;

@@ -99,15 +99,18 @@ const protocol::ListedStream* list_of_streams(const Look& look, const GuiModel& 
   const float right = ImGui::GetWindowPos().x + title_at + kTitleWidth * look.scale;
   const protocol::ListedStream* taken = nullptr;
   for (const protocol::ListedStream& stream : model.streams.streams) {
-    if (list_item(stream.name, stream.name == chosen)) taken = &stream;
+    const bool is_chosen = stream.name == chosen;
+    if (list_item(stream.name, is_chosen)) taken = &stream;
+    // Grey could hardly be read where the line is marked.
+    const ImU32 colour = ImGui::GetColorU32(is_chosen ? ImGuiCol_Text : ImGuiCol_TextDisabled);
     const std::string words = words_of(model, stream);
     if (!words.empty()) {
       ImGui::SameLine(words_at);
-      ImGui::TextDisabled("%s", words.c_str());
+      fitted_text(words, right, colour);
     }
     if (stream.title.empty()) continue;
     ImGui::SameLine(title_at);
-    fitted_text(stream.title, right, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    fitted_text(stream.title, right, colour);
   }
   return taken;
 }

@@ -22,10 +22,11 @@ void contents(const GuiModel& model, bool panel, GuiCommands& commands) {
   for (std::size_t i = 0; i < std::min(model.recent_files.size(), kFilesShown); ++i) {
     const std::filesystem::path file = model.recent_files[i];
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(file.filename().string().c_str())) {
-      commands.push_back(OpenStream{file.string()});
-    }
+    if (ImGui::Selectable("##file")) commands.push_back(OpenStream{file.string()});
     tip(file.string());
+    ImGui::SameLine();
+    fitted_text(file.filename().string(),
+                ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x);
     ImGui::PopID();
   }
   quiet_text(panel ? tr("play.or_connect") : tr("play.or_connect_hidden"));
