@@ -135,7 +135,7 @@ void timeline_part(const Look& look, const ComposerView& composer, ComposerForm&
 
 void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommands& commands) {
   bool own = composer.ms >= 0;
-  label(look, tr("compose.time"));
+  label(look, tr("compose.time"), tr("tip.time"));
   if (ImGui::Checkbox("##own", &own)) ask(commands, ComposeTime{own ? 500 : -1, false});
   tip(tr("compose.time_tip"));
   ImGui::SameLine();
@@ -349,6 +349,7 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   au_grid(model, commands);
   if (composer.aus.empty()) return;
   ImGui::Checkbox(tr("panel.linked"), &form.linked);
+  tip(tr("tip.linked"));
   au_sliders(look, composer, form.linked, commands);
 }
 

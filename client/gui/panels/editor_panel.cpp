@@ -138,7 +138,7 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
 void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCommands& commands) {
   const EditorView& editor = model.editor;
   heading(look, editor.unsaved ? tr("editor.title_unsaved") : tr("editor.title"), tr("tip.au"));
-  label(look, tr("editor.edit"));
+  label(look, tr("editor.edit"), tr("tip.edit"));
   int number = editor.au;
   if (au_combo("##edit", model, tr("editor.choose_one"), number)) {
     form.save_as = -1;
@@ -149,7 +149,7 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   if (wide_button(tr("button.revert"), 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
   if (wide_button(tr("button.neutral"), 3, 4, true)) commands.push_back(NeutralFace{});
   tip(tr("tip.neutral"));
-  label(look, tr("editor.save_as"));
+  label(look, tr("editor.save_as"), tr("tip.save_as"));
   int target = std::max(0, form.save_as >= 0 ? form.save_as : editor.au);
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -264,6 +264,7 @@ void muscles(const Look& look, const GuiModel& model, EditorForm& form, GuiComma
   heading(look, tr("editor.muscles"), tr("tip.muscles"));
   bool linked = model.editor.linked;
   if (ImGui::Checkbox(tr("panel.linked"), &linked)) commands.push_back(SetLinked{linked});
+  tip(tr("tip.linked"));
   show_edited(model, form.comes, commands);
   // What another AU drives is opened, so that it is there to be changed.
   const bool another = std::exchange(form.opened_for, model.editor.au) != model.editor.au;

@@ -122,7 +122,7 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
 }
 
 void strength(const Look& look, const ExpressionsView& expressions, GuiCommands& commands) {
-  label(look, tr("expression.strength"));
+  label(look, tr("expression.strength"), tr("expression.strength_tip"));
   int percent = expressions.percent;
   if (percent_slider("##strength", -1, percent)) {
     commands.push_back(ChangeStrength{percent, belongs_to_drag()});
@@ -133,7 +133,7 @@ void strength(const Look& look, const ExpressionsView& expressions, GuiCommands&
 void expressions(const Look& look, const GuiModel& model, ExpressionForm& form,
                  GuiCommands& commands) {
   const ExpressionsView& all = model.expressions;
-  heading(look, tr("expression.title"));
+  heading(look, tr("expression.title"), tr("tip.expressions"));
   const int buttons = expression_buttons(all, ExpressionKind::Main, commands);
   more_expressions(look, all, buttons, form, commands);
   strength(look, all, commands);
@@ -142,7 +142,7 @@ void expressions(const Look& look, const GuiModel& model, ExpressionForm& form,
 }
 
 void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  heading(look, tr("expression.way"));
+  heading(look, tr("expression.way"), tr("tip.way"));
   TransitionSettings settings = model.transition;
   using playback::Interpolation;
   auto way = settings.cosine ? Interpolation::Cosine : Interpolation::Linear;
@@ -152,7 +152,7 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   if (number_field("##frames", settings.frames,
                    {.least = 1, .most = TransitionSettings::kFramesMax}))
     changed = true;
-  label(look, tr("expression.each_ms"));
+  label(look, tr("expression.each_ms"), tr("tip.frames"));
   if (number_field("##frame", settings.frame_ms,
                    {.least = 1, .most = TransitionSettings::kFrameMsMax}))
     changed = true;

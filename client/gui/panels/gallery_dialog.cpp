@@ -61,7 +61,7 @@ bool sections(const Look& look, GallerySettings& settings) {
 
 bool sweeps(const Look& look, GallerySettings& settings, GalleryForm& form) {
   if (!settings.sections.back()) return false;
-  label(look, tr("gallery.sweeps_of"));
+  label(look, tr("gallery.sweeps_of"), tr("gallery.sweeps_of_tip"));
   const bool changed = text_field("##sweeps", "12  6,12  happiness  all", settings.sweeps,
                                   form.sweeps, form.sweeps_taken);
   if (changed) settings.sweeps = form.sweeps.data();

@@ -31,8 +31,8 @@ void fill_mirror_form(const MirrorView& mirror, MirrorForm& form) {
 
 void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form,
                     GuiCommands& commands) {
-  heading(look, tr("camera.title"));
-  label(look, tr("camera.source"));
+  heading(look, tr("camera.title"), tr("tip.mirror"));
+  label(look, tr("camera.source"), tr("tip.camera"));
   const bool off = mirror.phase == Phase::Off;
   ImGui::BeginDisabled(!off);
   const float button = 70 * look.scale;

@@ -117,7 +117,7 @@ const protocol::ListedStream* list_of_streams(const Look& look, const GuiModel& 
 
 /// What the server has, asked when the list is opened; the chosen one is connected to.
 void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiCommands& commands) {
-  label(look, tr("play.stream"));
+  label(look, tr("play.stream"), tr("tip.stream"));
   const std::string& asked = form.settings.stream;
   const bool its_first = asked.empty() && form.settings == model.remote_settings;
   const std::string& chosen = its_first ? model.playing.stream : asked;
@@ -174,7 +174,7 @@ void behind_server(const Look& look, RemoteSettings& settings) {
   int way = static_cast<int>(settings.behind);
   if (choice("behind", ways, way)) settings.behind = static_cast<Behind>(way);
   if (settings.behind == Behind::Time) {
-    label(look, tr("play.behind_ms"));
+    label(look, tr("play.behind_ms"), tr("tip.behind_time"));
     static_cast<void>(number_field("##behindms", settings.behind_ms, {.near = 50, .far = 500}));
   }
   if (settings.behind != Behind::Sets) return;
@@ -274,15 +274,15 @@ void fill_chart(const Look& look, const PlayingView& playing, bool& large) {
 }
 
 void buffers(const Look& look, const GuiModel& model, bool& large) {
-  heading(look, tr("play.buffers"));
+  heading(look, tr("play.buffers"), tr("tip.buffers"));
   const PlayingView& playing = model.playing;
   buffer_bar(look, tr("play.receiver"), playing.receiver, tr("tip.receiver"));
   buffer_bar(look, tr("play.playout"), playing.playout, tr("tip.playout"));
   // Always as many rows: no control moves when a connection comes or goes.
   label(look, tr("play.last_30"), tr("tip.last_30"));
   fill_chart(look, playing, large);
-  said(look, tr("play.received"), playing.in);
-  said(look, tr("play.sent"), playing.out);
+  said(look, tr("play.received"), playing.in, tr("tip.received"));
+  said(look, tr("play.sent"), playing.out, tr("tip.sent"));
   said(look, tr("play.protocol"), playing.protocol, tr("tip.protocol"));
   said(look, tr("play.delay"), playing.delay, tr("tip.delay"));
 }
@@ -310,7 +310,7 @@ void intensities(const Look& look, const PlayingView& playing, bool& large) {
 }
 
 void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
-  heading(look, tr("play.animation"));
+  heading(look, tr("play.animation"), tr("tip.animation"));
   AnimationSettings settings = model.animation;
   bool changed = false;
   label(look, tr("play.mixer"), tr("tip.mixer"));

@@ -33,7 +33,7 @@ constexpr std::array<LayerLabel, 8> kLayers = {
      {"view.eye_tags", "tip.eye_tags", &view::Layers::eye_tags}}};
 
 void viewpoint(const Look& look, GuiCommands& commands) {
-  heading(look, tr("view.viewpoint"));
+  heading(look, tr("view.viewpoint"), tr("tip.viewpoint"));
   if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{Facing::Front});
   if (wide_button(tr("view.three_quarter"), 1, 3, true))
     commands.push_back(LookFrom{Facing::ThreeQuarter});
@@ -43,7 +43,7 @@ void viewpoint(const Look& look, GuiCommands& commands) {
 
 /// Any combination of layers; transparent needs a surface.
 bool layers(const Look& look, view::Layers& shown) {
-  heading(look, tr("view.show"));
+  heading(look, tr("view.show"), tr("tip.show"));
   bool changed = false;
   const float half = ImGui::GetContentRegionAvail().x / 2;
   for (std::size_t i = 0; i < kLayers.size(); ++i) {
@@ -112,18 +112,18 @@ bool number(const Look& look, const char* name, const char* id, int& value, int 
 }
 
 bool blinking(const Look& look, RenderingSettings& settings) {
-  heading(look, tr("view.blinking"));
+  heading(look, tr("view.blinking"), tr("tip.blinking"));
   bool changed = false;
-  label(look, tr("view.blinks"));
+  label(look, tr("view.blinks"), tr("tip.blinking"));
   changed |= ImGui::Checkbox("##blinking", &settings.blinking);
   if (!settings.blinking) return changed;
   playback::BlinkOptions& blink = settings.blink;
-  changed |=
-      number(look, tr("view.every_ms"), "##interval", blink.interval_ms,
-             playback::BlinkOptions::kIntervalMinMs, playback::BlinkOptions::kIntervalMaxMs, 100);
-  changed |=
-      number(look, tr("view.closing_ms"), "##closing", blink.closing_ms,
-             playback::BlinkOptions::kClosingMinMs, playback::BlinkOptions::kClosingMaxMs, 25);
+  changed |= number(look, tr("view.every_ms"), "##interval", blink.interval_ms,
+                    playback::BlinkOptions::kIntervalMinMs, playback::BlinkOptions::kIntervalMaxMs,
+                    100, tr("tip.every_ms"));
+  changed |= number(look, tr("view.closing_ms"), "##closing", blink.closing_ms,
+                    playback::BlinkOptions::kClosingMinMs, playback::BlinkOptions::kClosingMaxMs,
+                    25, tr("tip.closing_ms"));
   changed |= in_between(look, "lids", blink.interpolation);
   int seed = shown_seed(blink.seed);
   if (number(look, tr("view.seed"), "##seed", seed, 0, kSeedShownMax, 1, tr("tip.seed"))) {
@@ -134,7 +134,7 @@ bool blinking(const Look& look, RenderingSettings& settings) {
 }
 
 void pace(const Look& look, const RenderingView& rendering) {
-  heading(look, tr("view.pace"));
+  heading(look, tr("view.pace"), tr("tip.pace"));
   if (rendering.pace.empty()) quiet_text(tr("view.nothing_moved"));
   for (const PaceRow& row : rendering.pace) {
     label(look, row.name.c_str());

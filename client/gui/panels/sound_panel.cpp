@@ -91,7 +91,7 @@ void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands) 
   if (shows) device_choice(look, sound, commands);
   if (model.spoken.title.empty() && model.spoken.caption.empty() && model.spoken.shown) return;
   bool shown = model.spoken.shown;
-  label(look, tr("sound.captions"));
+  label(look, tr("sound.captions"), tr("tip.captions"));
   if (ImGui::Checkbox(tr("sound.captions_on"), &shown)) {
     commands.push_back(SoundCommand(ToggleCaptions{}));
   }
