@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::size_t kFilesShown = 4;
 constexpr float kWidth = 300;
+/// With less the buttons need all of it.
+constexpr float kWidthForWords = 140;
 
-void contents(const GuiModel& model, bool panel, GuiCommands& commands) {
+void contents(const GuiModel& model, const char* words, GuiCommands& commands) {
   if (wide_button(tr("play.sample"), 0, 2, !model.sample.empty(), !model.sample.empty())) {
     commands.push_back(OpenStream{model.sample});
   }
@@ -29,7 +31,7 @@ void contents(const GuiModel& model, bool panel, GuiCommands& commands) {
                 ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x);
     ImGui::PopID();
   }
-  quiet_text(panel ? tr("play.or_connect") : tr("play.or_connect_hidden"));
+  if (*words != 0) quiet_text(words);
 }
 
 }  // namespace
@@ -46,9 +48,17 @@ void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& 
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
   const FloatingStyle floating(look);
-  if (ImGui::Begin("welcome", nullptr, kFlags))
-    contents(model, width < ImGui::GetIO().DisplaySize.x, commands);
+  const bool narrow = own < kWidthForWords * look.scale;
+  const bool panel = width < ImGui::GetIO().DisplaySize.x;
+  const char* const words = narrow  ? ""
+                            : panel ? tr("play.or_connect")
+                                    : tr("play.or_connect_hidden");
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      narrow ? ImVec2(padding.x / 4, padding.y / 4) : padding);
+  if (ImGui::Begin("welcome", nullptr, kFlags)) contents(model, words, commands);
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace aucast::gui

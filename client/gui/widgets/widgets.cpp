@@ -23,6 +23,8 @@ namespace aucast::gui {
 namespace {
 
 constexpr float kLabelWidth = 112;
+/// Room, in letters' heights, without which a control stands below its label, not beside it.
+constexpr float kControlWidth = 7;
 
 ImVec4 accent() {
   return ImGui::GetStyleColorVec4(ImGuiCol_PlotLines);
@@ -155,7 +157,9 @@ void label(const Look& look, const char* text, const char* help) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
   tip(help);
-  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale);
+  const float beside = ImGui::GetStyle().WindowPadding.x + kLabelWidth * look.scale;
+  const float room = ImGui::GetWindowContentRegionMax().x - beside;
+  if (room >= kControlWidth * ImGui::GetFontSize()) ImGui::SameLine(beside);
   ImGui::SetNextItemWidth(-1);
 }
 

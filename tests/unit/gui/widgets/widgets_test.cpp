@@ -344,6 +344,23 @@ TEST_F(Widgets, AWidgetKeepsItsIdInEveryLanguage) {
   EXPECT_EQ(english, french);
 }
 
+TEST_F(Widgets, AControlWithoutRoomBesideItsLabelStandsBelowIt) {
+  // `scale` moves the column of the values, in a window that stays 400 wide.
+  const auto below = [this](float scale) {
+    float label_end = 0;
+    draw([&] {
+      label(Look{.scale = scale}, "Stream");
+      label_end = ImGui::GetItemRectMax().y;
+      ImGui::Button("x", ImVec2(-1, 0));
+      note();
+    });
+    return item_.Min.y >= label_end;
+  };
+  EXPECT_FALSE(below(1));
+  EXPECT_TRUE(below(3));
+  EXPECT_GT(item_.GetWidth(), 350) << "it has the whole line";
+}
+
 TEST_F(Widgets, RoomBesideIsMeasuredUpToTheMargin) {
   bool small = false;
   bool large = true;
