@@ -434,6 +434,7 @@ gui::GuiModel WindowSession::model() const {
   model.picture_folder = whole_path(std::filesystem::path(".") / model.pictures.folder).string();
   model.display = settings_.display();
   model.browser = files_.browser();
+  model.credentials = files_.credentials();
   model.notice = notices_.view();
   model.animation = settings_.animation();
   model.editor = editor_.view(shown_ == Shown::Editor);

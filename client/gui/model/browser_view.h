@@ -23,6 +23,8 @@ enum class Purpose : std::uint8_t {
   GalleryFolder,    ///< where a gallery goes
   LookForFaces,     ///< a folder of faces, or the folder of one face
   CameraFilm,       ///< a film in place of a camera
+  AuthoritiesFile,  ///< the authorities that a server is held to
+  TokenFile,        ///< the secret that a server asks for
 };
 
 struct FileEntry {
@@ -43,6 +45,13 @@ struct BrowserView {
   friend bool operator==(const BrowserView&, const BrowserView&) = default;
 };
 
+/// Files that were chosen in the dialog for the next connection; empty: none since it opened.
+struct CredentialFiles {
+  std::string authorities;
+  std::string token;
+  friend bool operator==(const CredentialFiles&, const CredentialFiles&) = default;
+};
+
 /// Whether a folder is wanted rather than a file.
 [[nodiscard]] constexpr bool is_folder(Purpose purpose) {
   return purpose == Purpose::LookForFaces || purpose == Purpose::PictureFolder ||
@@ -52,7 +61,8 @@ struct BrowserView {
 /// Whether a new file is wanted.
 [[nodiscard]] constexpr bool is_saving(Purpose purpose) {
   const bool opening = purpose == Purpose::PlayStream || purpose == Purpose::ComposeStream ||
-                       purpose == Purpose::ImportAus || purpose == Purpose::CameraFilm;
+                       purpose == Purpose::ImportAus || purpose == Purpose::CameraFilm ||
+                       purpose == Purpose::AuthoritiesFile || purpose == Purpose::TokenFile;
   return !opening && !is_folder(purpose);
 }
 

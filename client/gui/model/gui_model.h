@@ -319,6 +319,7 @@ struct GuiModel {
   PictureSettings pictures;
   std::string picture_folder;  ///< the whole path of that in `pictures`
   BrowserView browser;
+  CredentialFiles credentials;
   Notice notice;
   AnimationSettings animation;
   EditorView editor;

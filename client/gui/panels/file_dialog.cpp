@@ -46,6 +46,10 @@ const char* title_of(Purpose purpose) {
       return tr("file.faces");
     case Purpose::CameraFilm:
       return tr("file.film");
+    case Purpose::AuthoritiesFile:
+      return tr("file.authorities");
+    case Purpose::TokenFile:
+      return tr("file.token");
   }
   return tr("button.open");
 }

@@ -46,6 +46,7 @@ struct RemoteForm {
   std::array<char, 512> address{};
   std::array<char, 512> authorities_file{};
   std::array<char, 512> token_file{};
+  CredentialFiles chosen;            ///< those that were put into the two last
   std::optional<std::string> wrong;  ///< what is wrong with the text of the address; nullopt:
                                      ///< nothing
   bool filled = false;               ///< the form has been filled from the model

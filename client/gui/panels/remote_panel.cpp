@@ -184,15 +184,31 @@ void behind_server(const Look& look, RemoteSettings& settings) {
          tr("tip.threshold"));
 }
 
-void path(const Look& look, const char* name, std::span<char> text, const char* help) {
+/// The path of a file, typed or chosen in the dialog.
+void path(const Look& look, const char* name, std::span<char> text, const char* help,
+          Purpose purpose, GuiCommands& commands) {
   label(look, name, help);
-  ImGui::InputTextWithHint(with_id("", name).c_str(), tr("play.path_hint"), text.data(),
-                           text.size());
+  ImGui::PushID(name);
+  const float button = 70 * look.scale;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
+                          ImGui::GetStyle().ItemSpacing.x);
+  ImGui::InputTextWithHint("##path", tr("play.path_hint"), text.data(), text.size());
   tip(help);
+  ImGui::SameLine();
+  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) commands.push_back(Browse{purpose});
+  ImGui::PopID();
+}
+
+/// Puts what was chosen in the dialog since the last frame into its field.
+void take_chosen(const std::string& chosen, std::string& taken, std::span<char> text) {
+  if (chosen == taken) return;
+  taken = chosen;
+  if (!chosen.empty()) write(chosen, text);
 }
 
 /// How to connect to the server. Initially folded. Takes effect with the next Connect.
-void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) {
+void next_connection(const Look& look, const GuiModel& model, RemoteForm& form,
+                     GuiCommands& commands) {
   if (!ImGui::TreeNodeEx(tr("play.next_connection"),
                          ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
     return;
@@ -202,10 +218,13 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form) 
   if (ImGui::Checkbox(tr("play.tls"), &settings.tls)) write(server_text(settings), form.address);
   tip(tr("tip.tls"));
   ImGui::BeginDisabled(!settings.tls);
-  path(look, tr("play.authorities_file"), form.authorities_file, tr("tip.authorities"));
+  take_chosen(model.credentials.authorities, form.chosen.authorities, form.authorities_file);
+  path(look, tr("play.authorities_file"), form.authorities_file, tr("tip.authorities"),
+       Purpose::AuthoritiesFile, commands);
   ImGui::EndDisabled();
   settings.authorities_file = form.authorities_file.data();
-  path(look, tr("play.token_file"), form.token_file, tr("tip.token"));
+  take_chosen(model.credentials.token, form.chosen.token, form.token_file);
+  path(look, tr("play.token_file"), form.token_file, tr("tip.token"), Purpose::TokenFile, commands);
   settings.token_file = form.token_file.data();
   label(look, tr("play.when_lost"), tr("tip.again"));
   ImGui::Checkbox(tr("play.again"), &settings.reconnect);
@@ -225,7 +244,7 @@ void server(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   const auto wrong = form.wrong ? form.wrong : problem(form.settings);
   connect_buttons(model, form, entered, wrong, commands);
   if (wrong) quiet_text(*wrong);
-  next_connection(look, model, form);
+  next_connection(look, model, form, commands);
 }
 
 /// A value that is only shown, in less space than one to set.

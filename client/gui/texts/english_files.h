@@ -13,6 +13,8 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"file.save_stream", "Save the composed stream"},
     {"file.export_keyframes", "Export the keyframes played"},
     {"file.export_table", "Export the AUs played as a table"},
+    {"file.authorities", "Authorities to trust (PEM)"},
+    {"file.token", "File with the token"},
     {"file.onsets", "Write down when each face is shown"},
     {"file.export_mesh", "Export this face as a mesh"},
     {"file.export_glb", "Export face and movement as glTF"},

@@ -26,8 +26,16 @@ void FileSession::set_own_folder(const std::filesystem::path& folder) {
 
 /// The folder in which a file of this purpose was last.
 std::filesystem::path& FileSession::folder_for(gui::Purpose purpose) {
-  const bool stream = purpose == gui::Purpose::PlayStream || purpose == gui::Purpose::ComposeStream;
-  return stream ? last_folder_ : own_folder_;
+  switch (purpose) {
+    case gui::Purpose::PlayStream:
+    case gui::Purpose::ComposeStream:
+      return last_folder_;
+    case gui::Purpose::AuthoritiesFile:
+    case gui::Purpose::TokenFile:
+      return credentials_folder_;
+    default:
+      return own_folder_;
+  }
 }
 
 void FileSession::browse(gui::Purpose purpose, std::string name) {

@@ -54,7 +54,8 @@ class FileSession {
   gui::FileBrowser browser_;
   std::filesystem::path own_folder_ = ".";  ///< where a dialog about the user's own files was last
   std::filesystem::path saved_in_;
-  std::filesystem::path last_folder_;  ///< where a stream was opened last
+  std::filesystem::path last_folder_;               ///< where a stream was opened last
+  std::filesystem::path credentials_folder_ = ".";  ///< where a token or authorities were last
   std::vector<std::string> recent_;
 };
 

@@ -68,6 +68,7 @@ void WindowFiles::apply(const gui::FileCommand& command, Instant now) {
 
 void WindowFiles::browse(gui::Purpose purpose) {
   tables_.asked.reset();
+  credentials_ = {};
   if (purpose == gui::Purpose::LookForFaces) {
     return files_.look_for_faces(assets_.face_folder.parent_path());
   }
@@ -113,6 +114,12 @@ Result<std::string> WindowFiles::use(gui::Purpose purpose, const fs::path& file,
       return std::string();
     case gui::Purpose::LookForFaces:
       return look_for_faces(file, now);
+    case gui::Purpose::AuthoritiesFile:
+      credentials_.authorities = file.string();
+      return std::string();
+    case gui::Purpose::TokenFile:
+      credentials_.token = file.string();
+      return std::string();
     case gui::Purpose::CameraFilm:
       users_.mirror.set_source("camera:" + file.string());
       return std::string();

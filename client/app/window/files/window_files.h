@@ -74,6 +74,7 @@ class WindowFiles {
   /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return files_.recent(); }
   [[nodiscard]] const gui::BrowserView& browser() const { return files_.view(); }
+  [[nodiscard]] const gui::CredentialFiles& credentials() const { return credentials_; }
   [[nodiscard]] const gui::TablesView& tables() const { return tables_; }
   /// A stream file that came with the player; empty: none did.
   [[nodiscard]] const std::string& sample() const { return sample_; }
@@ -96,6 +97,7 @@ class WindowFiles {
   Users users_;
   Hooks hooks_;
   FileSession files_;
+  gui::CredentialFiles credentials_;
   gui::TablesView tables_;
   std::string sample_;
 };

@@ -47,15 +47,6 @@ TEST_F(Keyboard, ShiftAndTabGoBackToWhereTabCameFrom) {
   }
 }
 
-TEST_F(Keyboard, AServerIsConnectedTo) {
-  ASSERT_TRUE(go_to("##address"));
-  type("venus");
-  press(ImGuiKey_Enter);
-  const auto connect = asked<Connect>();
-  ASSERT_TRUE(connect);
-  EXPECT_EQ(connect->settings.address, "venus");
-}
-
 TEST_F(Keyboard, AButtonIsPressedByEnterAndBySpace) {
   ASSERT_TRUE(go_to(tr("play.connect")));
   press(ImGuiKey_Space);
@@ -535,25 +526,6 @@ TEST_F(Keyboard, AVideoIsEndedFromEveryTab) {
   ASSERT_EQ(focus(), panel->GetID("##recording"));
   press(ImGuiKey_Enter);
   EXPECT_TRUE(asked<ToggleVideo>());
-}
-
-TEST_F(Keyboard, HowFarBehindTheServerTheFaceIsIsChosenInWords) {
-  ASSERT_TRUE(go_to(tr("play.next_connection")));
-  press(ImGuiKey_Enter);
-  EXPECT_TRUE(go_to("##threshold")) << "at first in sets";
-  const ImGuiID time = ImHashStr(tr("play.behind_time"), 0, id_of("behind"));
-  for (int i = 0; i < 200 && focus() != time; ++i) press(ImGuiKey_Tab);
-  ASSERT_EQ(focus(), time);
-  press(ImGuiKey_Enter);
-  EXPECT_FALSE(go_to("##threshold"));
-  ASSERT_TRUE(go_to("##behindms"));
-  press(ImGuiKey_UpArrow);
-  ASSERT_TRUE(go_to(tr("play.connect")));
-  press(ImGuiKey_Enter);
-  const auto connect = asked<Connect>();
-  ASSERT_TRUE(connect);
-  EXPECT_EQ(connect->settings.behind, Behind::Time);
-  EXPECT_EQ(connect->settings.behind_ms, RemoteSettings().behind_ms + 50);
 }
 
 TEST_F(Keyboard, TheFocusGoesOnToWhatLiesOverTheFace) {

@@ -173,6 +173,19 @@ TEST_F(WindowFilesTest, AFilmIsWhatTheCameraOpensNext) {
   EXPECT_EQ(mirror_.view().source, "camera:" + film.string());
 }
 
+TEST_F(WindowFilesTest, WhatTheNextConnectionNeedsIsChosenWhereItLies) {
+  const std::filesystem::path token = folder_.write("token", "secret");
+  choose(Purpose::TokenFile, token);
+  EXPECT_FALSE(files_->browser().open) << files_->browser().problem;
+  EXPECT_EQ(files_->credentials().token, token.string());
+  ask(gui::Browse{Purpose::AuthoritiesFile});
+  EXPECT_EQ(files_->browser().folder, folder_.path().string());
+  EXPECT_EQ(files_->credentials().token, "") << "chosen again, it is put into its field again";
+  ask(gui::CloseBrowser{});
+  ask(gui::Browse{Purpose::ExportMesh});
+  EXPECT_NE(files_->browser().folder, folder_.path().string()) << "no place for what is made";
+}
+
 TEST_F(WindowFilesTest, AFolderIsSearchedForFacesOrIsOne) {
   folder_.write("people/anna/face.toml", "");
   const std::filesystem::path people = folder_.path() / "people";
