@@ -12,8 +12,8 @@ namespace aucast {
 
 /// Starts a thread that nobody joins, for a call that cannot be interrupted and may take too long
 /// to wait for because a server does not answer: getaddrinfo(), and what libnats does to connect
-/// anew. The thread may outlive everything except what `work` owns; it reports its result through a
-/// link::LoopGate, which the owner closes.
+/// anew. The thread may outlive everything except what `work` owns. `work` reports its result
+/// through a link::LoopGate; whoever started the thread closes that when it no longer wants it.
 [[nodiscard]] Result<void> start_unattended(std::function<void()> work);
 
 }  // namespace aucast

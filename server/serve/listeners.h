@@ -20,15 +20,15 @@
 namespace aucast::server {
 
 /// Accepts clients: at --port, at --web, and at a port for guests while --preview is live.
-/// Thread: that of the io_context, which must outlive it together with the options, the
-/// certificates and what the hooks refer to.
+/// Thread: that of the io_context. The io_context, the options, the certificates and what the
+/// hooks refer to must outlive this object.
 class Listeners {
  public:
   struct Hooks {
     /// The `held_back_max` for link::tcp_link(), for each client.
     std::function<int()> held_back_max;
-    /// A connection has come in. To be called with `open_link`, which the callee calls unless there
-    /// is no room even for a refusal.
+    /// Called when a connection has come in. The hook calls `open_link`, unless there is no room
+    /// even for a refusal.
     std::function<void(const asio::ip::tcp::endpoint& peer,
                        const ClientRegistry::OpenLink& open_link, ClientRegistry::Way way)>
         welcome;

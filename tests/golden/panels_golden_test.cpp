@@ -262,6 +262,25 @@ TEST_F(Replay, TheChartOfTheBufferSaysWhatItsEdgesAre) {
   test::expect_as_baseline(panel(), "panel_play_buffers", kTolerance, kShareMax);
 }
 
+TEST_F(Replay, ACurveHasTheNameOfItsAu) {
+  const auto curves = std::make_shared<const gui::AuCurves>(gui::AuCurves{
+      {1, {0, 1, 0}}, {12, {1, 0.2F, 1}}, {26, {0.5F, 0.5F, 0}}, {51, {0, 0.1F, 0.8F}}});
+  const auto ends = std::make_shared<const std::vector<Duration>>(
+      std::vector<Duration>{Milliseconds(500), Milliseconds(1500), Milliseconds(3000)});
+  dress_ = [&](gui::GuiModel& model) {
+    model.playing.local = true;
+    model.local.open = true;
+    model.local.name = "talk.txt";
+    model.local.curves = curves;
+    model.local.ends = ends;
+    model.local.total = Milliseconds(3000);
+    model.local.position = Milliseconds(1200);
+  };
+  open(1, nullptr);
+  replay("at 0\n");
+  test::expect_as_baseline(panel(), "panel_curves", kTolerance, kShareMax);
+}
+
 TEST_F(Replay, LettersOfTwiceTheSizeHaveRoomInASmallWindow) {
   dress_ = as_from_a_server;
   height_ = 600;

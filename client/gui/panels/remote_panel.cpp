@@ -282,8 +282,10 @@ void fill_chart(const Look& look, const PlayingView& playing, bool& large) {
   for (float& value : values) value *= enlarged;
   PlotScale scale;
   scale.mark = enlarged * static_cast<float>(buffer.threshold_percent) / 100;
-  scale.top = tr("play.sets", top);
-  if (large) {
+  if (!large) {
+    scale.begin = tr("play.sets_range", top);  // where no mark goes through it
+  } else {
+    scale.top = tr("play.sets", top);
     if (scale.mark > 0) scale.mark_text = tr("play.begins_at");
     scale.begin = tr("play.ago_30");
     scale.end = tr("play.now");

@@ -135,6 +135,7 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"play.playout", "Playout"},
     {"play.last_30", "Last 30 s"},
     {"play.sets", "{n} sets"},
+    {"play.sets_range", "0-{n} sets"},
     {"play.begins_at", "playing begins here"},
     {"play.ago_30", "30 s ago"},
     {"play.now", "now"},
