@@ -75,79 +75,109 @@ bool curves_heading(const Look& look, const AuCurves& curves, bool another) {
   return open;
 }
 
+/// Where the rows of the curves are, on the screen.
+struct Rows {
+  ImVec2 corner;   ///< top left of the first
+  float left = 0;  ///< where the lines begin, and end
+  float right = 0;
+  float end = 0;     ///< the right edge of the values
+  float height = 0;  ///< of one
+  std::size_t count = 0;
+
+  [[nodiscard]] float top(std::size_t row) const {
+    return corner.y + height * static_cast<float>(row);
+  }
+  [[nodiscard]] float x_of(Duration place, Duration total) const {
+    const double part = seconds(place) / std::max(1e-9, seconds(total));
+    return left + (right - left) * static_cast<float>(part);
+  }
+  [[nodiscard]] Duration place_of(float x, Duration total) const {
+    const float part = std::clamp((x - left) / (right - left), 0.0F, 1.0F);
+    return Duration(std::llround(static_cast<double>(part) * static_cast<double>(total.count())));
+  }
+};
+
+Rows rows_here(const Look& look, std::size_t count) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  return {.corner = corner,
+          .left = corner.x + kNumberWidth * look.scale,
+          .right = corner.x + width - kValueWidth * look.scale,
+          .end = corner.x + width,
+          .height = kRow * look.scale,
+          .count = count};
+}
+
+/// Draws the curves that are seen, each with its number, its name and its value at `place`.
+void draw_rows(const Look& look, const LocalView& local, const CurvesForm& form, const Rows& rows,
+               Duration place) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const AuCurve& curve = (*local.curves)[i];
+    const ImVec2 from(rows.left, rows.top(i) + look.scale);
+    const ImVec2 to(rows.right, rows.top(i + 1) - look.scale);
+    if (!ImGui::IsRectVisible(from, to)) continue;
+    list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    line_of(look, form.outlines[i], from, to);
+    name_over(look, curve.number, from, to);
+    const float y = rows.top(i) + (rows.height - ImGui::GetTextLineHeight()) / 2;
+    list.AddText(ImVec2(rows.corner.x, y), colour, std::to_string(curve.number).c_str());
+    const std::string value =
+        std::to_string(std::lround(100 * value_at(curve, *local.ends, place)));
+    list.AddText(ImVec2(rows.end - ImGui::CalcTextSize(value.c_str()).x, y), colour, value.c_str());
+  }
+}
+
+/// A line through all rows.
+void draw_place(const Look& look, const Rows& rows, float x, unsigned colour) {
+  ImGui::GetWindowDrawList()->AddLine(ImVec2(x, rows.corner.y), ImVec2(x, rows.top(rows.count)),
+                                      colour, look.scale);
+}
+
+/// Says at a point of the screen which AU is there, and which time.
+void tell(const std::string& name, Duration place, float x, float y) {
+  tip_at(x, y, name + "\n" + seconds_text(seconds(place)) + " s");
+}
+
 }  // namespace
 
 void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiCommands& commands) {
   const LocalView& local = model.local;
   if (!local.open || local.curves == nullptr || local.curves->empty()) return;
-  if (!curves_heading(look, *local.curves,
-                      std::exchange(form.shown, local.curves) != local.curves)) {
+  const AuCurves& curves = *local.curves;
+  if (!curves_heading(look, curves, std::exchange(form.shown, local.curves) != local.curves))
     return;
-  }
   quiet_text(tr("curves.help"));
-  const float width = ImGui::GetContentRegionAvail().x;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float left = corner.x + kNumberWidth * look.scale;
-  const float right = corner.x + width - kValueWidth * look.scale;
-  const float height = kRow * look.scale;
-  const auto rows = static_cast<float>(local.curves->size());
-  make_outlines(local, static_cast<std::size_t>(std::max(2.0F, right - left)), form);
-  const bool pressed = ImGui::InvisibleButton("##curves", ImVec2(width, rows * height));
+  const Rows rows = rows_here(look, curves.size());
+  make_outlines(local, static_cast<std::size_t>(std::max(2.0F, rows.right - rows.left)), form);
+  const bool pressed = ImGui::InvisibleButton(
+      "##curves", ImVec2(rows.end - rows.corner.x, rows.top(rows.count) - rows.corner.y));
   const bool hovered = pointed_at();
   const ArrowSteps arrows = arrows_of_item(pressed);
   mark_focus();
   if (focus_is_here() && !arrows.held) tip(tr("tip.curves"));
   if (arrows.right != 0) commands.push_back(LocalCommand(StepFrame{arrows.right}));
-  form.row = std::clamp(form.row - arrows.up, 0, static_cast<int>(local.curves->size()) - 1);
-  const float pointer = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
-  const Duration pointed(
-      std::llround(static_cast<double>(pointer) * static_cast<double>(local.total.count())));
-  const Duration place = hovered ? pointed : local.position;
+  form.row = std::clamp(form.row - arrows.up, 0, static_cast<int>(curves.size()) - 1);
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const Duration pointed = rows.place_of(pointer.x, local.total);
   if (pressed && !used_by_keys()) commands.push_back(LocalCommand(Seek{pointed}));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  float y = corner.y;
-  const float text = (height - ImGui::GetTextLineHeight()) / 2;
-  int below = -1;
-  const float row_top = corner.y + height * static_cast<float>(form.row);
-  for (std::size_t i = 0; i < local.curves->size(); ++i, y += height) {
-    const AuCurve& curve = (*local.curves)[i];
-    const ImVec2 from(left, y + look.scale);
-    const ImVec2 to(right, y + height - look.scale);
-    if (!ImGui::IsRectVisible(from, to)) continue;
-    if (hovered && ImGui::GetIO().MousePos.y >= y && ImGui::GetIO().MousePos.y < y + height) {
-      below = curve.number;
-    }
-    list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    line_of(look, form.outlines[i], from, to);
-    name_over(look, curve.number, from, to);
-    list.AddText(ImVec2(corner.x, y + text), ImGui::GetColorU32(ImGuiCol_Text),
-                 std::to_string(curve.number).c_str());
-    const std::string value =
-        std::to_string(std::lround(100 * value_at(curve, *local.ends, place)));
-    list.AddText(ImVec2(corner.x + width - ImGui::CalcTextSize(value.c_str()).x, y + text),
-                 ImGui::GetColorU32(ImGuiCol_Text), value.c_str());
-  }
-  const auto line_at = [&](Duration at, unsigned colour) {
-    const double part = seconds(at) / std::max(1e-9, seconds(local.total));
-    const float x = left + (right - left) * static_cast<float>(part);
-    list.AddLine(ImVec2(x, corner.y), ImVec2(x, y), colour, look.scale);
-  };
-  line_at(local.position, colour_of(Tone::Waiting));
-  const auto tell = [&](int number, Duration at, float x, float top) {
-    tip_at(
-        x, top,
-        (number < 0 ? std::string() : au_name(number)) + "\n" + seconds_text(seconds(at)) + " s");
-  };
+
+  draw_rows(look, local, form, rows, hovered ? pointed : local.position);
+  draw_place(look, rows, rows.x_of(local.position, local.total), colour_of(Tone::Waiting));
   if (arrows.held) {
-    if (arrows.up != 0) ImGui::SetScrollFromPosY(row_top - ImGui::GetWindowPos().y, 0.5F);
-    list.AddRect(ImVec2(left, row_top), ImVec2(right, row_top + height), colour_of(Tone::Waiting),
-                 0, 0, look.scale);
-    const int number = (*local.curves)[static_cast<std::size_t>(form.row)].number;
-    return tell(number, local.position, left, row_top);
+    const auto row = static_cast<std::size_t>(form.row);
+    const float top = rows.top(row);
+    if (arrows.up != 0) ImGui::SetScrollFromPosY(top - ImGui::GetWindowPos().y, 0.5F);
+    ImGui::GetWindowDrawList()->AddRect(ImVec2(rows.left, top),
+                                        ImVec2(rows.right, rows.top(row + 1)),
+                                        colour_of(Tone::Waiting), 0, 0, look.scale);
+    tell(au_name(curves[row].number), local.position, rows.left, top);
+  } else if (hovered) {
+    draw_place(look, rows, rows.x_of(pointed, local.total), ImGui::GetColorU32(ImGuiCol_Text));
+    const auto row = static_cast<std::size_t>((pointer.y - rows.corner.y) / rows.height);
+    tell(row < rows.count ? au_name(curves[row].number) : "", pointed, pointer.x, pointer.y);
   }
-  if (!hovered) return;
-  line_at(pointed, ImGui::GetColorU32(ImGuiCol_Text));
-  tell(below, pointed, ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
 }
 
 }  // namespace aucast::gui
