@@ -11,7 +11,8 @@ namespace aucast::protocol {
 
 /// Whether the text is 1 to kRelayHopsMax IDs.
 [[nodiscard]] bool is_server_chain(std::string_view text);
-/// Whether the text is a stream name of at most kServerIdBytesMax bytes.
+/// Whether the text can be an ID: written as a stream's name is, of at most kServerIdBytesMax
+/// bytes.
 [[nodiscard]] bool is_server_id(std::string_view text);
 
 /// How many servers a chain names; 0 for an empty text.

@@ -29,7 +29,8 @@ class ConnectedSource : public playback::KeyframeSource {
   [[nodiscard]] SharedReader& reader() { return reader_; }
 
  private:
-  /// As ServerConnection's. speak() is called when the reader may have something to send.
+  /// Both do what ServerConnection's functions of these names do. speak() is called when the reader
+  /// may have something to send.
   virtual void speak() = 0;
   virtual void leave() = 0;
   void set_paused(bool paused);

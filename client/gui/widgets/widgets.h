@@ -71,8 +71,8 @@ void quiet_text(const std::string& text);
 /// its text needs more, it gets wider, and goes to the next line if there is no room.
 [[nodiscard]] bool wide_button(const char* text, int share, int shares, bool enabled,
                                bool important = false);
-/// Whether a change of the previous item continues a drag. The press of the mouse begins a step;
-/// changes while it is held belong to that step.
+/// Whether a change of the previous item continues a drag. The press of the mouse begins a step of
+/// undo; changes while the button is held belong to it.
 [[nodiscard]] bool belongs_to_drag();
 /// The headings of two columns that share the line, placed as one sees a face: the subject's right
 /// at the left.
@@ -130,8 +130,8 @@ void line_name(const Look& look, int marker, const std::string& name);
 /// The colour of a line in a plot of several.
 [[nodiscard]] unsigned colour_of_line(std::size_t index);
 
-/// The texts around a table of AUs: the heading and tip of the first column, which has the AUs as
-/// they came, a legend, and the tip of the second column.
+/// The texts around a table of AUs: the heading and tip of the first column (the AUs as they came),
+/// a legend, and the tip of the second column.
 struct AuTableWords {
   const char* given = "";
   const char* given_tip = "";
