@@ -8,10 +8,10 @@
 
 namespace aucast::server {
 
-/// What --estimate prints about one stream. For each of its forms: the packets, the bytes, and the
-/// bits a second when it is played at its own speed, on average and in the busiest second, without
-/// and with the headers of TCP and IP. Packets sent within `batch` share headers. With a voice, the
-/// same for the voice and for both together.
+/// What --estimate prints about one stream. For each form in which it can be sent (classic, level
+/// 2, changes only): the packets, the bytes, and the bits a second when it is played at its own
+/// speed, on average and in the busiest second, without and with the headers of TCP and IP. Packets
+/// sent within `batch` share headers. With a voice, the same for the voice and for both together.
 [[nodiscard]] std::string estimate_report(const Source& source, Milliseconds batch,
                                           const VoiceSummary* voice = nullptr);
 

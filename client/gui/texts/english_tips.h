@@ -11,18 +11,17 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.au",
      "Action Unit: a movement of the face that FACS (2002) names by a number, such as 12, the "
      "corners of the lips pulled up"},
-    {"tip.au_received", "what the keyframe under way has"},
+    {"tip.au_received", "what came: the AUs of the keyframe that the face is moving to"},
     {"tip.au_shown",
-     "what the face shows at this moment. It differs from what came while the face is on its way "
-     "to the keyframe (interpolation), where a rule changed the AU, which is then said below its "
-     "name, and for an AU that this face does not have. Mixer, blinks and idle movements come "
-     "after "
-     "this."},
+     "what the face shows at this moment. It can differ from what was received in three cases: the "
+     "face is still on its way to the keyframe (interpolation), a rule has changed the AU (said "
+     "below its name), or this face does not have the AU. Mixer, blinks and idle movements come "
+     "after this."},
     {"tip.rule",
-     "The AUs before and after a rule. Opposition: of two that undo each other what one has more "
-     "is left. Alternative: the largest stays. Exclusion: one keeps another away. Cap: of another "
-     "no more than a share is left. Substitution: several give way to one. Dominance: the stronger "
-     "one is, the less of another is left."},
+     "The AUs before and after a rule. Opposition: two undo each other, and only their difference "
+     "is left, on the stronger one. Alternative: the largest stays. Exclusion: one keeps another "
+     "away. Cap: one limits another to a fixed intensity. Substitution: several give way to one. "
+     "Dominance: the stronger one is, the less of another is left."},
     {"tip.au_asked", "as it was typed, or as the expression has it"},
     {"tip.au_blended",
      "what the face shows in the end: a rule that changed an AU is said below its name. The mixer "
@@ -65,8 +64,8 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.macros", "muscles contracted directly, without AUs, as in the program of Waters (1987)"},
     {"tip.muscles", "contraction: 0 is at rest"},
     {"tip.frames",
-     "pictures from the face as it is to the expression; times what each takes is how long it "
-     "lasts"},
+     "how many pictures lead from the present face to the expression; their number times the time "
+     "of each is how long the transition lasts"},
     {"tip.seed", "the same number gives the same blinks again"},
     {"tip.landmarks", "the points of the face that the recogniser has found"},
     {"tip.textured", "the skin with its colours"},
@@ -79,8 +78,8 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
     {"tip.jaw_tags", "the vertices that the jaw carries, coloured by how much of its way they go"},
     {"tip.eye_tags", "the vertices of the eyelids, coloured by how far they go"},
     {"tip.camera",
-     "camera is the first one; camera: and a device is another one; camera: and a film plays that "
-     "in its place"},
+     "'camera' is the first camera, 'camera:DEVICE' another one; 'camera:FILM' plays a film in "
+     "place of a camera"},
     {"tip.film", "a film in place of a camera"},
     {"tip.film_live", "starts the film, and others can watch it from its beginning"},
     {"tip.live", "who watches sees your face of this moment"},
