@@ -300,13 +300,15 @@ Result<std::vector<Recording>> RecordingReader::finish() {
     const std::size_t keyframes = recording.stream.keyframes.size();
     // A tracker's passing mistakes are no people, as long as there are people.
     const bool nobody = options_.all_faces && recording.found.lost == recording.found.rows;
-    one_time = one_time || (keyframes == 1 && recording.found.rows > 1);
-    if (keyframes > 0 && !nobody) recordings.push_back(std::move(recording));
-  }
-  if (one_time && recordings.size() == 1) {
-    return need("no row has a later time than the first; " + needs_fps());
+    if (keyframes == 0 || nobody) continue;
+    if (keyframes == 1 && recording.found.rows > 1) {
+      one_time = true;  // all its rows
+    } else {
+      recordings.push_back(std::move(recording));
+    }
   }
   if (!recordings.empty()) return recordings;
+  if (one_time) return need("no row has a later time than the first; " + needs_fps());
   if (timed_ && no_time) {
     return Error{ErrorKind::BadData,
                  at_place(file_, "no row has a time of at most " +

@@ -172,6 +172,24 @@ TEST(Recording, AFaceWhoseFirstRowHasNoTimeComesLateToo) {
             "Beg_Stream\n0;300\n12;300\nEnd_Stream\n");
 }
 
+TEST(Recording, AFaceThatIsSeenAtOneTimeOnlyCostsTheOthersNothing) {
+  const char* const one_and_two =
+      "frame,face_id,timestamp,confidence,success,AU12_r\n"
+      "1,0,0.0,0.98,1,2\n1,1,0.0,0.9,1,2\n2,1,0.0003,0.9,1,2\n2,0,0.1,0.98,1,3\n3,0,0.2,0.98,1,1\n";
+  RecordingOptions options;
+  options.all_faces = true;
+  const auto faces = read_faces(one_and_two, "f", options);
+  ASSERT_TRUE(faces) << faces.error().message;
+  ASSERT_EQ(faces->size(), 1U);
+  EXPECT_EQ(faces->front().found.face, 0);
+  const auto none = read_faces(
+      "frame,face_id,timestamp,confidence,success,AU12_r\n"
+      "1,0,0,0.98,1,2\n1,1,0,0.9,1,2\n2,0,0,0.98,1,3\n2,1,0,0.9,1,2\n",
+      "f", options);
+  ASSERT_FALSE(none) << "nor do several make a recording of them";
+  EXPECT_NE(none.error().message.find("no row has a later time"), std::string::npos);
+}
+
 TEST(Recording, EachOfAllFacesIsWhatFaceIdGives) {
   RecordingOptions all;
   all.all_faces = true;
