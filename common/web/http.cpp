@@ -79,8 +79,7 @@ std::optional<RequestLine> request_line(std::string_view line) {
   if (first == std::string_view::npos || first == last) return std::nullopt;
   const RequestLine parts{line.substr(0, first), line.substr(first + 1, last - first - 1),
                           line.substr(last + 1)};
-  const bool good = is_token(parts.method) && is_visible(parts.target) &&
-                    parts.target.starts_with('/') && is_visible(parts.version);
+  const bool good = is_token(parts.method) && is_visible(parts.target) && is_visible(parts.version);
   return good ? std::optional(parts) : std::nullopt;
 }
 
@@ -100,6 +99,23 @@ std::optional<Field> field_of(std::string_view line) {
   });
   if (!clean) return std::nullopt;
   return Field{lowered(line.substr(0, colon)), trimmed(value, " \t")};
+}
+
+/// What a request asks for: "/path", or "http://authority/path" (RFC 9112 3.2.2), whose authority
+/// counts in place of the Host field.
+struct Target {
+  std::string_view authority;  ///< empty: the Host field has it
+  std::string_view path;
+};
+
+std::optional<Target> target_of(std::string_view target) {
+  if (target.starts_with('/')) return Target{{}, target};
+  constexpr std::string_view kScheme = "http://";
+  if (lowered(target.substr(0, kScheme.size())) != kScheme) return std::nullopt;
+  target.remove_prefix(kScheme.size());
+  const std::size_t slash = std::min(target.find('/'), target.size());
+  if (slash == 0) return std::nullopt;
+  return Target{target.substr(0, slash), slash == target.size() ? "/" : target.substr(slash)};
 }
 
 /// All fields of a head, whose request line was taken off; nullopt when one is malformed.
@@ -149,25 +165,28 @@ HttpProgress read_http_request(std::string_view bytes, std::size_t head_bytes_ma
   }
   std::string_view head = bytes.substr(0, end + kLineEnd.size());
   const auto line = request_line(take_line(head));
-  if (!line) return refused(400, "no request line");
+  const auto target = line ? target_of(line->target) : std::nullopt;
+  if (!target) return refused(400, "no request line");
   if (line->version != "HTTP/1.1" && line->version != "HTTP/1.0") {
     const bool http = line->version.starts_with("HTTP/");
     return refused(http ? 505 : 400, "only HTTP/1.0 and HTTP/1.1 are spoken here");
   }
   auto fields = fields_of(head);
   if (!fields) return refused(400, "a header field is malformed");
-  if (fields->contains("transfer-encoding") || fields->contains("content-length")) {
-    return refused(400, "a request has no body here");
-  }
+  const auto length = fields->find("content-length");
+  const bool has_body =
+      fields->contains("transfer-encoding") || (length != fields->end() && length->second != "0");
+  if (has_body) return refused(400, "a request has no body here");
   const auto host = fields->find("host");
   const bool one_host = host == fields->end()
                             ? line->version == "HTTP/1.0"
                             : !host->second.empty() && host->second.find(',') == std::string::npos;
   if (!one_host) return refused(400, "one Host field is needed");
+  if (!target->authority.empty()) fields->insert_or_assign("host", std::string(target->authority));
   if (line->method != "GET" && line->method != "HEAD") {
     return refused(405, "only GET and HEAD are answered here");
   }
-  const std::string_view path = line->target.substr(0, line->target.find('?'));
+  const std::string_view path = target->path.substr(0, target->path.find('?'));
   return {HttpRequest{std::string(path), line->method == "HEAD", line->version == "HTTP/1.1",
                       end + 2 * kLineEnd.size(), std::move(*fields)},
           std::nullopt};

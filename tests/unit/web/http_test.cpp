@@ -27,6 +27,23 @@ TEST(HttpRequest, GetAndHeadAreUnderstood) {
   EXPECT_TRUE(head.request->head);
 }
 
+TEST(HttpRequest, ATargetMayNameTheHostWhichThenCounts) {
+  const HttpProgress get =
+      read_http_request("GET http://b:80/x?y HTTP/1.1\r\nHost: a\r\n\r\n", kBytesMax);
+  ASSERT_TRUE(get.request);
+  EXPECT_EQ(get.request->path, "/x");
+  EXPECT_EQ(get.request->field("host"), "b:80");
+  const HttpProgress root =
+      read_http_request("GET HTTP://b HTTP/1.1\r\nHost: a\r\n\r\n", kBytesMax);
+  ASSERT_TRUE(root.request);
+  EXPECT_EQ(root.request->path, "/");
+}
+
+TEST(HttpRequest, ABodyOfNoBytesIsNone) {
+  EXPECT_TRUE(read_http_request("GET / HTTP/1.1\r\nHost: a\r\nContent-Length: 0\r\n\r\n", kBytesMax)
+                  .request);
+}
+
 TEST(HttpRequest, HalfARequestIsWaitedFor) {
   const std::string good = kGood;
   for (std::size_t length = 0; length < good.size(); ++length) {
@@ -47,7 +64,9 @@ TEST(HttpRequest, WhatIsNotUnderstoodIsRefused) {
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nHost: a\r\n folded\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nHost : a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nHost: a\nX: y\r\n\r\n"), 400) << "a bare LF";
-  EXPECT_EQ(refusal("GET http://a/ HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
+  EXPECT_EQ(refusal("GET https://a/ HTTP/1.1\r\nHost: a\r\n\r\n"), 400) << "TLS is below this";
+  EXPECT_EQ(refusal("GET http:///x HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
+  EXPECT_EQ(refusal("GET a/ HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET /a b HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET\r\n\r\n"), 400);
   EXPECT_EQ(refusal("\x16\x03\x01"), 400) << "TLS";
