@@ -212,7 +212,8 @@ Result<void> run(const PlayerOptions& options) {
     case Command::Play:
       break;
   }
-  set_up_signals();
+  // What is asked of a silent server is ended as the system ends programs.
+  if (!options.list) set_up_signals();
   const auto security = load_security(options.playback);
   if (!security) return security.error();
   if (options.list) return print_list(options.playback, *security);

@@ -1,8 +1,11 @@
 #include "client/app/player_options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "client/app/command_pages.h"
@@ -35,9 +38,20 @@ Result<void> settle_buffers(const TypedWords& typed, playback::BufferOptions& bu
   return {};
 }
 
-/// Reads aucast://HOST/STREAM, which includes what other options say.
+/// Reads aucast://HOST/STREAM, which includes what other options say. No server is named like a
+/// stream file that is there.
 Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) {
-  if (!protocol::is_stream_address(playback.endpoint)) return {};
+  if (!protocol::is_stream_address(playback.endpoint)) {
+    const std::filesystem::path file = playback.endpoint;
+    const std::string ending = file_ending(file);
+    std::error_code ignored;
+    if ((ending == ".txt" || ending == ".csv") && std::filesystem::is_regular_file(file, ignored)) {
+      return usage_error("'" + file.string() +
+                         "' is a file, not a server: play it with face-player play " +
+                         file.string());
+    }
+    return {};
+  }
   auto address = protocol::parse_stream_address(playback.endpoint);
   if (!address) return address.error();
   if (!address->stream.empty()) {

@@ -1,6 +1,10 @@
 #include "client/app/player_options.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
 
 namespace aucast::app {
 namespace {
@@ -41,6 +45,14 @@ TEST(PlayerOptions, DefaultsAreTheDocumentedOnes) {
   EXPECT_FALSE(options.output.fast);
   EXPECT_FALSE(options.playback.blink.has_value());
   EXPECT_FALSE(options.playback.buffers.low_delay);
+}
+
+TEST(PlayerOptions, AStreamFileInPlaceOfAServerIsToldHowItIsPlayed) {
+  const test::TempFolder folder;
+  const std::string file = folder.write("talk.txt", "Beg_Stream\n1\nEnd_Stream\n").string();
+  EXPECT_EQ(refused({file}),
+            "'" + file + "' is a file, not a server: play it with face-player play " + file);
+  EXPECT_EQ(accepted({folder.path() / "none.txt"}).playback.endpoint, folder.path() / "none.txt");
 }
 
 TEST(PlayerOptions, OptionsMayStandBeforeTheCommand) {
