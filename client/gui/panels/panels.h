@@ -44,8 +44,8 @@ struct RecordForm {
 struct RemoteForm {
   RemoteSettings settings;
   std::array<char, 512> address{};
-  std::array<char, 512> authorities_file{};
-  std::array<char, 512> token_file{};
+  std::array<char, 4096> authorities_file{};  // as long as a path may be
+  std::array<char, 4096> token_file{};
   CredentialFiles chosen;            ///< those that were put into the two last
   std::optional<std::string> wrong;  ///< what is wrong with the text of the address; nullopt:
                                      ///< nothing
