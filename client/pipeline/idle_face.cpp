@@ -5,7 +5,7 @@
 namespace aucast::pipeline {
 namespace {
 
-constexpr double kBreathNod_deg = 0.5;
+constexpr double kBreathNodDeg = 0.5;
 constexpr double kBreathForward = 0.05;  // mesh units of 1.4 cm
 
 }  // namespace
@@ -56,7 +56,7 @@ void IdleFace::move(const playback::IdleMotion& motion, std::span<float> activat
   }
   if (!face_.head) return;
   if (face_.head->pitch_deg > 0) {
-    shift(head_pitch_, motion.breath * kBreathNod_deg / static_cast<double>(face_.head->pitch_deg),
+    shift(head_pitch_, motion.breath * kBreathNodDeg / static_cast<double>(face_.head->pitch_deg),
           activations);
   }
   if (face_.head->shift > 0) {

@@ -10,7 +10,7 @@ enum class Interpolation : std::uint8_t {
   Cosine,  ///< (1 - cos(pi mu)) / 2 (thesis 2.4.1.2)
 };
 
-/// The weight of the end frame at fraction `mu` in [0,1]: exactly 0 at 0 and 1 at 1.
+/// The weight of the end at fraction `mu` in [0,1]: exactly 0 at 0 and 1 at 1.
 [[nodiscard]] float ease(Interpolation kind, double mu);
 
 /// out = start (1 - w) + end w for each activation. At w = 0 and w = 1, `out` equals `start` and

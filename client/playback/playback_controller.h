@@ -48,9 +48,9 @@ struct PlaybackProgress {
   double mu = 0;     ///< exact fraction in [0,1] of the current keyframe
 };
 
-/// The playback controller of the thesis (figure 5.15) on a given clock. The end frame of one
-/// keyframe is the start frame of the next, which begins exactly when the last one ended, so that
-/// nothing drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A
+/// The playback controller of the thesis (figure 5.15) on a given clock. The face at the end
+/// of one keyframe is where the next begins, exactly when the last one ended, so that nothing
+/// drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A
 /// keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due time takes
 /// until then, but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while a
 /// voice is heard); after a stall it begins when it arrived, but not before the previous call of

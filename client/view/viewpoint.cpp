@@ -12,7 +12,7 @@ namespace aucast::view {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kPitchMax_rad = 80.0F * kPi / 180.0F;
+constexpr float kPitchMaxRad = 80.0F * kPi / 180.0F;
 constexpr float kHalfHeightMin = 0.5F;
 constexpr float kHalfHeightMax = 40.0F;
 constexpr float kNarrowestFull = 0.87F;
@@ -65,7 +65,7 @@ void orbit(Viewpoint& viewpoint, double right_px, double down_px, int height) {
   const float yaw = viewpoint.yaw_rad - static_cast<float>(right_px) * rad_per_px;
   viewpoint.yaw_rad = std::remainder(yaw, 2.0F * kPi);
   viewpoint.pitch_rad = std::clamp(viewpoint.pitch_rad + static_cast<float>(down_px) * rad_per_px,
-                                   -kPitchMax_rad, kPitchMax_rad);
+                                   -kPitchMaxRad, kPitchMaxRad);
 }
 
 void pan(Viewpoint& viewpoint, double right_px, double down_px, int height) {

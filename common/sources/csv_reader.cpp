@@ -35,10 +35,7 @@ bool means_no_data(std::string_view cell) {
       "null", "none", "#n/a",     "fit_failed", "find_failed", "unknown"};
   if (cell.empty()) return true;
   if (cell.front() == '-' || cell.front() == '+') cell.remove_prefix(1);
-  std::string word(cell.substr(0, 16));
-  std::transform(word.begin(), word.end(), word.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
+  const std::string word = lowered(cell.substr(0, 16));
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 

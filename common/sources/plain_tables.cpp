@@ -7,6 +7,7 @@
 #include "common/sources/au_columns.h"
 #include "common/sources/clock_text.h"
 #include "common/sources/format.h"
+#include "common/text.h"
 
 namespace aucast::sources {
 namespace {
@@ -72,10 +73,8 @@ std::uint8_t affdex_au(std::string_view column) {
                                          {"jawdrop", 26},
                                          {"lipsuck", 28},
                                          {"eyeclosure", 43}}};
-  std::string letters;
-  for (const char c : column) {
-    if (c != ' ') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  std::string letters = lowered(column);
+  std::erase(letters, ' ');
   for (const Word& word : kWords) {
     if (word.name == letters) return word.number;
   }

@@ -16,7 +16,7 @@ using view::Segment;
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kArcSteps = 16;
 constexpr int kEllipseSteps = 40;
-constexpr float kTag_px = 3;
+constexpr float kTagPx = 3;
 
 /// A stroke of a muscle's drawing between two points of the neutral face.
 struct Stroke {
@@ -280,7 +280,7 @@ void FaceDiagram::State::tag(const char* map_name, const face::DeformedFace& def
       const float weight = std::abs((*weights)[i]);
       if (weight <= 0) continue;
       const glm::vec3 at = deformed.positions[i];
-      tags.push_back({at, at, weight_colour(weight / most), kTag_px});
+      tags.push_back({at, at, weight_colour(weight / most), kTagPx});
     }
   }
 }

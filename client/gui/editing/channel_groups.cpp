@@ -7,6 +7,7 @@
 
 #include "client/gui/editing/expression_editor.h"
 #include "client/gui/texts/texts.h"
+#include "common/text.h"
 
 namespace aucast::gui {
 namespace {
@@ -39,15 +40,8 @@ constexpr std::array<Clue, 39> kClues = {{
     {"tongue", kMouth},  {"dimple", kMouth},     {"smile", kMouth},
 }};
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 TextKey region_of(const std::string& name) {
-  const std::string plain = lower(name);
+  const std::string plain = lowered(name);
   for (const Clue& clue : kClues) {
     if (plain.find(clue.word) != std::string::npos) return clue.region;
   }
