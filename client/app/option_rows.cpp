@@ -255,8 +255,8 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
       {"onsets", "FILE.csv", "", "write the time at which each face was shown",
        "Writes when each face was on the display (CLOCK_MONOTONIC, s), its keyframe and its AUs: "
        "for the clock of an experiment. The last column, reached, has the number of a keyframe "
-       "in the first picture that shows all of it, and is empty in the others. Only with the "
-       "window.",
+       "in the first picture that shows all of it ('3-5' where several have ended since the "
+       "picture before), and is empty in the others. Only with the window.",
        word(output.onsets)},
       {"headless", "", "", "no window; ends with the stream", "", flag(options.headless),
        "Program"},

@@ -280,6 +280,12 @@ void WindowSession::ask_streams(const gui::RemoteSettings& settings, Instant now
 }
 
 void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant now) {
+  // Nothing is added that is not seen.
+  if (gui::command_if<gui::AddKeyframe>(command) && shown_ != Shown::Composer &&
+      composer_.begun()) {
+    say(gui::tr("said.composed_face"), false, now);
+    return show_edited(Shown::Composer, now);
+  }
   // Where nothing is being composed, what is added is the face that is seen.
   const bool takes = std::holds_alternative<gui::ComposeShown>(command) ||
                      (gui::command_if<gui::AddKeyframe>(command) && !composer_.composes());

@@ -242,6 +242,8 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   const bool named = folder || typed || form.name[0] != 0;
   if (wide_button(tr("button.cancel"), 0, 2, true)) commands.push_back(CloseBrowser{});
   const bool pressed = wide_button(action, 1, 2, named, named);
+  // Behind a click on a file Enter opens it, as a second click does.
+  entered |= !saving && !folder && entered_nowhere();
   if (named && (pressed || entered)) {
     form.named = saving;
     commands.push_back(ChooseFile{folder ? "." : typed ? form.folder.data() : form.name.data()});

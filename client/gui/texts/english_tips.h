@@ -18,10 +18,11 @@ inline constexpr std::array kEnglishTips = std::to_array<EnglishText>({
      "below its name), or this face does not have the AU. Mixer, blinks and idle movements come "
      "after this."},
     {"tip.rule",
-     "The AUs before and after a rule. Opposition: two undo each other, and only their difference "
-     "is left, on the stronger one. Alternative: the largest stays. Exclusion: one keeps another "
-     "away. Cap: one limits another to a fixed intensity. Substitution: several give way to one. "
-     "Dominance: the stronger one is, the less of another is left."},
+     "The AUs before and after a rule. Opposition: of two that undo each other, only the "
+     "difference "
+     "is left. Alternative: the largest stays. Exclusion: one keeps another away. Cap: one limits "
+     "another to a fixed intensity. Substitution: several give way to one. Dominance: the stronger "
+     "one is, the less of another is left."},
     {"tip.au_asked", "as it was typed, or as the expression has it"},
     {"tip.au_blended",
      "what the face shows in the end: a rule that changed an AU is said below its name. The mixer "

@@ -222,6 +222,8 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"said.not_added",
      "the new keyframe is not played, since it has not been added yet: it waits on the Compose "
      "tab"},
+    {"said.composed_face",
+     "this is the face being composed: 'Add it' adds it, 'Take' would take the one before"},
     {"said.new_stream", "a new stream: Undo brings back the keyframes that are not saved"},
     {"said.composed", "composed stream"},
     {"said.face_copied", "{face} is a face of your own, in {folder}"},

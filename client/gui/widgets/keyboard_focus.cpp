@@ -256,6 +256,11 @@ bool focus_is_here() {
   return !ImGui::GetCurrentContext()->NavDisableHighlight && ImGui::IsItemFocused();
 }
 
+bool entered_nowhere() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.NavDisableHighlight && context.ActiveId == 0 && pressed(ImGuiKey_Enter);
+}
+
 bool used_by_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   return !io.MouseDown[0] && !io.MouseReleased[0];

@@ -99,6 +99,8 @@ class MouseOnly {
 void focus_here(bool shows);
 /// Whether the previous item has the focus, and the focus is shown.
 [[nodiscard]] bool focus_is_here();
+/// Whether Enter was pressed where no item takes it: the focus is not shown, nothing is typed in.
+[[nodiscard]] bool entered_nowhere();
 /// Whether what was just pressed was pressed without the mouse.
 [[nodiscard]] bool used_by_keys();
 /// Draws the focus around the previous item if it has it. For items that draw themselves.

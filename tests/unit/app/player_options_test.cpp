@@ -50,8 +50,8 @@ TEST(PlayerOptions, DefaultsAreTheDocumentedOnes) {
 TEST(PlayerOptions, AStreamFileInPlaceOfAServerIsToldHowItIsPlayed) {
   const test::TempFolder folder;
   const std::string file = folder.write("talk.txt", "Beg_Stream\n1\nEnd_Stream\n").string();
-  EXPECT_EQ(refused({file}),
-            "'" + file + "' is a file, not a server: play it with face-player play " + file);
+  EXPECT_NE(refused({file}).find("is a file, not a server: play it with face-player play " + file),
+            std::string::npos);
   EXPECT_EQ(accepted({folder.path() / "none.txt"}).playback.endpoint, folder.path() / "none.txt");
 }
 

@@ -36,7 +36,9 @@ void OnsetLog::add(Instant shown, const FaceShown& face) {
         << (face.aus ? protocol::format_au_set(*face.aus) : std::string()) << "\",";
   if (face.keyframe != 0) {
     // Fewer than before: playing has gone back, or begun again.
-    if (face.reached > reached_) rows_ << face.reached;
+    const std::uint64_t first = reached_.value_or(face.reached) + 1;
+    if (face.reached > first) rows_ << first << '-';
+    if (face.reached >= first) rows_ << face.reached;
     reached_ = face.reached;
   }
   rows_ << '\n';

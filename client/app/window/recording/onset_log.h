@@ -23,8 +23,9 @@ struct FaceShown {
 /// Logs when each face was on the display, for experiments: a table with a row for each picture in
 /// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds after the picture was
 /// handed to the display; keyframe, as in FaceShown; aus, those shown, as in a packet; reached, in
-/// the first picture after the end of a keyframe the number of that keyframe, else empty. The file
-/// appears with finish(); until then the rows are in a temporary file beside it.
+/// the first picture after the end of a keyframe the number of that keyframe ("3-5" if several have
+/// ended since the picture before), else empty. The file appears with finish(); until then the
+/// rows are in a temporary file beside it.
 class OnsetLog {
  public:
   [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
@@ -43,7 +44,7 @@ class OnsetLog {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream rows_;
-  std::uint64_t reached_ = 0;  ///< of the last row while something played
+  std::optional<std::uint64_t> reached_;  ///< in the last row while something played
   bool finished_ = false;
 };
 

@@ -160,6 +160,19 @@ TEST_F(WindowSessionComposerTest, WhatIsAddedIsTheFaceThatIsSeen) {
   EXPECT_EQ(model().composer.aus.size(), 2U) << "of a chosen keyframe it is a copy";
 }
 
+TEST_F(WindowSessionComposerTest, WhatWasBegunIsShownBeforeItIsAdded) {
+  compose(gui::ComposeAu{26, 100, 100, false});
+  ask(gui::ShowAus{"6,12"});
+  ASSERT_FALSE(model().composer.active);
+  compose(gui::AddKeyframe{});
+  EXPECT_TRUE(model().composer.rows->empty()) << "another face was seen";
+  EXPECT_TRUE(model().composer.active);
+  EXPECT_EQ(model().notice.text, gui::tr("said.composed_face"));
+  compose(gui::AddKeyframe{});
+  ASSERT_EQ(model().composer.rows->size(), 1U);
+  EXPECT_EQ(model().composer.rows->front().aus, "26");
+}
+
 TEST_F(WindowSessionComposerTest, ANewStreamSaysHowWhatIsNotSavedComesBack) {
   compose(gui::NewComposition{});
   EXPECT_TRUE(model().notice.text.empty()) << "there was nothing";

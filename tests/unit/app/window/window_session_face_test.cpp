@@ -276,7 +276,7 @@ TEST_F(WindowSessionFaceTest, WhatIsEditedOrComposedStays) {
   const auto& recording = assets_->face.recordings.at(26).activation;
   const float jaw = recording[static_cast<std::size_t>(channel("jaw"))];
   EXPECT_FLOAT_EQ(shown("jaw"), jaw) << "as this face has it";
-  ASSERT_EQ(model().composer.aus.size(), 1U);
+  ask(gui::ShowComposed{});
   ask(gui::AddKeyframe{});
   EXPECT_EQ(model().composer.rows->size(), 1U);
 }
