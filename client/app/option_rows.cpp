@@ -226,7 +226,7 @@ OptionRow fps_row(OutputOptions& output) {
       "fps",
       "N",
       "",
-      "frame rate of --record, --frames and GLB exports",
+      "frame rate of --record and --frames",
       "Pictures a second, 1 to 240. In the window: of GLB files, and what , and . step by (25).",
       whole(output.fps, 1, view::kVideoFpsMax)};
 }

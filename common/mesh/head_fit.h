@@ -41,7 +41,7 @@ inline constexpr StillPoints kTypicalStillPoints{{{-0.5000, 0.0000, 0.0000},
 struct FittedHead {
   std::array<Point, kLandmarks> points{};  ///< in the other face's coordinates and unit
   HeadTurn turn;                           ///< relative to the other face
-  double scale = 1;  ///< the size of this face in the picture, in units of the other face
+  double scale = 1;  ///< how many times larger this face was than the other one
 };
 
 /// Fits by least squares (Horn 1987, "Closed-form solution of absolute orientation using unit

@@ -12,7 +12,8 @@
 
 namespace aucast::server {
 
-/// A connection to servers of NATS by their client library, which is loaded here (nats_loader.h).
+/// A connection to NATS servers by their client library, in the module aucast-nats.so, which is
+/// loaded here (nats_loader.h).
 /// The servers are tried in their order, again and again; the first attempt takes up to a second
 /// for each that does not answer. Usage error when the module is not installed or the library
 /// refuses the options; Unreadable when the module cannot be used.

@@ -21,7 +21,7 @@ namespace aucast::server {
 struct LiveSourceOptions {
   LiveStreamsOptions streams;
   std::filesystem::path voice{};  ///< raw sound: "-" or a FIFO; empty: none
-  camera::CameraOptions camera;   ///< if the path is a camera
+  camera::CameraOptions camera;   ///< if the source is a camera
   camera::FaceOptions faces;      ///< of a camera
   camera::OnSight on_sight{};     ///< likewise
   camera::GivenUp given_up{};     ///< likewise
@@ -43,8 +43,8 @@ class LiveSource {
   [[nodiscard]] Result<void> start();
   void stop();
 
-  /// Waits until the records are written. Fails with what went wrong without ending the source, if
-  /// anything did.
+  /// Waits until the records are written. If something went wrong that did not end the source,
+  /// returns that error.
   [[nodiscard]] Result<void> finish();
 
   [[nodiscard]] LiveStreams& streams() { return streams_; }
