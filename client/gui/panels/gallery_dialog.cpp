@@ -29,14 +29,11 @@ bool text_field(const char* id, const char* hint, const std::string& now, std::a
 bool folder_field(const Look& look, GallerySettings& settings, GalleryForm& form,
                   GuiCommands& commands) {
   label(look, tr("gallery.folder"));
-  const float button = 70 * look.scale;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
-                          ImGui::GetStyle().ItemSpacing.x);
+  leave_room_to_choose(look);
   const bool changed = text_field("##folder", tr("gallery.folder_hint"), settings.folder,
                                   form.folder, form.folder_taken);
   if (changed) settings.folder = form.folder.data();
-  ImGui::SameLine();
-  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
+  if (choose_button(look)) {
     commands.push_back(Browse{Purpose::GalleryFolder});
   }
   return changed;

@@ -35,14 +35,11 @@ void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form
   label(look, tr("camera.source"), tr("tip.camera"));
   const bool off = mirror.phase == Phase::Off;
   ImGui::BeginDisabled(!off);
-  const float button = 70 * look.scale;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
-                          ImGui::GetStyle().ItemSpacing.x);
+  leave_room_to_choose(look);
   ImGui::InputTextWithHint("##source", "camera, camera:/dev/video2", form.source.data(),
                            form.source.size());
   tip(tr("tip.camera"));
-  ImGui::SameLine();
-  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
+  if (choose_button(look)) {
     commands.push_back(Browse{Purpose::CameraFilm});
   }
   tip(tr("tip.film"));

@@ -34,14 +34,11 @@ void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
   }
   PictureSettings wanted = now;
   label(look, tr("play.folder"));
-  const float button = 66 * look.scale;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
-                          ImGui::GetStyle().ItemSpacing.x);
+  leave_room_to_choose(look);
   ImGui::InputTextWithHint("##picturefolder", tr("play.folder_hint"), form.folder.data(),
                            form.folder.size());
   if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
-  ImGui::SameLine();
-  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) {
+  if (choose_button(look)) {
     commands.push_back(Browse{Purpose::PictureFolder});
   }
   if (model.picture_folder != now.folder) quiet_text(model.picture_folder);

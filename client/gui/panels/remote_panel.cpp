@@ -189,13 +189,10 @@ void path(const Look& look, const char* name, std::span<char> text, const char* 
           Purpose purpose, GuiCommands& commands) {
   label(look, name, help);
   ImGui::PushID(name);
-  const float button = 70 * look.scale;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button -
-                          ImGui::GetStyle().ItemSpacing.x);
+  leave_room_to_choose(look);
   ImGui::InputTextWithHint("##path", tr("play.path_hint"), text.data(), text.size());
   tip(help);
-  ImGui::SameLine();
-  if (ImGui::Button(tr("button.choose"), ImVec2(button, 0))) commands.push_back(Browse{purpose});
+  if (choose_button(look)) commands.push_back(Browse{purpose});
   ImGui::PopID();
 }
 

@@ -23,6 +23,7 @@ namespace aucast::gui {
 namespace {
 
 constexpr float kLabelWidth = 112;
+constexpr float kChooseWidth = 70;
 /// Room, in letters' heights, without which a control stands below its label, not beside it.
 constexpr float kControlWidth = 7;
 
@@ -161,6 +162,16 @@ void label(const Look& look, const char* text, const char* help) {
   const float room = ImGui::GetWindowContentRegionMax().x - beside;
   if (room >= kControlWidth * ImGui::GetFontSize()) ImGui::SameLine(beside);
   ImGui::SetNextItemWidth(-1);
+}
+
+void leave_room_to_choose(const Look& look) {
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - kChooseWidth * look.scale -
+                          ImGui::GetStyle().ItemSpacing.x);
+}
+
+bool choose_button(const Look& look) {
+  ImGui::SameLine();
+  return ImGui::Button(tr("button.choose"), ImVec2(kChooseWidth * look.scale, 0));
 }
 
 bool pointed_at() {

@@ -114,6 +114,11 @@ struct PlotLine {
   std::string label{};  ///< written beside its end; empty: none
   int marker = -1;      ///< the sign drawn along it, as in line_name(); -1: none
 };
+/// The next item, a field, leaves room at its right for choose_button().
+void leave_room_to_choose(const Look& look);
+/// The button behind such a field that opens the file dialog. Returns whether it was pressed.
+[[nodiscard]] bool choose_button(const Look& look);
+
 /// What is written at a plot's edges; empty: nothing.
 struct PlotScale {
   float mark = 0;           ///< a level to reach, in [0,1]; 0: none
