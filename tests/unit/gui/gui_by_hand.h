@@ -120,6 +120,14 @@ class GuiByHand : public testing::Test {
     const ImGuiWindow* const window = ImGui::FindWindowByName(name);
     return window == nullptr ? ImRect() : window->Rect();
   }
+  void click(float x, float y) {
+    ImGui::GetIO().MousePos = ImVec2(x, y);
+    frames(1);
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      frames(2);
+    }
+  }
   void point_at(float x, float y) {
     ImGui::GetIO().MousePos = ImVec2(x, y);
     frames(3);

@@ -273,9 +273,9 @@ TEST_F(WindowSessionFaceTest, WhatIsEditedOrComposedStays) {
   EXPECT_EQ(model().editor.au, 26);
   EXPECT_FLOAT_EQ(shown("jaw"), 3.5F);
   ask(gui::Undo{});
-  const auto& recording = assets_->face.recordings.at(26).activation;
-  const float jaw = recording[static_cast<std::size_t>(channel("jaw"))];
-  EXPECT_FLOAT_EQ(shown("jaw"), jaw) << "as this face has it";
+  const auto jaw = static_cast<std::size_t>(channel("jaw"));
+  EXPECT_FLOAT_EQ(shown("jaw"), assets_->face.recordings.at(26).activation[jaw]) << "this face's";
+  ASSERT_EQ(model().composer.aus.size(), 1U);
   ask(gui::ShowComposed{});
   ask(gui::AddKeyframe{});
   EXPECT_EQ(model().composer.rows->size(), 1U);

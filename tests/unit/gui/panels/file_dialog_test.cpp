@@ -64,15 +64,9 @@ TEST_F(FileDialog, EnterOpensWhatWasClicked) {
   model_.browser.entries = {{"anger.txt", false}, {"fear.txt", false}};
   frames(5);
   ASSERT_NE(dialog(), nullptr);
-  ImGuiIO& io = ImGui::GetIO();
   for (float y = dialog()->Pos.y + 76; y < dialog()->Pos.y + 300 && commands_.empty(); y += 6) {
-    io.MousePos = ImVec2(dialog()->Pos.x + 60, y);
-    frames(1);
-    for (const bool down : {true, false}) {
-      io.MouseDown[0] = down;
-      frames(2);
-    }
-    for (int i = 0; i < 40; ++i) frames(1);  // no double click
+    click(dialog()->Pos.x + 60, y);
+    frames(40);  // no double click
     press(ImGuiKey_Enter);
   }
   ASSERT_TRUE(asked<ChooseFile>());

@@ -14,14 +14,8 @@ TEST_F(GuiByHand, EnterEndsAFieldOfTheGallery) {
   const ImGuiWindow* const dialog = ImGui::FindWindowByID(ImHashStr("###gallery"));
   ASSERT_NE(dialog, nullptr);
   const ImGuiID folder = ImHashStr("##folder", 0, dialog->ID);
-  ImGuiIO& io = ImGui::GetIO();
   for (float y = 40; y < 80 && ImGui::GetActiveID() != folder; y += 5) {
-    io.MousePos = ImVec2(dialog->Pos.x + dialog->Size.x / 2, dialog->Pos.y + y);
-    frames(1);
-    for (const bool down : {true, false}) {
-      io.MouseDown[0] = down;
-      frames(2);
-    }
+    click(dialog->Pos.x + dialog->Size.x / 2, dialog->Pos.y + y);
   }
   ASSERT_EQ(ImGui::GetActiveID(), folder);
   type("x");
