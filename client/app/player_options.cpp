@@ -38,20 +38,20 @@ Result<void> settle_buffers(const TypedWords& typed, playback::BufferOptions& bu
   return {};
 }
 
-/// Reads aucast://HOST/STREAM, which includes what other options say. No server is named like a
-/// stream file that is there.
+/// No server is named like a stream file that is there.
+Result<void> check_server_name(const std::string& name) {
+  const std::string ending = file_ending(name);
+  std::error_code ignored;
+  const bool is_file =
+      (ending == ".txt" || ending == ".csv") && std::filesystem::is_regular_file(name, ignored);
+  if (!is_file) return {};
+  return usage_error("'" + name + "' is a file, not a server: play it with face-player play " +
+                     name);
+}
+
+/// Reads aucast://HOST/STREAM, which includes what other options say.
 Result<void> settle_address(const TypedWords& typed, PlaybackOptions& playback) {
-  if (!protocol::is_stream_address(playback.endpoint)) {
-    const std::filesystem::path file = playback.endpoint;
-    const std::string ending = file_ending(file);
-    std::error_code ignored;
-    if ((ending == ".txt" || ending == ".csv") && std::filesystem::is_regular_file(file, ignored)) {
-      return usage_error("'" + file.string() +
-                         "' is a file, not a server: play it with face-player play " +
-                         file.string());
-    }
-    return {};
-  }
+  if (!protocol::is_stream_address(playback.endpoint)) return check_server_name(playback.endpoint);
   auto address = protocol::parse_stream_address(playback.endpoint);
   if (!address) return address.error();
   if (!address->stream.empty()) {

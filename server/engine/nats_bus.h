@@ -13,10 +13,9 @@
 namespace aucast::server {
 
 /// A connection to NATS servers by their client library, in the module aucast-nats.so, which is
-/// loaded here (nats_loader.h).
-/// The servers are tried in their order, again and again; the first attempt takes up to a second
-/// for each that does not answer. Usage error when the module is not installed or the library
-/// refuses the options; Unreadable when the module cannot be used.
+/// loaded here (nats_loader.h). The servers are tried in their order, again and again; the first
+/// attempt takes up to a second for each that does not answer. Usage error when the module is not
+/// installed or the library refuses the options; Unreadable when the module cannot be used.
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io,
                                                          const NatsOptions& options,
                                                          Bus::Events events);

@@ -1,6 +1,5 @@
 #include "client/gui/editing/channel_groups.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>

@@ -182,7 +182,8 @@ bool PlaybackSession::apply(const gui::PlaybackCommand& command, Instant now) {
 std::uint64_t PlaybackSession::reached() const {
   if (stream_ == nullptr) return 0;
   const playback::PlaybackProgress progress = stream_->playback().progress();
-  return progress.keyframe != 0 && progress.mu < 1 ? progress.keyframe - 1 : progress.keyframe;
+  const bool under_way = progress.keyframe != 0 && progress.mu < 1;
+  return progress.keyframe - (under_way ? 1 : 0);
 }
 
 Duration PlaybackSession::idle_time(Instant now) const {
