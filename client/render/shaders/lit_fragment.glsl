@@ -2,6 +2,7 @@
 in vec3 v_position;
 uniform vec3 u_eyeball_centre;
 uniform vec3 u_eyeball_forward;
+uniform float u_eyeball_open;
 #else
 in vec2 v_grain;
 #endif
@@ -144,7 +145,7 @@ const float kRelief = 0.42;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
-const vec2 kCatchlight = vec2(0.060, 0.072);  // half its sides, of the ball's radius
+const vec2 kCatchlight = vec2(0.058, 0.066);  // half its sides, of the ball's radius
 
 vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
@@ -157,15 +158,19 @@ vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // The window stands near: each eye sees it from another place.
   float which = clamp(dot(u_eyeball_centre, side), -1.0, 1.0) * (1.0 - sideways);
   float aside = 0.105 * (1.0 - sideways) + 0.024 * which;
-  vec3 first = normalize(middle - side * aside + up * (mix(0.120, 0.09, sideways) + 0.012 * which));
+  // A lid that comes down does not put it out, but for one that follows the gaze.
+  float looks_down = clamp(-3.0 * dot(u_eyeball_forward, up), 0.0, 1.0);
+  float low = 0.30 * (1.0 - min(u_eyeball_open, 1.0)) * (1.0 - looks_down);
+  float above = mix(0.120, 0.09, sideways) + 0.012 * which - low;
+  vec3 first = normalize(middle - side * aside + up * above);
   vec3 second = normalize(middle + side * 0.17 - up * 0.20);
   // A window is square, lighter at its upper edge, and soft on a wet ball.
   vec3 off = normal - first;
   vec2 pane = vec2(dot(off, side), dot(off, up)) / (kCatchlight * (1.0 + 0.14 * which));
   vec2 pane2 = pane * pane;
-  float window = 1.0 - smoothstep(0.1, 2.6, 0.5 * dot(pane2, pane2) + 0.5 * dot(pane, pane));
-  lit = mix(lit, vec3(0.90, 0.91, 0.92), window * (0.78 + 0.16 * pane.y));
-  lit += vec3(0.035, 0.031, 0.028) * smoothstep(0.975, 0.999, dot(normal, second));
+  float window = exp(-0.35 * dot(pane2, pane2) - 0.75 * dot(pane, pane));
+  lit = mix(lit, vec3(1.06, 1.05, 1.03), window * (0.92 + 0.08 * clamp(pane.y, -1.0, 1.0)));
+  lit += vec3(0.060, 0.054, 0.048) * smoothstep(0.975, 0.999, dot(normal, second));
   // From the side the front of the cornea is clear: what lies behind it shows, not the pupil.
   float facing = 1.0 - max(dot(normal, view), 0.0);
   return mix(lit, vec3(0.40, 0.37, 0.35), 0.60 * sideways * smoothstep(0.62, 1.0, facing));
@@ -201,7 +206,7 @@ void main() {
 
 #ifdef EYE
   // The upper lid and its lashes shade the ball below them.
-  result *= mix(vec3(1.0), vec3(0.36, 0.29, 0.27), smoothstep(-0.16, 0.46, from_centre.y));
+  result *= mix(vec3(1.0), vec3(0.40, 0.33, 0.31), smoothstep(-0.06, 0.48, from_centre.y));
   // The lower lid meets it in shade, or the ball is a wedge with a cut end.
   result *= mix(0.62, 1.0, smoothstep(-0.50, -0.12, from_centre.y));
   result = with_reflections(result, view, normal);
