@@ -21,8 +21,9 @@ Vec3 eye_centre(const Form& form) {
 
 double upper_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
-  // The lid covers the top of the iris; with a higher arch the eye stares.
-  return canthal_line(who, t) + who.form.upper_lid * power(std::sin(kPi * power(t, 0.80)), 0.78);
+  // The lid covers the top of the iris; with a higher arch the eye stares. It rises more over the
+  // corners than the lower lid falls: as much, and a narrowed eye is a straight slot.
+  return canthal_line(who, t) + who.form.upper_lid * power(std::sin(kPi * power(t, 0.80)), 0.90);
 }
 
 double lower_lid(const Identity& who, double dx) {

@@ -16,7 +16,7 @@ inline constexpr double kEyeRadius = 1.32;
 [[nodiscard]] Vec3 eye_centre(const Form& form);
 
 /// It spans a little more than two fifths of the opening; much more looks like a doll's.
-inline constexpr double kIrisRadius = 0.53;
+inline constexpr double kIrisRadius = 0.51;
 
 /// Corners of the eye relative to its centre: towards the nose and towards the temple.
 inline constexpr double kInnerCanthus = -1.12;

@@ -56,7 +56,8 @@ void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
   for (std::size_t j = 0; j + 1 < rows.size(); ++j) part.add_band(rows[j], rows[j + 1], false);
 }
 
-/// The shade of a lid on the ball. It belongs to the lid: on the ball it would turn with the gaze.
+/// The shade of a lid on the ball, and the red flesh in the inner corner of the eye. They belong to
+/// the lid: on the ball they would turn with the gaze.
 void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   constexpr Vec3 kShade{0.16, 0.075, 0.065};
   const Vec3 eye = eye_centre(who.form) * Vec3{side, 1, 1};
@@ -69,7 +70,9 @@ void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, 
     const std::array<Vec3, 2> across{margin.position,
                                      eye + glm::normalize(end - eye) * (kEyeRadius + 0.012)};
     for (std::size_t j = 0; j < across.size(); ++j) {
-      rows[j].push_back(part.add(across[j], kShade, j == 0 ? (upper ? 0.42 : 0.40) : 0.0));
+      const double pink = smooth_step(3.6, 1.8, k);
+      const double shade = j == 0 ? (upper ? 0.42 : 0.40) : 0.0;
+      rows[j].push_back(part.add(across[j], mix(kShade, kCaruncle, pink), mix(shade, 0.85, pink)));
       part.vertices.back().maps = margin.maps;
       part.vertices.back().gloss = 0;
     }
@@ -275,8 +278,9 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
     for (int j = 0; j <= kAcross; ++j) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
-      const double fade = smooth_step(-0.02, 0.26, t) * smooth_step(1.0, 0.86, t);
-      const double alpha = 0.74 * fade * smooth_step(1.0, 0.25, std::abs(s));
+      // The inner end is single hairs on bare skin: with as much ground it is a grey haze.
+      const double fade = smooth_step(0.02, 0.34, t) * smooth_step(1.0, 0.86, t);
+      const double alpha = 0.70 * fade * smooth_step(1.0, 0.20, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
     }
@@ -313,12 +317,12 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const Vec3 root = place.spine + place.across * (half_width * s);
     const Vec3 direction = hair_direction(place, t, s, chance(3));
     const Vec3 aside{-direction.y, direction.x, 0};
-    const double length = (0.24 + 0.55 * half_width) * (0.75 + 0.5 * chance(4)) *
+    const double length = (0.28 + 0.58 * half_width) * (0.75 + 0.5 * chance(4)) *
                           mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
-    const double alpha = mix(0.30, 0.80, smooth_step(0.0, 0.26, t)) * (0.6 + 0.4 * on_side(5));
+    const double alpha = mix(0.34, 0.95, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5));
     const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
-    const double thick = 0.0155 * (0.8 + 0.4 * chance(7));
+    const double thick = mix(0.0105, 0.0140, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};
     const std::array<Vec3, 3> flat{root - aside * thick, root + aside * thick,
                                    root + direction * length};

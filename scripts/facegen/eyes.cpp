@@ -8,6 +8,8 @@ namespace {
 
 constexpr int kEyeSectors = 60;
 constexpr double kPupilRadius = 0.22;
+/// How far each eye turns in at rest, radians: parallel, they look past the viewer.
+constexpr double kConvergence = 0.022;
 
 /// Colour at `radius` from the eye's axis and `angle` about it; the nose lies at `nasal` 1.
 Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, double nasal) {
@@ -19,12 +21,12 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
                  smooth_step(0.1, 0.65, t + 0.25 * (streak - 0.5)));
     // Light from above shines through to the lower half.
     const double arc = smooth_step(0.30, 0.60, t) * smooth_step(-0.3, -1.0, std::sin(angle));
-    c *= (0.70 + 0.6 * streak) * (0.86 - 0.36 * std::sin(angle) + 0.30 * arc);
+    c *= (0.70 + 0.6 * streak) * (0.92 - 0.34 * std::sin(angle) + 0.44 * arc);
     c = mix(c, kIrisEdge, 0.85 * smooth_step(0.66, 1.02, t));
     return t < 0.08 ? c * 0.35 : c;
   }
   // Faint: all of it comes into view when the eye looks aside.
-  const double corner = smooth_step(0.55, 1.10, radius);
+  const double corner = smooth_step(0.56, 1.08, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
   c = mix(c, kCaruncle, 0.45 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.06 ? mix(kLimbus, c, 0.50) : c;
@@ -53,15 +55,17 @@ Part make_eye(const Identity& who, int side) {
   eye.name = side > 0 ? "left_eye" : "right_eye";
   eye.material = face::Material::Eye;
   const Vec3 centre = eye_centre(who.form) * Vec3{side, 1, 1};
-  const std::uint32_t pole = eye.add(centre + Vec3{0, 0, kEyeRadius}, kPupil);
+  const auto place = [&](const Vec3& from_centre) {
+    return centre + rotated_y(from_centre, -side * kConvergence);
+  };
+  const std::uint32_t pole = eye.add(place({0, 0, kEyeRadius}), kPupil);
   std::vector<std::uint32_t> inner;
   const auto add_ring = [&](double radius, double z) {
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kEyeSectors; ++i) {
       const double angle = 2 * kPi * i / kEyeSectors;
-      const Vec3 shift{radius * std::cos(angle), radius * std::sin(angle), z};
-      ring.push_back(
-          eye.add(centre + shift, eye_colour(who, radius, i, angle, -side * std::cos(angle))));
+      ring.push_back(eye.add(place({radius * std::cos(angle), radius * std::sin(angle), z}),
+                             eye_colour(who, radius, i, angle, -side * std::cos(angle))));
     }
     if (inner.empty()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {

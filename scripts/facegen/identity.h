@@ -44,10 +44,10 @@ struct Form {
   double ear_size = 1;  ///< factor
   // eyes: height of the lids over their corners, and of the corners over the eye's centre
   double eye_apart = 2.10;  ///< x of the centre
-  double upper_lid = 0.52;
-  double lower_lid = 0.435;
-  double inner_canthus_up = -0.17;
-  double outer_canthus_up = 0.10;
+  double upper_lid = 0.50;
+  double lower_lid = 0.345;
+  double inner_canthus_up = -0.24;
+  double outer_canthus_up = 0.0;
   double lid_fold = 0.30;      ///< over the margin
   double eye_bag = 0.018;      ///< depth of the groove under the eye
   double socket = 0;           ///< depth between lid and brow

@@ -32,7 +32,7 @@ inline constexpr Vec3 kBeardShade{0.44, 0.475, 0.53};
 /// The same under hair or right beside it.
 inline constexpr Vec3 kUnderHair{0.66, 0.54, 0.50};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
-inline constexpr Vec3 kCaruncle{0.82, 0.56, 0.50};
+inline constexpr Vec3 kCaruncle{0.66, 0.34, 0.30};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
 inline constexpr Vec3 kNostril{0.20, 0.06, 0.045};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
@@ -47,8 +47,8 @@ inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kPupil{0.012, 0.011, 0.012};
 inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
-inline constexpr Vec3 kSclera{0.62, 0.565, 0.525};
-inline constexpr Vec3 kScleraCorner{0.48, 0.315, 0.285};
+inline constexpr Vec3 kSclera{0.64, 0.575, 0.53};
+inline constexpr Vec3 kScleraCorner{0.47, 0.29, 0.255};
 /// What is left of the light in the deepest line.
 inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
 inline constexpr Vec3 kForeheadCrease{0.61, 0.42, 0.36};

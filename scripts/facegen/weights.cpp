@@ -96,10 +96,10 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   }
   const double own = elevation[static_cast<std::size_t>(v.spoke)];
   const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
-  // Both margins meet 14 % above where the lower one rests, half-way near the corners, which else
+  // Both margins meet 16 % above where the lower one rests, half-way near the corners, which else
   // would fold, and press by a trace.
-  const double meet = mix(0.5, 0.86, std::min(1.0, 1.2 * middle));
-  const double press = std::min(1.0, 5 * middle) * (upper ? -0.018 : 0.004);
+  const double meet = mix(0.5, 0.84, std::min(1.0, 1.2 * middle));
+  const double press = std::min(1.0, 5 * middle) * (upper ? -0.028 : 0.004);
   const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
   vertex[Map::LidAngle] = share * (own - target);
 }

@@ -359,6 +359,32 @@ TEST_F(DefaultFaceMesh, CoversTheTopOfTheIrisUntilTheLidIsRaised) {
   EXPECT_LT(covered_mm(posed(5)), -0.5F);
 }
 
+TEST_F(DefaultFaceMesh, KeepsTheArchOfTheUpperLidOfANarrowedEye) {
+  // Level with the corners it is a slot.
+  const auto arch = [](const std::vector<glm::vec3>& positions) {
+    const auto height = [&](int spoke) {
+      return positions[skin_vertex(Patch::Eye, facegen::kLidInnerRing, spoke)].y;
+    };
+    constexpr int kMiddle = 4;
+    constexpr int kOuterCorner = 12;
+    constexpr int kInnerCorner = 28;
+    return height(kMiddle) - 0.5F * (height(kOuterCorner) + height(kInnerCorner));
+  };
+  EXPECT_GT(arch(driven("lid_close", 0.5F)), 0.1F);
+  EXPECT_GT(arch(posed(6)), 0.25F);
+  EXPECT_GT(arch(posed(7)), 0.2F);
+}
+
+TEST_F(DefaultFaceMesh, LooksAtTheViewerNotPastHim) {
+  for (const face::Eye& eye : face().eyes) {
+    const glm::vec3 pupil =
+        face().mesh.positions[part(eye.part).vertex_begin] - glm::vec3{eye.centre};
+    const float inwards = -std::copysign(1.0F, eye.centre.x) * std::atan2(pupil.x, pupil.z);
+    EXPECT_GT(glm::degrees(inwards), 0.8F) << eye.part;
+    EXPECT_LT(glm::degrees(inwards), 2.2F) << eye.part << " squints";
+  }
+}
+
 TEST_F(DefaultFaceMesh, ClosesTheLidsOnTheEyeballWithoutHoles) {
   float before = 10;
   for (const float closure : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
