@@ -34,6 +34,7 @@ std::vector<Part> make_head(const Identity& who) {
     const RayScene skin_only(std::array<const Part*, 1>{&skin.part});
     const RayScene outside(std::array<const Part*, 3>{&skin.part, &hair, &shirt});
     bake_occlusion(skin.part, body, {128, 4.0, 0.34, 3});
+    lighten_sockets(skin);
     shade_inner_lips(skin);
     shade_under_hair(who, skin, hair);
     bake_occlusion(left_eye, skin_only, {96, 3.0, 0.60, 1});

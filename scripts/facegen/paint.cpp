@@ -27,10 +27,24 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
 /// The thin skin round the eye and over the temple is cooler and a little darker.
 Vec3 cooled(const Vec3& colour, const Vec3& p) {
   if (p.z < 2) return colour;
-  const double socket = 0.50 * bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
+  const double socket = 0.20 * bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
                         0.40 * bell(Vec3{(p.x - 1.9) / 0.85, (p.y - 1.95) / 0.42, 0});
   const double temple = bell(Vec3{(p.x - 4.3) / 0.9, (p.y - 3.4) / 1.3, (p.z - 4) / 1.6});
   return colour * mix(Vec3{1}, Vec3{0.90, 0.86, 0.88}, saturate(socket + 0.35 * temple));
+}
+
+/// What faces down between the brow and the fold of the lid: light that comes up from the cheeks
+/// keeps it from being a brown patch.
+double under_brow(const Vec3& p) {
+  if (p.z < 5) return 0;
+  return bell(Vec3{(p.x - 1.8) / 1.25, (p.y - 3.56) / 0.36, 0});
+}
+
+/// Between the inner corner of the eye, the brow and the nose, where what light the lamp leaves is
+/// grey: the skin there is warmer.
+double inner_socket(const Vec3& p) {
+  if (p.z < 6) return 0;
+  return bell(Vec3{(p.x - 0.98) / 0.42, (p.y - 3.25) / 0.62, 0});
 }
 
 /// Deep in the ear little light arrives, and what does is red.
@@ -168,6 +182,8 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.0, 0.22, 0.34} * under_nose(p);
+    c *= Vec3{1} - Vec3{-0.07, 0.04, 0.11} * inner_socket(p);
+    c *= Vec3{1} + Vec3{0.09, 0.18, 0.20} * under_brow(p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
@@ -175,6 +191,17 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (v.patch == Patch::Ear) paint_ear(vertex, v);
     if (v.patch == Patch::Nostril) paint_nostril(vertex, v);
     vertex.gloss *= shine(p);
+  }
+}
+
+void lighten_sockets(Skin& skin) {
+  // Light that bounces between brow, lid and nose is not baked; without it the sockets are dirty.
+  for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
+    const Vec3& p = skin.half.vertices[skin.source[i]].position;
+    if (p.z < 4) continue;
+    const double inside = bell(Vec3{(p.x - 1.95) / 1.35, (p.y - 3.25) / 0.70, 0});
+    double& occlusion = skin.part.vertices[i].occlusion;
+    occlusion = mix(occlusion, 1.0, 0.5 * inside);
   }
 }
 

@@ -10,6 +10,9 @@ namespace aucast::facegen {
 /// Stage 5: colour and gloss of the skin.
 void paint_skin(const Identity& who, Skin& skin);
 
+/// Gives the sockets of the eyes some of the light that the baked occlusion takes.
+void lighten_sockets(Skin& skin);
+
 /// Takes light from the inner side of the lips, which the baked occlusion sees with the mouth shut
 /// and the lights from behind would draw when it opens.
 void shade_inner_lips(Skin& skin);
