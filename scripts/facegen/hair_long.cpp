@@ -200,7 +200,14 @@ void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
     const double t = mix(0.3, 0.95, v);
     const double thick = mix(0.42, 0.25, smooth_step(0.8, 1, t));
     const Vec3 p = sheet.off_head(outer_place(sheet, s, t) - sheet.up(s, t) * thick, 0.04);
-    return HairPoint{p, shade_of(who, 0) * mix(0.9, 1.2, v), smooth_step(1, 0.9, v), s, 0};
+    // From the front its edge is seen beside the cheek: dark and straight, it is a slit.
+    const double front = std::min(u, 1 - u);
+    const double light = 0.16 * smooth_step(0.10, 0.0, front);
+    const double ragged = 0.3 * value_noise({s * 60, 0.5, 2.5});
+    const double ends =
+        smooth_step(1, 0.9, v) * smooth_step(0.95, 0.6, v + ragged * smooth_step(0.2, 0.0, front));
+    return HairPoint{p, shade_of(who, light) * mix(0.9, 1.2, v), ends * smooth_step(0, 0.02, front),
+                     s, 0};
   });
 }
 
