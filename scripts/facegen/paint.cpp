@@ -101,7 +101,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
   if (v.ring == 1) vertex.colour = mix(vertex.colour, kNostrilRim, 0.25);
   if (v.ring < 2) return;
-  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.34 : 0.90);
+  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.55 : 0.95);
   vertex.gloss = 0.2;
 }
 
@@ -138,21 +138,34 @@ double below_jaw(const Vec3& p) {
 }
 
 /// The side of the nose from the inner corner of the eye to the wing, which turns away from every
-/// light: without it bridge and wings are one form with the cheeks from the front.
+/// light: without it bridge and wings are one form with the cheeks from the front. Faint along the
+/// bridge, which more would make a column.
 double beside_nose(const Identity& who, const Vec3& p) {
   if (p.z < 6.5) return 0;
   static constexpr std::array<Vec3, 4> kSide{
-      {{.62, 2.2, .25}, {.68, 1.2, .55}, {.86, .45, .75}, {1.24, -.05, 1.0}}};
+      {{.66, 2.2, .15}, {.76, 1.2, .25}, {.96, .45, .6}, {1.24, -.05, 1.0}}};
   const double x = p.x / who.form.nose_width;
   const double under_tip =
       bell(Vec3{x / 0.75, (p.y + 0.80) / 0.22, 0}) * smooth_step(7.8, 8.6, p.z);
-  return std::max(near_line(kSide, {x, p.y}, 0.26), 0.8 * under_tip);
+  return std::max(near_line(kSide, {x, p.y}, 0.28), 0.8 * under_tip);
 }
 
-/// The underside of the nose: without more warmth, what gets no light of the lamp there looks grey
-/// beside the red edge of its shadow.
-double under_nose(const Vec3& p) {
-  return bell(Vec3{p.x / 0.80, (p.y + 0.72) / 0.33, 0}) * smooth_step(7.6, 8.2, p.z);
+/// What faces down or aside of tip and wings: without more warmth, what gets no light of the lamp
+/// there looks grey beside the red edge of its shadow.
+double under_nose(const Identity& who, const Vec3& p) {
+  const double x = p.x / who.form.nose_width;
+  const double near = bell(Vec3{x / 1.25, (p.y + 0.48) / 0.50, 0}) * smooth_step(7.6, 8.2, p.z);
+  if (near < 1e-3) return 0;
+  const Vec3 normal = head_normal(who, p);
+  const double away = smooth_step(0.05, -0.55, normal.y) + smooth_step(0.50, 0.85, normal.x);
+  return near * std::min(1.0, 0.25 + away);
+}
+
+/// The groove from nose to lip and the shade of its nearer edges.
+double philtrum(const Identity& who, const Vec3& p) {
+  if (p.z < 7) return 0;
+  return who.form.philtrum * smooth_step(-1.90, -1.55, p.y) * smooth_step(-0.75, -1.0, p.y) *
+         (bell(p.x, 0.20) - 0.5 * bell(p.x - 0.36, 0.14));
 }
 
 /// The nose shines a little more than the rest, forehead and chin, which face the lamp, less, neck
@@ -181,9 +194,10 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
-    c *= Vec3{1} - Vec3{0.0, 0.22, 0.34} * under_nose(p);
     c *= Vec3{1} - Vec3{-0.07, 0.04, 0.11} * inner_socket(p);
     c *= Vec3{1} + Vec3{0.09, 0.18, 0.20} * under_brow(p);
+    c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
+    c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
     vertex.gloss = 1;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);

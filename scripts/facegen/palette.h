@@ -34,7 +34,7 @@ inline constexpr Vec3 kUnderHair{0.66, 0.54, 0.50};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
 inline constexpr Vec3 kCaruncle{0.66, 0.34, 0.30};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
-inline constexpr Vec3 kNostril{0.20, 0.06, 0.045};
+inline constexpr Vec3 kNostril{0.11, 0.034, 0.026};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
 inline constexpr Vec3 kMouthFront{0.56, 0.165, 0.145};
 inline constexpr Vec3 kMouthBack{0.23, 0.054, 0.045};

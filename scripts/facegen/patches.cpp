@@ -107,6 +107,37 @@ Vec3 inner_lip(const Identity& who, int which, int spoke) {
   }
 }
 
+/// A spoke's place on the rim of the nostril, in the front plane: a drop that leans outwards, seen
+/// from the front as large as a face shows it.
+Vec3 nostril_rim(const Identity& who, int spoke, double size) {
+  const Form& form = who.form;
+  const double angle = radians(135 - 45.0 * spoke);
+  const Vec3 along{-0.155, 0.09, 0};
+  const Vec3 across{0.10, 0.105, 0};
+  const Vec3 at = Vec3{0.46, -0.55 + 0.5 * form.nose_up, 0} +
+                  (along * std::sin(angle) + across * std::cos(angle)) * size;
+  return {at.x * form.nose_width, at.y, 0};
+}
+
+/// Ring 1 lies on the skin round the rim, ring 2 is the rim, the others lead inwards.
+Vec3 nostril_place(const Identity& who, int ring, int spoke, const Vec3& border) {
+  const auto on_face = [&who](Vec3 p) {
+    p.z = face_z(who, p.x, p.y);
+    return p;
+  };
+  const Vec3 rim = on_face(nostril_rim(who, spoke, 1));
+  switch (ring) {
+    case 1:
+      return on_skin(who, mix(rim, border, 0.40));
+    case 2:
+      return rim + Vec3{0, 0.02, -0.03};
+    case 3:
+      return on_face(nostril_rim(who, spoke, 0.9)) + Vec3{0, 0.12, -0.14};
+    default:
+      return on_face(nostril_rim(who, spoke, 0.7)) + Vec3{0, 0.36, -0.30};
+  }
+}
+
 }  // namespace
 
 void add_eye_patch(LayoutBuilder& builder) {
@@ -163,41 +194,21 @@ void add_mouth_patch(LayoutBuilder& builder) {
 void add_nostril_patch(LayoutBuilder& builder) {
   const Identity& who = builder.who();
   constexpr int kSpokes = 8;
-  const double wide = who.form.nose_width;
-  const Vec3 centre = on_skin(
-      who, {0.46 * wide, -0.66 + 0.5 * who.form.nose_up, 8.80 + 0.6 * who.form.nose_forward});
-  const Vec3 along{-0.07, 0.04, 0.21};
-  const Vec3 across{0.16 * wide, 0.04, 0.05};
   const Ring border = builder.nodes(border_of(kNostrilBlock));
   Ring outer = border;
   for (int ring = 1; ring <= 4; ++ring) {
     Ring inner;
     for (int spoke = 0; spoke < kSpokes; ++spoke) {
-      const double angle = radians(135 - 45.0 * spoke);
-      const Vec3 shift = along * std::sin(angle) + across * std::cos(angle);
       const Vec3& from = builder.position(border[static_cast<std::size_t>(spoke)]);
-      // In front it is round: straight, it is a box from the front.
-      const Vec3 arch{0, 0.07 * power(std::max(0.0, std::sin(angle)), 4), 0};
-      const auto place = [&]() -> Vec3 {
-        switch (ring) {
-          case 1:
-            return on_skin(who, mix(from, centre + shift, 0.55)) + arch * 0.5;
-          case 2:
-            return on_skin(who, centre + shift) + arch;
-          case 3:
-            return centre + shift * 0.92 + arch + Vec3{0, 0.12, -0.03};
-          default:
-            return centre + shift * 0.75 + Vec3{0, 0.45, -0.12};
-        }
-      };
-      inner.push_back(builder.add(place(), Patch::Nostril, ring, spoke));
+      inner.push_back(
+          builder.add(nostril_place(who, ring, spoke, from), Patch::Nostril, ring, spoke));
     }
     builder.add_strip(outer, inner, true);
     outer = std::move(inner);
   }
   Vec3 middle{0};
   for (const std::uint32_t i : outer) middle += builder.position(i) / static_cast<double>(kSpokes);
-  builder.add_lid(outer, builder.add(middle + Vec3{0, 0.1, 0}, Patch::Nostril, 5));
+  builder.add_lid(outer, builder.add(middle + Vec3{0, 0.1, -0.1}, Patch::Nostril, 5));
 }
 
 }  // namespace aucast::facegen

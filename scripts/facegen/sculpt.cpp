@@ -114,29 +114,43 @@ double with_orbit(const Form& form, double d, const Vec3& p) {
   return melt(d, glm::length(p - eye_centre(form)) - (kEyeRadius + thickness), seam);
 }
 
+/// The cheek falls back beside the wing of the nose, and the lip below it as far as the furrow:
+/// else nose, cheek and lip are one sheet.
+double beside_wing(const Vec3& p) {
+  static constexpr std::array<Vec3, 3> kBelow{
+      {{.70, -.70, .9}, {1.20, -.82, 1.0}, {1.50, -1.22, .30}}};
+  const Vec3 beside{(p.x - 1.36) / 0.58, (p.y - 0.10) / 0.80, 0};
+  return (0.36 * bell(beside) + 0.13 * near_line(kBelow, {p.x, p.y}, 0.36)) *
+         smooth_step(5.5, 6.8, p.z);
+}
+
 double with_nose(const Form& form, double d, const Vec3& p) {
   // The bridge melts widely into the cheeks, tip and wings closely; one seam for all makes a column
   // of the bridge or a blob of the tip.
   const double wide = form.bridge_width;
   const Vec3 hump{0, 0, form.nose_hump};
-  const Vec3 low{0, 0.4, 8.86 + 0.5 * std::max(0.0, form.nose_forward)};
+  const Vec3 low{0, 0.5, 8.78 + 0.5 * std::max(0.0, form.nose_forward)};
   double bridge = round_cone(p, {0, 3.05, 7.46}, Vec3{0, 1.6, 8.18} + hump, 0.36, 0.44 + wide);
-  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.44 + wide, 0.46), 0.9);
+  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.44 + wide, 0.52), 0.9);
   bridge = melt(bridge,
-                round_cone(p, {0.12 + wide, 2.3, 7.00}, {0.62 + 0.5 * wide, 0.1, 7.90}, 0.38, 0.60),
+                round_cone(p, {0.12 + wide, 2.3, 7.00}, {0.62 + 0.5 * wide, 0.1, 7.78}, 0.38, 0.60),
                 0.8);
+  // Below the eyes it widens; the lids must stay where they are.
+  const double flank =
+      round_cone(p, {0.48 + wide, 1.10, 7.38}, {0.70 + 0.5 * wide, 0.35, 7.54}, 0.54, 0.78);
+  bridge = melt(bridge, flank + 0.5 * smooth_step(1.4, 2.3, p.y), 0.9);
   d = melt(d, bridge, 1.2);
   const Vec3 q{p.x / form.nose_width, p.y, p.z};
   const Vec3 at{0, form.nose_up, form.nose_forward};
-  double tip = ellipsoid(q - (Vec3{0, 0.08, 8.98} + at), Vec3{0.57, 0.48, 0.63} + form.nose_tip);
-  tip = melt(tip, round_cone(q, Vec3{0, -0.30, 9.08} + at, {0, -0.60, 8.35}, 0.25, 0.22), 0.3);
-  d = melt(d, tip, 0.50);
-  const Vec3 wing = rotated_y(rotated_z(q - Vec3{0.745, -0.21, 8.37}, 0.28), 0.42);
-  d = melt(d, ellipsoid(wing, {0.36, 0.43, 0.62}), 0.15);
-  // The rim of the nostril rolls in.
-  const Vec3 hole =
-      rotated_y(q - Vec3{0.46, -0.70 + 0.5 * form.nose_up, 8.80 + 0.6 * form.nose_forward}, 0.36);
-  return carve(d, ellipsoid(hole, {0.10, 0.14, 0.22}), 0.16);
+  double tip = ellipsoid(q - (Vec3{0, 0.06, 9.00} + at), Vec3{0.53, 0.46, 0.58} + form.nose_tip);
+  tip = melt(tip, round_cone(q, Vec3{0, -0.40, 9.00} + at, {0, -0.66, 8.40}, 0.20, 0.21), 0.35);
+  d = melt(d, tip, 0.60);
+  // From the tip back to the cheek, thickest in the middle, its end below.
+  const Vec3 front{0.46, 0.00 + 0.6 * form.nose_up, 8.82 + 0.6 * form.nose_forward};
+  constexpr Vec3 kMiddle{0.71, -0.14, 8.42};
+  double wing = round_cone(q, front, kMiddle, 0.26, 0.35);
+  wing = melt(wing, round_cone(q, kMiddle, {0.82, -0.34, 8.10}, 0.35, 0.25), 0.3);
+  return melt(d, wing, 0.17);
 }
 
 /// Depth of the fold of the upper lid and of the groove under the eye.
@@ -188,11 +202,9 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
   depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
   depth += 0.035 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
-  const double above_lip = 1 - smooth_step(-1.1, -0.8, y);
-  depth += 0.045 * who.form.philtrum * bell(x, 0.20) * smooth_step(-2.0, -1.6, y) *
-           above_lip;  // philtrum
-  depth -=
-      0.022 * who.form.philtrum * bell(x - 0.36, 0.15) * smooth_step(-2.05, -1.7, y) * above_lip;
+  const double philtrum =
+      who.form.philtrum * smooth_step(-2.0, -1.6, y) * smooth_step(-0.75, -1.05, y);
+  depth += philtrum * (0.055 * bell(x, 0.22) - 0.030 * bell(x - 0.36, 0.16));
   depth +=
       who.form.chin_fold * bell(y + 3.45, 0.35) * bell(x, 1.3);  // fold between lower lip and chin
   return depth * smooth_step(5.5, 6.8, p.z);
@@ -245,7 +257,7 @@ double head_distance(const Identity& who, const Vec3& p) {
   d = with_brow_ridge(who.form, d, q);
   d = melt(d, neck(who.form, beside), 1.3);
   d = with_orbit(who.form, d, q);
-  d += lid_relief(who, p);
+  d += lid_relief(who, p) + beside_wing(q);
   d = with_nose(who.form, d, q);
   return d + fold_depth(who, p) + mouth_relief(who, p) + bony_hollows(who.form, p);
 }
