@@ -168,11 +168,12 @@ double philtrum(const Identity& who, const Vec3& p) {
          (bell(p.x, 0.20) - 0.5 * bell(p.x - 0.36, 0.14));
 }
 
-/// The nose shines a little more than the rest, forehead and chin, which face the lamp, less, neck
-/// and back of the head least.
+/// The tip of the nose shines a little more than the rest, its bridge, which would be a stripe,
+/// forehead and chin, which face the lamp, less, neck and back of the head least.
 double shine(const Vec3& p) {
   double s = 0.85;
-  if (p.z > 8) s += 0.5 * bell(Vec3{p.x / 1.1, (p.y - 0.4) / 0.9, 0});
+  if (p.z > 8) s += 0.4 * bell(Vec3{p.x / 0.9, (p.y - 0.1) / 0.5, 0});
+  if (p.z > 7.5) s -= 0.25 * bell(Vec3{p.x / 0.8, (p.y - 1.7) / 0.9, 0});
   if (p.z > 5) s -= 0.32 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
   if (p.z > 5) s -= 0.22 * bell(Vec3{p.x / 1.2, (p.y + 4.5) / 1.0, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
