@@ -26,7 +26,7 @@ constexpr Arch kUpperArch{1,
                           -1.63,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.95, .91, .86, .76, .66, .56, .47}};
+                          {.96, .875, .88, .76, .65, .55, .47}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
@@ -77,14 +77,32 @@ class ArchCurve {
 /// Where crowns meet, light gets lost; more would draw black bars.
 constexpr double kLostBetweenTeeth = 0.50;
 
+/// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
+/// and behind them light gets lost.
+constexpr std::array<Vec3, kTeethPerSide> kCrownTint{{{1.0, 1.0, 1.0},
+                                                      {0.95, 0.94, 0.93},
+                                                      {0.88, 0.83, 0.75},
+                                                      {0.86, 0.83, 0.79},
+                                                      {0.80, 0.77, 0.73},
+                                                      {0.75, 0.72, 0.68},
+                                                      {0.70, 0.67, 0.63}}};
+
+/// Seven columns of a crown, closer where it rounds off beside its neighbours.
+constexpr std::array kAcrossCrown{0.0, 0.07, 0.23, 0.5, 0.77, 0.93, 1.0};
+
 /// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
 Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
-  Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) *
-           (1 - 0.05 * static_cast<double>(tooth)) * (1 - kLostBetweenTeeth * power(across, 5));
-  // The edge is thin: what shows through is the dark of the mouth.
-  c *= 1 - 0.08 * smooth_step(0.82, 1.0, to_tip);
+  Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) * kCrownTint[tooth] *
+           (1 - kLostBetweenTeeth * power(across, 6));
+  // The edge is thin: what shows through is the dark of the mouth, and little red.
+  if (tooth < 2) c *= mix(Vec3{1}, Vec3{0.80, 0.82, 0.86}, smooth_step(0.80, 1.0, to_tip));
   return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
 }
+
+/// How much of its edge a front tooth loses beside its neighbours, towards the middle and away from
+/// it: canines are pointed.
+constexpr std::array<std::array<double, 2>, 3> kRounding{
+    {{0.035, 0.09}, {0.06, 0.11}, {0.10, 0.13}}};
 
 /// How thick crowns are, in those of the front.
 constexpr std::array<double, kTeethPerSide> kThickness{1, 1, 1.15, 1.4, 1.5, 1.6, 1.6};
@@ -124,15 +142,13 @@ constexpr Vec3 kCrownFarBack{0.36, 0.20, 0.165};
 /// A crown from `begin` along the arch, on the side of the sign of `side`.
 void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t tooth,
                double begin, int side) {
-  constexpr int kSteps = 6;
   const bool molar = tooth > 2;
   const double lean = molar ? 0.02 : arch.lean;
   std::vector<std::uint32_t> above;
   for (std::size_t j = 0; j < kCrownRows.size(); ++j) {
     const auto& [v, behind] = kCrownRows[j];  // gum to edge and back
     std::vector<std::uint32_t> row;
-    for (int i = 0; i <= kSteps; ++i) {
-      const double u = static_cast<double>(i) / kSteps;
+    for (const double u : kAcrossCrown) {
       const double across = std::abs(2 * u - 1);
       const double tapered = 0.5 + (u - 0.5) * (1 - 0.05 * (1 - v));
       const double width = arch.widths[tooth] + 0.03;
@@ -145,13 +161,16 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double height = of_crown(arch.heights, tooth, u);
       // Their corners are round, most those away from the middle; a deep notch between the first
       // two would be a black dot.
-      const double notch = (molar || u < 0.5 ? 0.03 : 0.08) * power(across, 4) * v * v;
+      const double notch =
+          (molar ? 0.03 : kRounding[tooth][u < 0.5 ? 0 : 1]) * power(across, 4) * v * v;
       const double toward_bite = height * v - notch;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       const double in_shade = smooth_step(0.0, 0.16, behind);
       const Vec3 front = tooth_colour(v, across, tooth);
-      const Vec3 back = mix(kCrownFarBack, front * kCrownBack, smooth_step(5.8, 7.4, p.z));
+      // The lower row is seen from behind past the lip: lit, its backs would be a heap of shells.
+      const Vec3 near_back = arch.up > 0 ? front * kCrownBack : kCrownFarBack;
+      const Vec3 back = mix(kCrownFarBack, near_back, smooth_step(5.8, 7.4, p.z));
       row.push_back(part.add(p, mix(front, back, in_shade)));
       part.vertices.back().occlusion = mix(1.0, 0.05, in_shade);
       part.vertices.back().gloss = mix(1.0, 0.1, in_shade);
@@ -199,10 +218,10 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(1.75, 0.25, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.0, 0.35, std::abs(p.x));
 }
 
-constexpr Vec3 kLightOnLowerTeeth{0.80, 0.72, 0.66};
+constexpr Vec3 kLightOnLowerTeeth{0.74, 0.66, 0.60};
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
@@ -210,12 +229,14 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(Vec3{0.40, 0.36, 0.33}, Vec3{1}, light) *
-                     mix(arch.up > 0 ? 0.58 : 0.90, 1.26, smooth_step(0.10, 0.90, from_gum));
+    vertex.colour *= mix(Vec3{0.38, 0.31, 0.27}, Vec3{1}, light) *
+                     (arch.up > 0 ? mix(0.52, 1.25, smooth_step(0.34, 0.90, from_gum))
+                                  : mix(0.90, 1.26, smooth_step(0.10, 0.90, from_gum)));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       // Its end seen past the tongue would be a grey block, and its far side a black one.
-      const double far = smooth_step(7.3, 6.0, vertex.position.z);
+      const double far = std::max(smooth_step(7.3, 6.2, vertex.position.z),
+                                  smooth_step(0.65, 1.40, std::abs(vertex.position.x)));
       vertex.colour = mix(vertex.colour * kLightOnLowerTeeth, kMouthBack * 0.7, far);
       vertex.occlusion = mix(std::max(vertex.occlusion * 0.5, 0.3), 0.2, far);
     }
@@ -317,7 +338,7 @@ Part make_tongue() {
   for (int j = 0; j <= kAlong; ++j) {
     const double b = kPi * j / kAlong;  // tip to root
     const double z = 5.40 + 1.95 * std::cos(b);
-    const double width = 1.34 * power(std::sin(b), 0.62) * (1 - 0.24 * std::cos(b));
+    const double width = 1.28 * power(std::sin(b), 0.62) * (1 - 0.24 * std::cos(b));
     // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
     const double height = power(std::sin(b), 0.6) * mix(0.55, 0.24, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
