@@ -38,7 +38,7 @@ double lid_fold(const Identity& who, double dx) {
 double lip_contact(const Identity& who, double x) {
   const double t = saturate(x / kMouthCorner);
   // The last term lifts the corners to a trace of a smile.
-  return -2.33 - 0.040 * bell(x, 0.30) + 0.035 * bell(x - 0.6, 0.45) - 0.02 * t +
+  return -2.33 - 0.030 * bell(x, 0.30) + 0.035 * bell(x - 0.6, 0.45) - 0.02 * t +
          who.form.corner_lift * t * t * t;
 }
 

@@ -38,11 +38,11 @@ inline constexpr double kMouthCorner = 1.70;
 
 /// The furrow from the wing of the nose past the corner of the mouth: x, y and how deep it is
 /// there, 1 at its deepest. Years engrave it (`Form::furrow`), smiles deepen and draw it.
-inline constexpr std::array<Vec3, 5> kFurrow{{{1.16, -0.28, 0.3},
-                                              {1.46, -0.85, 0.9},
-                                              {1.83, -1.46, 1.0},
-                                              {2.22, -2.10, 0.75},
-                                              {2.46, -2.85, 0.0}}};
+inline constexpr std::array<Vec3, 5> kFurrow{{{1.16, -0.24, 0.3},
+                                              {1.62, -0.70, 0.75},
+                                              {2.14, -1.32, 1.0},
+                                              {2.51, -2.04, 0.6},
+                                              {2.65, -2.74, 0.0}}};
 
 /// The spine of the brow in the front plane (z = 0) from t = 0 at the nose to 1 at the temple, and
 /// half of its width there.

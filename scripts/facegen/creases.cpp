@@ -67,7 +67,7 @@ std::vector<Crease> creases() {
         {{{0.28, 2.36}, {0.58, 2.14}, {0.86, 1.84}, {1.12, 1.42}}, 0.20, 0.72, 0.6, 0.6},
         {{{0.40, 1.98}, {0.64, 1.74}, {0.86, 1.44}, {1.04, 1.06}}, 0.19, 0.60, 0.6, 0.6}}},
       {"crease_nasolabial",
-       {{{std::vector<glm::dvec2>(kFurrow.rbegin(), kFurrow.rend()), 0.34, 1.0, 0.50, 0.40}}}},
+       {{{std::vector<glm::dvec2>(kFurrow.rbegin(), kFurrow.rend()), 0.38, 1.0, 0.42, 0.62}}}},
       {"crease_mouth_corner",
        {{{{1.98, -2.84}, {2.11, -2.56}, {2.11, -2.24}, {1.97, -1.94}}, 0.22, 1.0, 0.5, 0.5}}},
       // Across the skin round the red, where the tightened ring of muscle gathers it.

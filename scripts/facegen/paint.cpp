@@ -72,7 +72,15 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   vertex.gloss = edge && !upper ? 3.0 : 1.2;
 }
 
+/// The corner of the mouth lies in a small shade of its own, where the lips close and the cheek
+/// begins.
+double corner_shade(const Identity& who, const Vec3& p) {
+  const Vec3 from_corner{p.x - kMouthCorner + 0.09, p.y - lip_contact(who, kMouthCorner), 0};
+  return bell(Vec3{from_corner.x / 0.25, from_corner.y / 0.16, 0});
+}
+
 void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
+  vertex.colour *= Vec3{1} - Vec3{0.27, 0.39, 0.41} * corner_shade(who, v.position);
   if (v.ring == kLipBorderRing - 1) {
     // A pale line goes round the red of the lips.
     vertex.colour *= mix(1.06, 1.0, smooth_step(0.5, 1.0, v.position.x / kMouthCorner));
@@ -81,7 +89,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
   const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner) *
-                          (1 - 0.5 * smooth_step(0.8, 1.0, to_corner));
+                          (1 - 0.8 * smooth_step(0.76, 1.0, to_corner));
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
   if (v.ring >= kLipContactRing - 1)
@@ -95,7 +103,9 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
     c *= 1 - 0.10 * smooth_step(0.75, 0.95, to_corner);
   }
   vertex.colour = c;
-  vertex.gloss = border ? 1.0 : 1.8;
+  // The lower lip is the fuller one and catches most light in its middle.
+  const double full = v.spoke > kMouthCornerSpoke ? 0.9 * bell(v.position.x, 0.9) : 0.0;
+  vertex.gloss = (border ? 1.0 : 1.8 + full) * (1 - 0.6 * smooth_step(0.75, 1.0, to_corner));
 }
 
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {

@@ -108,7 +108,7 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
 /// jaw opens an oval: powers gave a box or a rhombus. That is before the corner of the mouth, or
 /// the opening is a lens with pointed ends.
 double towards_corner(double t) {
-  constexpr double kTogether = 0.94;
+  constexpr double kTogether = 0.895;
   constexpr double kFull = 0.94;  // 1 would tear the skin there
   const double way = std::min(1.0, t / kTogether);
   return (1 - std::sqrt(1 - kFull * way * way)) / (1 - std::sqrt(1 - kFull));
@@ -118,18 +118,19 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double blend = smooth_step(0, 4, v.ring);
   const bool upper = v.spoke <= kMouthCornerSpoke;
   const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
-  // The corner goes down by a third of the way: half of it makes the upper lip a tent.
-  constexpr double kCorner = 0.37;
+  // The corner goes down by less than half of the way: a third makes a bowl of the opening, more
+  // than half a tent of the upper lip.
+  constexpr double kCorner = 0.46;
   const double jaw = mix(upper ? 0.0 : 1.0, kCorner, towards_corner(to_corner));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   // Near the corner the lower lip stays with the upper one.
-  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], smooth_step(12.5, 15.6, v.spoke), blend);
+  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], smooth_step(12.7, 16.4, v.spoke), blend);
   // The levators lift the ends of the lip less than the rest, or it opens as a box, and the middle,
   // which the septum holds, less than beside it, or it becomes a beak.
   const double from_middle = upper ? v.spoke : 24 - v.spoke;
   const double lift =
-      (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.15 * bell(from_middle, 2.6));
+      (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.07 * bell(from_middle, 2.6));
   vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
   const double red = smooth_step(kLipBorderRing - 5, kLipBorderRing, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
