@@ -48,6 +48,36 @@ TomlValue value_of(const toml::node& node) {
   return value;
 }
 
+/// Whether the library says that a key or a table is defined already.
+bool says_repeated(std::string_view description) {
+  return description.find("cannot redefine existing ") != std::string_view::npos &&
+         description.find("' as ") == std::string_view::npos && description.ends_with('\'');
+}
+
+/// The repeated key: the library points behind it and its '=', or at the '[' of a table.
+TomlValue::Entry repeated_key(std::string_view bytes, LinePosition place) {
+  for (std::size_t line = 1; line < place.line; ++line) bytes.remove_prefix(bytes.find('\n') + 1);
+  std::string_view key = bytes.substr(0, place.column - 1);
+  key = key.substr(0, key.find_last_not_of(" \t=") + 1);
+  if (key.empty()) key = bytes.substr(0, bytes.find(']'));
+  const std::size_t before = key.find_last_of("[{,") + 1;
+  const std::size_t begin = std::min(key.find_first_not_of(" \t", before), key.size());
+  const auto column = static_cast<std::size_t>(key.data() + begin - bytes.data()) + 1;
+  return {std::string(key.substr(begin)), {place.line, column}, {}};
+}
+
+Error error_of(const toml::parse_error& error, std::string_view bytes, std::string_view file) {
+  if (!says_repeated(error.description())) {
+    const LinePosition place = place_of(error.source());
+    return {ErrorKind::BadData,
+            at_place(file, place.line, place.column, escaped(error.description(), 200))};
+  }
+  const TomlValue::Entry again = repeated_key(bytes, place_of(error.source()));
+  return {ErrorKind::BadData,
+          at_place(file, again.place.line, again.place.column,
+                   escaped(again.key) + " is defined a second time; keep one of the two")};
+}
+
 }  // namespace
 
 const TomlValue* TomlValue::find(std::string_view key) const {
@@ -61,9 +91,7 @@ Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file) {
   try {
     return value_of(toml::parse(bytes));
   } catch (const toml::parse_error& error) {
-    const LinePosition place = place_of(error.source());
-    return Error{ErrorKind::BadData,
-                 at_place(file, place.line, place.column, escaped(error.description(), 200))};
+    return error_of(error, bytes, file);
   }
 }
 

@@ -136,5 +136,19 @@ TEST(ReadToml, RefusesWhatIsNoFileAndNamesThePlaceOfAMistake) {
   EXPECT_TRUE(bad.error().message.starts_with("f.toml:2:")) << bad.error().message;
 }
 
+TEST(ReadToml, NamesAKeyThatIsDefinedTwiceAndItsPlace) {
+  const auto said_of = [](std::string_view text) {
+    const auto bad = parse_toml(text, "f.toml");
+    return bad ? std::string("accepted") : bad.error().message;
+  };
+  const std::string twice = " is defined a second time; keep one of the two";
+  EXPECT_EQ(said_of("port = 1\n\nport = 2\n"), "f.toml:3:1: port" + twice);
+  EXPECT_EQ(said_of("[a]\nx=1\n  x=[2,\n3]\n"), "f.toml:3:3: x" + twice);
+  EXPECT_EQ(said_of("x.y = 1\nx.y = 2\n"), "f.toml:2:1: x.y" + twice);
+  EXPECT_EQ(said_of("a = {xx = 1, b = 'x', xx = 2}\n"), "f.toml:1:23: xx" + twice);
+  EXPECT_EQ(said_of("\"a b\" = 1\n\"a b\" = 2\n"), "f.toml:2:1: \"a b\"" + twice);
+  EXPECT_EQ(said_of("[a.b]\nx=1\n[a.b]\n"), "f.toml:3:2: a.b" + twice);
+}
+
 }  // namespace
 }  // namespace aucast
