@@ -29,6 +29,14 @@ std::string unexpected(const CLI::App& app, const std::vector<std::string>& extr
   return "unknown option " + escaped(name) + did_you_mean(name, option_names(app));
 }
 
+/// What CLI11 says, in one line.
+std::string reason_of(const CLI::ParseError& error) {
+  std::string text = error.what();
+  if (text.ends_with(" missing")) return text.substr(0, text.find(':')) + " needs a value";
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 }  // namespace
 
 Result<void> parse_command_line(CLI::App& app, std::vector<std::string> arguments) {
@@ -38,9 +46,7 @@ Result<void> parse_command_line(CLI::App& app, std::vector<std::string> argument
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return Error{ErrorKind::Usage, text + hint};
+    return Error{ErrorKind::Usage, reason_of(error) + hint};
   }
   const std::vector<std::string> extras = app.remaining();
   if (!extras.empty()) return Error{ErrorKind::Usage, unexpected(app, extras) + hint};

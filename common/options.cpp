@@ -10,6 +10,15 @@ namespace {
 
 constexpr std::size_t kAnyNumber = 100'000;
 
+/// The words of a flag, one for each time it was typed; the last one counts.
+Result<std::vector<std::string>> words_of_flag(const OptionRow& row, const CLI::Option& option) {
+  try {
+    return std::vector<std::string>(option.count(), option.as<bool>() ? "true" : "false");
+  } catch (const CLI::Error&) {
+    return wrong_word(typed_name(row), option.results().back(), "is neither true nor false");
+  }
+}
+
 /// As CLI11 wants it: "-v,--verbose".
 std::string cli_name(const OptionRow& row) {
   return row.letter == 0 ? typed_name(row)
@@ -55,18 +64,22 @@ Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
       option->expected(1, kAnyNumber);
       continue;
     }
-    option->expected(1)->allow_extra_args(false);  // or it would take the positional word behind it
-    if (row.value.kind == Kind::Words) option->take_all();
+    // Without extra arguments, or it would take the positional word behind it.
+    option->expected(1)->allow_extra_args(false)->take_all();
   }
   if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
   TypedWords typed;
   for (const OptionRow& row : rows) {
     const CLI::Option& option = *options.at(row.name);
     if (option.count() == 0) continue;
-    auto& list = typed[std::string(row.name)];
-    list = row.value.kind == Kind::Flag
-               ? std::vector<std::string>(option.count(), option.as<bool>() ? "true" : "false")
-               : words.at(row.name);
+    auto list = row.value.kind == Kind::Flag ? words_of_flag(row, option)
+                                             : Result(std::move(words.at(row.name)));
+    if (!list) return list.error();
+    if (list->size() > 1 && row.value.kind != Kind::Flag && row.value.kind != Kind::Words) {
+      return usage_error(typed_name(row) + " is given " + std::to_string(list->size()) +
+                         " times; give it once");
+    }
+    typed.emplace(row.name, std::move(*list));
   }
   return typed;
 }
