@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -42,7 +43,18 @@ double steps_a_second(const protocol::StreamFile& stream) {
   return sum > 0 ? 1000 * steps / sum : 0;
 }
 
-/// One face on its way through the second pass.
+/// How many first seconds are proposed when a face is not neutral in those that were asked for.
+constexpr std::array<double, 7> kNeutralSeconds{1, 2, 5, 10, 20, 30, 60};
+
+/// One face on its way through a pass that measures it.
+struct FirstSeconds {
+  std::vector<NeutralMeter> meters;  ///< ascending
+  SourceClock clock;
+  FaceTimes times;
+};
+using FirstSecondsOfFaces = std::unordered_map<std::int64_t, FirstSeconds>;
+
+/// One face on its way through the last pass.
 struct Track {
   Found found;
   Timeline timeline;
@@ -73,9 +85,10 @@ class RecordingReader {
     return is_sure(row, options_.confidence_min);
   }
   void prepare(std::int64_t face);
-  [[nodiscard]] NeutralMeter measured_in(std::int64_t face, double seconds);
-  void measure(std::int64_t face, Track& track);
-  void judge_neutral(std::int64_t face, Found& found);
+  [[nodiscard]] FirstSecondsOfFaces measured_in(const std::vector<std::int64_t>& faces,
+                                                std::span<const double> spans);
+  void measure();
+  void propose_neutral(const std::vector<std::int64_t>& faces);
   void play();
   void take(const Observation& row, Track& track);
   [[nodiscard]] Result<std::vector<Recording>> finish();
@@ -99,6 +112,7 @@ Result<std::vector<Recording>> RecordingReader::read() {
   if (table_.stopped()) return stopped_early();
   if (auto error = settle()) return *error;
   for (const std::int64_t face : chosen_) prepare(face);
+  measure();
   table_.rewind();
   play();
   if (table_.stopped()) return stopped_early();
@@ -185,63 +199,75 @@ void RecordingReader::prepare(std::int64_t face) {
   track.found.face = face;
   track.found.all_taken = options_.all_faces;
   track.timeline = Timeline(conditioning_);
-  measure(face, track);
 }
 
-/// The first seconds of a face.
-NeutralMeter RecordingReader::measured_in(std::int64_t face, double seconds) {
-  NeutralMeter meter(seconds);
+/// The first seconds of these faces, in one pass, which ends when all have been measured.
+FirstSecondsOfFaces RecordingReader::measured_in(const std::vector<std::int64_t>& faces,
+                                                 std::span<const double> spans) {
+  FirstSecondsOfFaces measured;
+  for (const std::int64_t face : faces) {
+    measured.emplace(face,
+                     FirstSeconds{{spans.begin(), spans.end()}, SourceClock(options_.fps), {}});
+  }
+  std::size_t unfinished = faces.size();
   FaceNames names;
-  SourceClock clock(options_.fps);
-  FaceTimes times;
   Observation row;
   table_.rewind();
-  for (auto next = table_.next(); next != CsvReader::Next::End && !meter.done();
+  for (auto next = table_.next(); next != CsvReader::Next::End && unfinished > 0;
        next = table_.next()) {
-    if (next == CsvReader::Next::RepeatedHeader) clock.restart();
+    if (next == CsvReader::Next::RepeatedHeader) {
+      for (auto& [face, first] : measured) first.clock.restart();
+    }
     if (next != CsvReader::Next::Row) continue;
     row.clear();
     format_.read(table_, row);
-    if (names.of(row) != face) continue;
-    const auto time = clock.seconds_of(row, times);
+    const auto found = measured.find(names.of(row));
+    if (found == measured.end() || found->second.meters.back().done()) continue;
+    FirstSeconds& first = found->second;
+    const auto time = first.clock.seconds_of(row, first.times);
     if (!time) continue;
-    const AuFrame update = update_of(row, found_.scale, sure(row));
-    meter.add(*time, raw_signals(update, conditioning_));
+    const Signals signals = raw_signals(update_of(row, found_.scale, sure(row)), conditioning_);
+    for (NeutralMeter& meter : first.meters) meter.add(*time, signals);
+    if (first.meters.back().done()) --unfinished;
   }
-  return meter;
+  return measured;
 }
 
 /// Measures what is to be subtracted, if asked to: in the first seconds of each chosen face.
-void RecordingReader::measure(std::int64_t face, Track& track) {
+void RecordingReader::measure() {
   const auto seconds = seconds_to_measure(conditioning_);
   if (!seconds) return;
-  const MeasuredNeutral measured = measured_in(face, *seconds).measured();
-  if (conditioning_.neutral_seconds) {
-    track.found.neutral = taken_off(conditioning_, measured);
-    judge_neutral(face, track.found);
+  const FirstSecondsOfFaces first = measured_in(chosen_, {&*seconds, 1});
+  std::vector<std::int64_t> loud;  // not neutral then
+  for (const std::int64_t face : chosen_) {
+    Track& track = tracks_[face];
+    const MeasuredNeutral measured = first.at(face).meters.front().measured();
+    if (conditioning_.neutral_seconds) {
+      track.found.neutral = taken_off(conditioning_, measured);
+      if (!conditioning_.neutral_turns_only)
+        track.found.not_neutral = loud_aus(*track.found.neutral);
+      if (!track.found.not_neutral.empty()) loud.push_back(face);
+    }
+    ConditioningSettings settled = conditioning_;
+    settled.profile.neutral = neutral_with(conditioning_, measured);
+    settled.neutral_seconds.reset();
+    track.timeline = Timeline(settled);
   }
-  ConditioningSettings settled = conditioning_;
-  settled.profile.neutral = neutral_with(conditioning_, measured);
-  settled.neutral_seconds.reset();
-  track.timeline = Timeline(settled);
+  propose_neutral(loud);
 }
 
-/// Checks that what is subtracted is a neutral face; if not, looks for a number of first seconds in
-/// which it is one.
-void RecordingReader::judge_neutral(std::int64_t face, Found& found) {
-  if (conditioning_.neutral_turns_only) return;
-  found.not_neutral = loud_aus(*found.neutral);
-  if (found.not_neutral.empty()) return;
-  for (const double seconds : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0}) {
-    const NeutralMeter meter = measured_in(face, seconds);
-    if (!meter.done()) return;  // there are no more
-    if (!loud_aus(meter.measured()).empty()) continue;
-    found.neutral_seconds = seconds;
-    return;
+/// Looks for a number of first seconds in which each of these faces is neutral.
+void RecordingReader::propose_neutral(const std::vector<std::int64_t>& faces) {
+  for (const auto& [face, first] : measured_in(faces, kNeutralSeconds)) {
+    for (std::size_t i = 0; i < kNeutralSeconds.size() && first.meters[i].done(); ++i) {
+      if (!loud_aus(first.meters[i].measured()).empty()) continue;
+      tracks_[face].found.neutral_seconds = kNeutralSeconds[i];
+      break;
+    }
   }
 }
 
-/// Second pass: the keyframes of the chosen faces.
+/// Last pass: the keyframes of the chosen faces.
 void RecordingReader::play() {
   FaceNames names;
   Observation row;

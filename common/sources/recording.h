@@ -76,8 +76,9 @@ struct Recording {
 /// How many faces read_faces() returns at most; further ones are counted in Found::faces only.
 inline constexpr std::size_t kFacesReadMax = 64;
 
-/// Reads a recogniser's recording from `text` in two passes, row by row; measuring for
-/// `conditioning` takes one more pass over the first seconds of a face. The dead band of
+/// Reads a recogniser's recording from `text` in two passes, row by row, however many faces it has;
+/// measuring for `conditioning` takes one more over the first seconds of the faces, and another one
+/// if a face is not neutral in them. The dead band of
 /// `conditioning` is not applied here. `file` is what messages call the recording. `load_curves`
 /// loads what a table of ARKit's curves needs. With options.all_faces: one recording for each face
 /// that has data, the most frequent first, kFacesReadMax at most; without: one recording. Their
