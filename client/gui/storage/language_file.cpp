@@ -4,9 +4,11 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/action_unit.h"
+#include "common/error_list.h"
 #include "common/number_of.h"
 #include "common/text.h"
 #include "common/toml_document.h"
@@ -28,23 +30,50 @@ std::set<std::string_view> as_set(const std::vector<std::string_view>& places) {
   return {places.begin(), places.end()};
 }
 
-/// One [section] of the file, which has the texts whose keys begin with its name.
-void read_section(const TomlValue& table, std::string_view section, Problems& problems,
-                  Language& language) {
-  TableReader reader(table, problems);
+/// The rows of the table whose keys begin with the name of this section, by the rest of the key.
+std::map<std::string_view, std::size_t> rows_of(std::string_view section) {
+  std::map<std::string_view, std::size_t> rows;
   for (std::size_t row = 0; row < kEnglish.size(); ++row) {
-    const std::string_view whole = kEnglish[row].key;
-    const std::size_t point = whole.find('.');
-    if (whole.substr(0, point) != section) continue;
-    const std::string_view key = whole.substr(point + 1);
-    language.texts[row] = reader.text(key);
-    const auto wanted = as_set(places_of(kEnglish[row].text));
-    const auto there = as_set(places_of(language.texts[row]));
-    if (wanted == there || !reader.has(key)) continue;
-    reader.wrong(key,
-                 "has the places " + joined(there) + " where the English has " + joined(wanted));
+    const std::string_view key = kEnglish[row].key;
+    const std::size_t point = key.find('.');
+    if (key.substr(0, point) == section) rows.emplace(key.substr(point + 1), row);
   }
-  reader.finish();
+  return rows;
+}
+
+/// Why the entry cannot stand in for this English text; empty: it can.
+std::string fault_of(const TomlValue::Entry& entry, std::string_view english) {
+  if (entry.value.kind != TomlValue::Kind::Text) return entry.key + " must be a text";
+  const auto wanted = as_set(places_of(english));
+  const auto there = as_set(places_of(entry.value.text));
+  if (wanted == there) return {};
+  return entry.key + " has the places " + joined(there) + " where the English has " +
+         joined(wanted);
+}
+
+/// One [section] of the file.
+void read_section(const TomlValue& table, std::string_view section, ErrorList& left_out,
+                  Language& language) {
+  auto missing = rows_of(section);
+  const auto keys = missing;
+  for (const TomlValue::Entry& entry : table.entries) {
+    const auto row = keys.find(entry.key);
+    if (row == keys.end()) {
+      left_out.add(entry.place.line, entry.place.column,
+                   "unknown key '" + escaped(entry.key) + "'");
+      continue;
+    }
+    missing.erase(entry.key);
+    const std::string fault = fault_of(entry, kEnglish[row->second].text);
+    if (fault.empty()) {
+      language.texts[row->second] = entry.value.text;
+    } else {
+      left_out.add(entry.value.place.line, entry.value.place.column, fault);
+    }
+  }
+  for (const auto& [key, row] : missing) {
+    left_out.add(table.place.line, table.place.column, "'" + std::string(key) + "' is missing");
+  }
 }
 
 std::map<int, std::string> read_numbered(const TomlValue* table, Problems& problems) {
@@ -72,18 +101,20 @@ std::set<std::string_view> sections() {
 
 }  // namespace
 
-Result<Language> load_language(const std::filesystem::path& file) {
+Result<LoadedLanguage> load_language(const std::filesystem::path& file) {
   const auto document = read_toml(file);
   if (!document) return document.error();
-  Problems problems(file.string());
+  const std::string name = file.string();
+  Problems problems(name);
+  ErrorList left_out(name);
   TableReader reader(*document, problems);
   Language language;
   language.name = reader.text("name");
-  language.texts.resize(kEnglish.size());
+  for (const EnglishText& one : kEnglish) language.texts.emplace_back(one.text);
   for (const std::string_view section : sections()) {
     const TomlValue* table = reader.table_if(section);
     if (table != nullptr) {
-      read_section(*table, section, problems, language);
+      read_section(*table, section, left_out, language);
     } else {
       problems.add(document->place, "no [" + std::string(section) + "] in it");
     }
@@ -98,7 +129,7 @@ Result<Language> load_language(const std::filesystem::path& file) {
   }
   reader.finish();
   if (auto good = problems.result(); !good) return good.error();
-  return language;
+  return LoadedLanguage{std::move(language), left_out.take()};
 }
 
 }  // namespace aucast::gui

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "client/gui/storage/language_file.h"
 #include "client/gui/texts/texts.h"
 #include "common/text.h"
@@ -43,8 +45,8 @@ std::vector<gui::LanguageEntry> languages_in(const std::filesystem::path& data) 
        at.increment(failed)) {
     const std::filesystem::path& file = at->path();
     if (file.extension() != ".toml") continue;
-    const auto language = gui::load_language(file);
-    if (language) languages.push_back({file.stem().string(), language->name});
+    const auto loaded = gui::load_language(file);
+    if (loaded) languages.push_back({file.stem().string(), loaded->language.name});
   }
   std::sort(languages.begin(), languages.end(),
             [](const auto& a, const auto& b) { return a.code < b.code; });
@@ -66,9 +68,10 @@ Result<void> choose_language(const std::filesystem::path& data, const std::strin
     return Error{ErrorKind::Usage,
                  "the window has no language '" + escaped(code) + "'; there are " + known};
   }
-  auto language = gui::load_language(file);
-  if (!language) return language.error();
-  gui::use_language(*std::move(language));
+  auto loaded = gui::load_language(file);
+  if (!loaded) return loaded.error();
+  for (const std::string& text : loaded->left_out) spdlog::warn("{}; the text is English", text);
+  gui::use_language(std::move(loaded->language));
   return {};
 }
 

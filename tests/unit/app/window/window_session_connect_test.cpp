@@ -54,7 +54,7 @@ TEST_F(ConnectTest, TheVolumeIsKeptWithoutAWord) {
 TEST_F(ConnectTest, WhyThereIsNoConnectionIsSaidInTheLanguageInUse) {
   auto french = gui::load_language(assets_->data_folder / "languages" / "fr.toml");
   ASSERT_TRUE(french) << french.error().message;
-  gui::use_language(*std::move(french));
+  gui::use_language(std::move(french->language));
   auto source = std::make_unique<playback::test::ScriptedSource>();
   source->now.end = playback::EndReason::Unreachable;
   // As net/server_connection and link/dialler say it.

@@ -93,7 +93,7 @@ TEST(ViewText, BytesAndSecondsAreWrittenAsInTheLanguage) {
   EXPECT_EQ(seconds_text(1), "1.00");
   auto french = load_language(std::string(AUCAST_TEST_DATA) + "/languages/fr.toml");
   ASSERT_TRUE(french) << french.error().message;
-  use_language(*std::move(french));
+  use_language(std::move(french->language));
   EXPECT_EQ(bytes_text(2100), "2,1 ko");
   EXPECT_EQ(bit_rate_text(150), "1,2 kbit/s");
   EXPECT_EQ(seconds_text(1.254), "1,25");
@@ -108,7 +108,7 @@ TEST(ViewText, OfAStreamItIsSaidWhetherItIsLiveOrHowLong) {
   EXPECT_EQ(stream_in_words({"a", std::nullopt, std::nullopt, "A title"}), "");
   auto french = load_language(std::string(AUCAST_TEST_DATA) + "/languages/fr.toml");
   ASSERT_TRUE(french) << french.error().message;
-  use_language(*std::move(french));
+  use_language(std::move(french->language));
   EXPECT_EQ(stream_in_words({"a", true}), "en direct");
   EXPECT_EQ(stream_in_words({"a", false, 83'000}), "1:23");
   EXPECT_EQ(stream_in_words({"a", false}), "enregistré");

@@ -18,7 +18,7 @@ class SaidText : public testing::Test {
   static void use_french() {
     auto french = load_language(std::filesystem::path(AUCAST_TEST_DATA) / "languages" / "fr.toml");
     ASSERT_TRUE(french) << french.error().message;
-    use_language(*std::move(french));
+    use_language(std::move(french->language));
   }
 };
 

@@ -21,7 +21,7 @@ class Texts : public testing::Test {
   static void use_french() {
     auto french = load_language(kData / "languages" / "fr.toml");
     ASSERT_TRUE(french) << french.error().message;
-    use_language(*std::move(french));
+    use_language(std::move(french->language));
   }
 };
 
