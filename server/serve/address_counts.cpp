@@ -5,7 +5,8 @@
 namespace aucast::server {
 
 AddressKey address_key(const asio::ip::address& address) {
-  // No IPv6 address in use begins with the 32 zeros that an IPv4 address has here before it.
+  // The key of an IPv4 address begins with 32 zeros. The only IPv6 address in use that does too is
+  // ::1: its key is 0, that of 0.0.0.0, which no client has.
   const auto plain = link::without_mapping(address);
   if (plain.is_v4()) return plain.to_v4().to_uint();
   const auto bytes = plain.to_v6().to_bytes();
