@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -63,15 +64,16 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
 
   /// Written here and not by a completion, which would cost more than a packet does.
   void write(std::string_view bytes) override {
-    if (closed_ || broken_ || finishing_) return;
+    if (state_ != State::Open || outgoing_ == Outgoing::Broken) return;
     if (output_.empty()) bytes.remove_prefix(send(bytes));
-    if (bytes.empty() || broken_) return;
+    if (bytes.empty() || outgoing_ == Outgoing::Broken) return;
     output_.erase(0, std::exchange(sent_, 0));
     output_ += bytes;
   }
 
   void finish() override {
-    if (closed_ || std::exchange(finishing_, true)) return;
+    if (state_ != State::Open) return;
+    state_ = State::Finishing;
     drain_until_ = now() + limits_.drain_time;
     shut_when_sent();
     read();
@@ -83,7 +85,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
 
   void close() override {
     user_ = nullptr;
-    if (std::exchange(closed_, true)) return;
+    if (std::exchange(state_, State::Closed) == State::Closed) return;
     std::error_code ignored;
     timer_.cancel();
     socket_.close(ignored);
@@ -109,15 +111,37 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     return std::chrono::microseconds(info.tcpi_rtt);
   }
 
-  [[nodiscard]] bool blocked() const override { return blocked_; }
+  [[nodiscard]] bool blocked() const override { return outgoing_ == Outgoing::Blocked; }
   [[nodiscard]] std::optional<Instant> stuck_since() const override { return stuck_since_; }
   [[nodiscard]] std::size_t unsent_bytes() const override { return output_.size() - sent_; }
   [[nodiscard]] std::uint64_t wire_bytes() const override { return wire_bytes_; }
 
  private:
+  enum class State : std::uint8_t {
+    Open,
+    Finishing,  ///< sends what waits
+    Shut,       ///< the sending side is shut; waits for the peer to end its own
+    Closed,
+  };
+  enum class Incoming : std::uint8_t {
+    Idle,
+    Reading,  ///< a read is under way
+    Ended,    ///< by the peer
+  };
+  enum class Outgoing : std::uint8_t {
+    Free,
+    Blocked,  ///< a wait for room is under way
+    Broken,   ///< by a write; reported after the running call has returned
+  };
+
+  [[nodiscard]] bool closed() const { return state_ == State::Closed; }
+  [[nodiscard]] bool finishing() const {
+    return state_ == State::Finishing || state_ == State::Shut;
+  }
+
   /// Whatever can be done next; called at the end of every handler.
   void go_on() {
-    if (closed_) return;
+    if (closed()) return;
     shut_when_sent();
     if (drained()) {
       end({});
@@ -127,24 +151,27 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     arm_timer();
   }
 
-  [[nodiscard]] bool drained() const { return finishing_ && shut_ && peer_ended_; }
+  [[nodiscard]] bool drained() const {
+    return state_ == State::Shut && incoming_ == Incoming::Ended;
+  }
 
   void shut_when_sent() {
-    if (!finishing_ || unsent_bytes() != 0 || std::exchange(shut_, true)) return;
+    if (state_ != State::Finishing || unsent_bytes() != 0) return;
+    state_ = State::Shut;
     std::error_code ignored;
     socket_.shutdown(tcp::socket::shutdown_send, ignored);
     drain_until_ = now() + limits_.drain_time;
   }
 
   void read() {
-    if (closed_ || reading_ || peer_ended_ || unsent_bytes() >= limits_.unsent_bytes) return;
-    if (!reading_wanted_ && !finishing_) return;
-    reading_ = true;
+    if (closed() || incoming_ != Incoming::Idle || unsent_bytes() >= limits_.unsent_bytes) return;
+    if (!reading_wanted_ && !finishing()) return;
+    incoming_ = Incoming::Reading;
     socket_.async_read_some(
         asio::buffer(input_),
         [self = shared_from_this()](const std::error_code& error, std::size_t size) {
-          self->reading_ = false;
-          if (self->closed_) return;
+          self->incoming_ = Incoming::Idle;
+          if (self->closed()) return;
           self->on_read(error, size);
           self->go_on();
         });
@@ -152,12 +179,12 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
 
   void on_read(const std::error_code& error, std::size_t size) {
     if (error == asio::error::eof) {
-      peer_ended_ = true;
+      incoming_ = Incoming::Ended;
       await_loss();
-      if (!finishing_) user_->on_peer_end();
+      if (!finishing()) user_->on_peer_end();
     } else if (error) {
       lose(error);
-    } else if (!finishing_) {
+    } else if (!finishing()) {
       user_->on_bytes({input_.data(), size});
     } else if ((dropped_bytes_ += size) > limits_.drain_bytes) {
       end({});
@@ -169,7 +196,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   void await_loss() {
     socket_.async_wait(tcp::socket::wait_error,
                        [self = shared_from_this()](const std::error_code& cancelled) {
-                         if (cancelled || self->closed_) return;
+                         if (cancelled || self->closed()) return;
                          if (const auto error = self->error_of_socket()) self->lose(error);
                        });
   }
@@ -184,14 +211,14 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   /// Returns how many bytes were taken: all of them when the connection is broken.
   std::size_t send(std::string_view bytes) {
     std::size_t taken = 0;
-    while (taken < bytes.size() && !blocked_) {
+    while (taken < bytes.size() && outgoing_ == Outgoing::Free) {
       std::error_code error;
       const std::size_t size =
           socket_.write_some(asio::buffer(bytes.data() + taken, bytes.size() - taken), error);
       if (error == asio::error::would_block || error == asio::error::try_again) {
         await_room();
       } else if (error) {
-        broken_ = true;
+        outgoing_ = Outgoing::Broken;
         asio::post(socket_.get_executor(),
                    [self = shared_from_this(), error] { self->lose(error); });
         return bytes.size();
@@ -199,19 +226,19 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
         taken += size;
         wire_bytes_ += size;
         stuck_since_.reset();
-        if (finishing_) drain_until_ = now() + limits_.drain_time;
+        if (finishing()) drain_until_ = now() + limits_.drain_time;
       }
     }
     return taken;
   }
 
   void await_room() {
-    blocked_ = true;
+    outgoing_ = Outgoing::Blocked;
     if (!stuck_since_) stuck_since_ = now();
     socket_.async_wait(tcp::socket::wait_write,
                        [self = shared_from_this()](const std::error_code& error) {
-                         self->blocked_ = false;
-                         if (self->closed_) return;
+                         self->outgoing_ = Outgoing::Free;
+                         if (self->closed()) return;
                          self->on_writable(error);
                          self->go_on();
                        });
@@ -226,12 +253,12 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     if (sent_ < output_.size()) return;
     output_.clear();
     sent_ = 0;
-    if (!finishing_) user_->on_room();
+    if (!finishing()) user_->on_room();
   }
 
   void arm_timer() {
-    if (closed_) return;
-    const std::optional<Instant> next = finishing_ ? drain_until_ : wake_at_;
+    if (closed()) return;
+    const std::optional<Instant> next = finishing() ? drain_until_ : wake_at_;
     if (next == armed_for_) return;
     armed_for_ = next;
     if (!next) {
@@ -241,7 +268,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     timer_.expires_at(*next);
     timer_.async_wait([self = shared_from_this()](const std::error_code& error) {
       // Cancelled, or overtaken by a wait that was armed since.
-      if (error || self->closed_ || !self->armed_for_ || self->now() < *self->armed_for_) return;
+      if (error || self->closed() || !self->armed_for_ || self->now() < *self->armed_for_) return;
       self->armed_for_.reset();
       self->on_timer();
       self->go_on();
@@ -249,7 +276,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   }
 
   void on_timer() {
-    if (finishing_) {
+    if (finishing()) {
       end({});
     } else {
       wake_at_.reset();
@@ -258,7 +285,7 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   }
 
   void lose(const std::error_code& error) {
-    end({finishing_ ? Ending::Why::Finished : Ending::Why::Lost, error.message()});
+    end({finishing() ? Ending::Why::Finished : Ending::Why::Lost, error.message()});
   }
 
   void end(const Ending& ending) {
@@ -271,14 +298,10 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
   LinkUser* user_ = nullptr;  ///< null: not started, or closed
   std::string output_;        ///< waits to be sent
   std::size_t sent_ = 0;      ///< of it
-  bool blocked_ = false;      ///< a wait for the socket is under way
-  bool broken_ = false;       ///< by a write; reported after the running call has returned
-  bool reading_ = false;      ///< a read is under way
+  State state_ = State::Open;
+  Outgoing outgoing_ = Outgoing::Free;
+  Incoming incoming_ = Incoming::Idle;
   bool reading_wanted_ = true;
-  bool peer_ended_ = false;
-  bool finishing_ = false;
-  bool shut_ = false;  ///< the sending side
-  bool closed_ = false;
   std::optional<Instant> wake_at_;
   std::optional<Instant> armed_for_;
   std::optional<Instant> stuck_since_;
