@@ -14,26 +14,6 @@ using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
 
-/// `answered`: whether keyframes are answered; if not, the window is 0.
-protocol::ClientSessionOptions session_options(const AuReaderOptions& options, bool negotiate,
-                                               bool answered) {
-  protocol::ClientSessionOptions session;
-  session.negotiate = negotiate;
-  if (answered) {
-    session.hello.window =
-        static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
-  } else {
-    session.hello.window = 0;
-  }
-  session.hello.stream = options.stream;
-  session.hello.delta = true;
-  session.hello.token = options.token;
-  if (options.voice) session.hello.voice = protocol::kVoiceCodec;
-  session.hello.text = options.captions;
-  session.silence_max = options.silence_max;
-  return session;
-}
-
 EndReason end_reason(SessionFailed::Why why) {
   switch (why) {
     case SessionFailed::Why::Lost:
@@ -70,8 +50,24 @@ constexpr int kNoStreamCode = 404;
 
 }  // namespace
 
+protocol::ClientSessionOptions AuReader::session_options(const AuReaderOptions& options,
+                                                         const Manner& manner) {
+  protocol::ClientSessionOptions session;
+  session.negotiate = manner.hello;
+  session.hello.window =
+      manner.answers ? static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity))
+                     : 0;
+  session.hello.stream = options.stream;
+  session.hello.delta = true;
+  session.hello.token = options.token;
+  if (options.voice) session.hello.voice = protocol::kVoiceCodec;
+  session.hello.text = options.captions;
+  session.silence_max = options.silence_max;
+  return session;
+}
+
 void AuReader::begin_session() {
-  protocol::ClientSessionOptions again = session_options(options_, negotiate_, with_answers_);
+  protocol::ClientSessionOptions again = session_options(options_, manner_);
   if (!status_.live) {
     again.hello.from_ms = static_cast<std::uint64_t>((clock_ - clock_shift_).count());
   }
@@ -80,9 +76,8 @@ void AuReader::begin_session() {
 
 AuReader::AuReader(AuReaderOptions options)
     : options_(std::move(options)),
-      negotiate_(!options_.classic),
-      with_answers_(!options_.buffers.low_delay),
-      session_(session_options(options_, negotiate_, with_answers_)),
+      manner_{.hello = !options_.classic, .answers = !options_.buffers.low_delay},
+      session_(session_options(options_, manner_)),
       buffers_(options_.buffers),
       timing_(options_.buffers) {}
 
@@ -129,7 +124,7 @@ std::optional<Instant> AuReader::deadline() const {
 }
 
 Reaction AuReader::unreachable(std::string reason) {
-  busy_in_a_row_ = 0;
+  attempts_.busy_in_a_row = 0;
   Reaction reaction;
   reaction.changed = true;
   if (!begin_again(reaction, reason)) {
@@ -150,16 +145,14 @@ Reaction AuReader::refused(EndReason why, const std::string& reason) {
 /// After a loss: what was received is played until the next attempt.
 bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   if (!options_.reconnect || status_.end != EndReason::NotEnded) return false;
-  const bool reached = granted_ || keyframes_before_ + session_.keyframes_received() > 0;
-  if (options_.one_round && !reached && ++failures_ >= options_.hosts) return false;
+  if (options_.one_round && !reached() && ++attempts_.failures >= options_.hosts) return false;
   if (first_) take_in(*std::exchange(first_, std::nullopt));
-  settled_ = false;
   buffers_.release();
   buffers_.set_live(std::nullopt);
-  keyframes_before_ += session_.keyframes_received();
-  bytes_before_ += session_.payload_bytes();
+  lost_.keyframes += session_.keyframes_received();
+  lost_.bytes += session_.payload_bytes();
   ledger_.forget();
-  negotiate_ = !options_.classic;
+  manner_.hello = !options_.classic;
   begin_session();
   timing_.begin_again();
   status_.connected = false;
@@ -167,12 +160,16 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   ++status_.reconnects;
   reaction.send.clear();
   reaction.next = Reaction::Next::ReconnectLater;
-  reaction.retry_after = back_off_.next();
+  reaction.retry_after = attempts_.back_off.next();
   status_.reason = reason;
   status_.retry_after = reaction.retry_after;
   status_.detail =
       reason + "; trying again in " + std::to_string(reaction.retry_after.count() / 1000) + " s";
   return true;
+}
+
+bool AuReader::reached() const {
+  return attempts_.granted || lost_.keyframes + session_.keyframes_received() > 0;
 }
 
 Reaction AuReader::speak(Instant now) {
@@ -221,9 +218,10 @@ void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
 
 void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
   reaction.changed = true;
-  if (granted_ && !negotiated() && session_.keyframes_received() == 1) forget_hello();
-  back_off_.reset();
-  busy_in_a_row_ = 0;
+  const bool first = session_.keyframes_received() == 1;
+  if (first && attempts_.granted && !negotiated()) forget_hello();
+  attempts_.back_off.reset();
+  attempts_.busy_in_a_row = 0;
   Keyframe keyframe{event.aus, std::nullopt};
   if (event.time_ms) keyframe.time = Milliseconds(*event.time_ms);
   const Milliseconds time = keyframe.time.value_or(status_.keyframe_time);
@@ -234,10 +232,9 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   if (status_.live) note_live(event, keyframe);
 
   ledger_.owe(now_);
-  if (!settled_ && negotiate_ && !negotiated() && !first_) {
+  if (first && manner_.hello && !negotiated()) {
     first_ = keyframe;
   } else {
-    settled_ = true;
     if (first_) take_in(*std::exchange(first_, std::nullopt));
     take_in(keyframe);
   }
@@ -245,10 +242,10 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
-  granted_ = true;
-  if (!with_answers_ && !event.hello.live) {
+  attempts_.granted = true;
+  if (!manner_.answers && !event.hello.live) {
     // Only a live stream goes without answers; a recorded one would come keyframe by keyframe.
-    with_answers_ = true;
+    manner_.answers = true;
     connect_anew(reaction);
     return;
   }
@@ -302,7 +299,7 @@ void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::ReconnectClassic& /*event*/, Reaction& reaction) {
-  negotiate_ = false;
+  manner_.hello = false;
   connect_anew(reaction);
 }
 
@@ -322,11 +319,12 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   reaction.changed = true;
   const bool lost =
       event.why == SessionFailed::Why::Lost || event.why == SessionFailed::Why::Silent;
-  busy_in_a_row_ = event.code == kBusyCode ? busy_in_a_row_ + 1 : 0;
-  const bool elsewhere = busy_in_a_row_ > 0 && busy_in_a_row_ < options_.hosts;
+  std::size_t& busy = attempts_.busy_in_a_row;
+  busy = event.code == kBusyCode ? busy + 1 : 0;
+  const bool elsewhere = busy > 0 && busy < options_.hosts;
   // A stream that was here comes again: its server may have begun anew, or be full for now.
   const bool later =
-      keyframes_before_ > 0 && (event.code == kBusyCode || event.code == kNoStreamCode);
+      lost_.keyframes > 0 && (event.code == kBusyCode || event.code == kNoStreamCode);
   if ((lost || elsewhere || later) && begin_again(reaction, options_.peer + ": " + event.reason))
     return;
   reaction.next = Reaction::Next::Close;
@@ -383,22 +381,22 @@ void AuReader::end(EndReason reason, std::string detail) {
 }
 
 std::optional<Keyframe> AuReader::take() {
-  if (stopped_) return std::nullopt;
+  if (left()) return std::nullopt;
   auto keyframe = buffers_.take();
   store_kept();
   return keyframe;
 }
 
 std::optional<playback::Voice> AuReader::take_voice() {
-  return stopped_ ? std::nullopt : spoken_.take_voice();
+  return left() ? std::nullopt : spoken_.take_voice();
 }
 
 std::optional<playback::Caption> AuReader::take_caption() {
-  return stopped_ ? std::nullopt : spoken_.take_caption();
+  return left() ? std::nullopt : spoken_.take_caption();
 }
 
 bool AuReader::ready() const {
-  return stopped_ || buffers_.has_next() || buffers_.finished();
+  return left() || buffers_.has_next() || buffers_.finished();
 }
 
 bool AuReader::has_words() const {
@@ -418,8 +416,7 @@ void AuReader::set_paused(bool paused) {
 }
 
 void AuReader::leave() {
-  if (stopped_ || buffers_.finished()) return;
-  stopped_ = true;
+  if (left() || buffers_.finished()) return;
   status_.connected = false;
   status_.end = EndReason::Stopped;
   status_.detail = "stopped by the user";
@@ -430,8 +427,8 @@ playback::SourceStatus AuReader::status() const {
   status.receiver_fill = buffers_.receiver_fill();
   status.playout_fill = buffers_.playout_fill();
   status.paused = user_paused_ || session_.paused();
-  status.keyframes_received = keyframes_before_ + session_.keyframes_received();
-  status.bytes_received = bytes_before_ + session_.payload_bytes();
+  status.keyframes_received = lost_.keyframes + session_.keyframes_received();
+  status.bytes_received = lost_.bytes + session_.payload_bytes();
   status.keyframes_dropped = buffers_.dropped();
   status.voice_left_out = spoken_.voice_left_out();
   status.captions_left_out = spoken_.captions_left_out();

@@ -119,6 +119,27 @@ class AuReader {
   [[nodiscard]] playback::SourceStatus status() const;
 
  private:
+  /// How the next connection is begun.
+  struct Manner {
+    bool hello = true;    ///< in classic there is none
+    bool answers = true;  ///< it asks for a window
+  };
+
+  /// What came of the attempts to reach a server.
+  struct Attempts {
+    bool granted = false;           ///< at least one hello has been answered
+    std::size_t failures = 0;       ///< before a server was reached
+    std::size_t busy_in_a_row = 0;  ///< hosts that were full, or did not have the stream yet
+    BackOff back_off;
+  };
+
+  struct Received {
+    std::uint64_t keyframes = 0;
+    std::uint64_t bytes = 0;
+  };
+
+  [[nodiscard]] static protocol::ClientSessionOptions session_options(
+      const AuReaderOptions& options, const Manner& manner);
   void digest(Reaction& reaction, Instant now);
   [[nodiscard]] bool digests() const;
   void react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction, Instant now);
@@ -142,21 +163,20 @@ class AuReader {
   [[nodiscard]] bool negotiated() const;
   [[nodiscard]] std::size_t kept_max() const;
   [[nodiscard]] bool begin_again(Reaction& reaction, const std::string& reason);
+  [[nodiscard]] bool reached() const;
+  [[nodiscard]] bool left() const { return status_.end == playback::EndReason::Stopped; }
   void end(playback::EndReason reason, std::string detail);
 
   AuReaderOptions options_;
-  bool negotiate_;
-  bool with_answers_;  ///< the next hello asks for a window
+  Manner manner_;
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
   std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
-  bool settled_ = false;                     ///< the server is known to go on
   std::deque<playback::Keyframe> kept_;      ///< those of case A of KeyframeBuffers::store()
   std::string waiting_;                      ///< received bytes that wait for room in kept_
   AnswerLedger ledger_;
   bool called_for_speak_ = false;
   bool user_paused_ = false;
-  bool stopped_ = false;           ///< by leave()
   playback::SourceStatus status_;  ///< what status() does not get from the other members
   Instant connected_at_{};
   Instant now_{};  ///< of the call that is being worked on
@@ -164,12 +184,8 @@ class AuReader {
   Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
   Milliseconds clock_shift_{0};  ///< from a place of this connection to that on clock_
   SpokenQueue spoken_;           ///< its places are on clock_
-  BackOff back_off_;
-  bool granted_ = false;                ///< at least one hello has been answered
-  std::size_t failures_ = 0;            ///< failed attempts before a server was reached
-  std::size_t busy_in_a_row_ = 0;       ///< hosts that were full, or did not have the stream yet
-  std::uint64_t keyframes_before_ = 0;  ///< of earlier connections that were lost
-  std::uint64_t bytes_before_ = 0;
+  Attempts attempts_;
+  Received lost_;  ///< of earlier connections that were lost
 };
 
 }  // namespace aucast::net
