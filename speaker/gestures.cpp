@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "common/au_numbers.h"
 #include "common/mixed_bits.h"
 
 namespace aucast::speaker {
@@ -94,7 +95,7 @@ void blink(const Speech& speech, Dice& dice, Curves& curves) {
     add(at);
   }
   for (const Milliseconds at : moments) {
-    put(curves, 45, {at, Milliseconds(110), Milliseconds(30), Milliseconds(190)}, 1);
+    put(curves, kBlink, {at, Milliseconds(110), Milliseconds(30), Milliseconds(190)}, 1);
   }
 }
 
@@ -112,11 +113,11 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     if (what < 0.65F) {
       const Beat beat{at - Milliseconds(140), Milliseconds(200),
                       dice.between(Milliseconds(60), Milliseconds(260)), Milliseconds(380)};
-      put(curves, 1, beat, 0.8F * brows);
-      put(curves, 2, beat, brows);
+      put(curves, kInnerBrowRaiser, beat, 0.8F * brows);
+      put(curves, kOuterBrowRaiser, beat, brows);
     }
     if (what > 0.3F) {
-      put(curves, 54,
+      put(curves, kHeadDown,
           {at - Milliseconds(90), Milliseconds(190), Milliseconds(30), Milliseconds(330)}, nod);
     }
   }
@@ -141,11 +142,11 @@ void end_sentences(const Speech& speech, const Script& script, const GestureOpti
       const Beat beat{last.begin - Milliseconds(150), Milliseconds(250), Milliseconds(450),
                       Milliseconds(500)};
       const float brows = dice.between(0.4F, 0.6F) * options.amount;
-      put(curves, 1, beat, brows);
-      put(curves, 2, beat, brows);
-      put(curves, 53, beat, 0.12F * options.amount);
+      put(curves, kInnerBrowRaiser, beat, brows);
+      put(curves, kOuterBrowRaiser, beat, brows);
+      put(curves, kHeadUp, beat, 0.12F * options.amount);
     } else {
-      put(curves, 54,
+      put(curves, kHeadDown,
           {last.begin + Milliseconds(60), Milliseconds(260), Milliseconds(80), Milliseconds(600)},
           dice.between(0.08F, 0.18F) * options.amount);
     }
@@ -182,8 +183,8 @@ class Drift {
 };
 
 void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
-  Drift turn(51, 52, 0.14F * options.amount);
-  Drift tilt(55, 56, 0.1F * options.amount);
+  Drift turn(kHeadLeft, kHeadRight, 0.14F * options.amount);
+  Drift tilt(kHeadTiltLeft, kHeadTiltRight, 0.1F * options.amount);
   Milliseconds from{0};
   for (const Pause& pause : pauses_of(speech)) {
     turn.move(from, pause.begin, dice, curves);
@@ -191,11 +192,11 @@ void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     from = pause.begin;
     const bool long_enough = pause.end - pause.begin > Milliseconds(350);
     if (long_enough && dice.roll() < 0.4F * options.amount) {
-      const int side = dice.roll() < 0.5F ? 61 : 62;
+      const int side = dice.roll() < 0.5F ? kEyesLeft : kEyesRight;
       const Beat glance{pause.begin, Milliseconds(60), pause.end - pause.begin - Milliseconds(150),
                         Milliseconds(60)};
       put(curves, side, glance, dice.between(0.1F, 0.25F));
-      put(curves, 64, glance, dice.between(0.02F, 0.12F));
+      put(curves, kEyesDown, glance, dice.between(0.02F, 0.12F));
     }
   }
 }

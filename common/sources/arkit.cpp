@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/au_numbers.h"
 #include "common/sources/clock_text.h"
 #include "common/sources/format.h"
 
@@ -119,7 +120,7 @@ class Arkit final : public Format {
 };
 
 bool is_gaze(std::uint8_t number) {
-  return number >= 61 && number <= 64;
+  return number >= kEyesLeft && number <= kEyesDown;
 }
 
 Arkit::Arkit(const CsvReader& table, const ArkitTable& curves)

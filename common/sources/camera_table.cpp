@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/au_numbers.h"
 #include "common/sources/format.h"
 #include "common/sources/per_au.h"
 
@@ -10,7 +11,7 @@ namespace aucast::sources {
 namespace {
 
 /// AUs from here on are turns of head and eyes, which say nothing of the table's scale.
-constexpr std::uint8_t kFirstTurn = 51;
+constexpr std::uint8_t kFirstTurn = kHeadLeft;
 
 struct Column {
   std::size_t index = 0;

@@ -15,7 +15,8 @@ constexpr std::array<std::size_t, 2> kDistanceChannels{channel_of(kHeadForward, 
 /// Whether the channel is a turn of head or eyes; the distance is not.
 bool is_turn(std::size_t channel) {
   const std::size_t number = channel % kAuCount;
-  return (number >= 51 && number <= 56) || (number >= 61 && number <= 64);
+  return (number >= kHeadLeft && number <= kHeadTiltRight) ||
+         (number >= kEyesLeft && number <= kEyesDown);
 }
 
 /// Whether a channel of the neutral face that was asked for is subtracted.

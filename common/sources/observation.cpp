@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/au_numbers.h"
+
 namespace aucast::sources {
 namespace {
 
@@ -32,14 +34,14 @@ void Observation::name_face(std::optional<double> identifier) {
 }
 
 void Observation::add_head(const Rotation& turn) {
-  add_pair(aus, 51, 52, turn.left_rad, kYawDegrees);
-  add_pair(aus, 53, 54, turn.up_rad, kPitchDegrees);
-  add_pair(aus, 55, 56, turn.tilt_left_rad, kTiltDegrees);
+  add_pair(aus, kHeadLeft, kHeadRight, turn.left_rad, kYawDegrees);
+  add_pair(aus, kHeadUp, kHeadDown, turn.up_rad, kPitchDegrees);
+  add_pair(aus, kHeadTiltLeft, kHeadTiltRight, turn.tilt_left_rad, kTiltDegrees);
 }
 
 void Observation::add_gaze(const Rotation& turn) {
-  add_pair(aus, 61, 62, turn.left_rad, kGazeYawDegrees);
-  add_pair(aus, 63, 64, turn.up_rad, kGazePitchDegrees);
+  add_pair(aus, kEyesLeft, kEyesRight, turn.left_rad, kGazeYawDegrees);
+  add_pair(aus, kEyesUp, kEyesDown, turn.up_rad, kGazePitchDegrees);
 }
 
 Rotation gaze_in_head(const CameraVector& sight, double pitch, double yaw, double roll) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/action_unit.h"
+#include "common/au_numbers.h"
 #include "common/sources/observation.h"
 #include "common/sources/signals.h"
 
@@ -74,16 +75,17 @@ class Writer {
  private:
   /// Signs as OpenFaceColumns reads them.
   void write_turns(const AuIntensities& face) {
-    const double left = (face[51] - face[52]) * kYawDegrees * kRadPerDegree;
-    const double up = (face[53] - face[54]) * kPitchDegrees * kRadPerDegree;
-    const double tilt = (face[55] - face[56]) * kTiltDegrees * kRadPerDegree;
-    const Rotation eyes{(face[61] - face[62]) * kGazeYawDegrees * kRadPerDegree,
-                        (face[63] - face[64]) * kGazePitchDegrees * kRadPerDegree, 0};
+    const double left = (face[kHeadLeft] - face[kHeadRight]) * kYawDegrees * kRadPerDegree;
+    const double up = (face[kHeadUp] - face[kHeadDown]) * kPitchDegrees * kRadPerDegree;
+    const double tilt = (face[kHeadTiltLeft] - face[kHeadTiltRight]) * kTiltDegrees * kRadPerDegree;
+    const Rotation eyes{(face[kEyesLeft] - face[kEyesRight]) * kGazeYawDegrees * kRadPerDegree,
+                        (face[kEyesUp] - face[kEyesDown]) * kGazePitchDegrees * kRadPerDegree, 0};
     const CameraVector sight = sight_in_room(eyes, -up, -left, tilt);
     // + 0.0 makes 0 of -0.
     append(table_.text, ",%.6f,%.6f", std::atan2(sight.x, -sight.z) + 0.0,
            std::atan2(sight.y, -sight.z) + 0.0);
-    append(table_.text, ",%.1f", kUsualDistanceMm + (face[58] - face[57]) * kMillimetresPerUnit);
+    append(table_.text, ",%.1f",
+           kUsualDistanceMm + (face[kHeadBack] - face[kHeadForward]) * kMillimetresPerUnit);
     append(table_.text, ",%.6f,%.6f,%.6f", -up + 0.0, -left + 0.0, tilt);
   }
 

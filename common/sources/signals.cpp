@@ -5,8 +5,9 @@
 namespace aucast::sources {
 namespace {
 
-/// Head: left and right, up and down, tilt, forward and back; eyes: left and right, up and down.
-constexpr std::array<std::size_t, 6> kFirstDirections{51, 53, 55, kHeadForward, 61, 63};
+/// The second of each is the next number.
+constexpr std::array<std::size_t, 6> kFirstDirections{kHeadLeft,    kHeadUp,   kHeadTiltLeft,
+                                                      kHeadForward, kEyesLeft, kEyesUp};
 
 float intensity(float signal) {
   return std::clamp(signal, 0.0F, 1.0F);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/action_unit.h"
+#include "common/au_numbers.h"
 
 namespace aucast::sources {
 
@@ -16,13 +17,10 @@ inline constexpr std::size_t kChannels = 2 * std::size_t{kAuCount};
   return right ? kAuCount + number : number;
 }
 
-/// The AUs that show the head's distance; the first has the signal.
-inline constexpr std::size_t kHeadForward = 57;
-inline constexpr std::size_t kHeadBack = 58;
-
 /// One sample of a face: its signals, one for each channel; 1 is full intensity. Two AUs that are
 /// opposite directions of one movement (head left and right, eyes up and down) share the signal of
-/// the first; it is negative for the second, whose own is unused.
+/// the first; it is negative for the second, whose own is unused. That of kHeadForward is the
+/// head's distance.
 using Signals = std::array<float, kChannels>;
 
 inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
@@ -37,10 +35,10 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
 /// The same as intensities: -1 everywhere.
 [[nodiscard]] AuFrame no_data();
 
-/// The other direction of the same movement: 52 for 51 and back, ... 64 for 63; else 0.
+/// The other direction of the same movement: kHeadRight for kHeadLeft and back, and so on; else 0.
 [[nodiscard]] std::size_t opposite_of(std::size_t number);
 
-/// Whether the AU is the second direction: 52, 54, 56, 58, 62, 64.
+/// Whether the AU is the second direction: kHeadRight, kHeadDown, kEyesRight and so on.
 [[nodiscard]] bool is_second_direction(std::size_t number);
 
 /// The AU that shows this signal of AU `number`: the opposite AU for a negative signal, if there is

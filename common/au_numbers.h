@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace aucast {
+
+// AUs that the code names. Left and right are the subject's own.
+inline constexpr std::uint8_t kInnerBrowRaiser = 1;
+inline constexpr std::uint8_t kOuterBrowRaiser = 2;
+inline constexpr std::uint8_t kBlink = 45;
+inline constexpr std::uint8_t kHeadLeft = 51;
+inline constexpr std::uint8_t kHeadRight = 52;
+inline constexpr std::uint8_t kHeadUp = 53;
+inline constexpr std::uint8_t kHeadDown = 54;
+inline constexpr std::uint8_t kHeadTiltLeft = 55;
+inline constexpr std::uint8_t kHeadTiltRight = 56;
+inline constexpr std::uint8_t kHeadForward = 57;
+inline constexpr std::uint8_t kHeadBack = 58;
+inline constexpr std::uint8_t kEyesLeft = 61;
+inline constexpr std::uint8_t kEyesRight = 62;
+inline constexpr std::uint8_t kEyesUp = 63;
+inline constexpr std::uint8_t kEyesDown = 64;
+
+}  // namespace aucast
