@@ -69,9 +69,10 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection, Ha
 
 [[nodiscard]] std::string_view name(CloseConnection::Why why);
 
-/// Whether there is room for one more client.
+/// Whether there is room for one more client, and whether it needs the token.
 enum class Admission : std::uint8_t {
   Welcome,
+  Trusted,      ///< welcome, also without the token
   Full,         ///< a client that says hello gets {error 503 ...}, any other a plain close
   FullAddress,  ///< the same, because too many clients come from its address
 };

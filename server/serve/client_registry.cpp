@@ -12,8 +12,9 @@ void ClientRegistry::welcome(const asio::ip::tcp::endpoint& peer,
                              std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                              const OpenLink& open_link, Way way) {
   const AddressKey address = address_key(peer.address());
-  const protocol::Admission admission = admission_of(address);
-  const bool refused = admission != protocol::Admission::Welcome;
+  const protocol::Admission admission = admission_of(address, way);
+  const bool refused =
+      admission == protocol::Admission::Full || admission == protocol::Admission::FullAddress;
   if (refused && refused_ >= kRefusalsMax) {
     ++unheard_;
     spdlog::debug("a client too many was not even heard: {}", link::endpoint_text(peer));
@@ -64,12 +65,13 @@ void ClientRegistry::serve(std::string peer,
   connection->take_over(bytes);
 }
 
-protocol::Admission ClientRegistry::admission_of(AddressKey address) const {
+protocol::Admission ClientRegistry::admission_of(AddressKey address, Way way) const {
   const std::size_t inside = clients_.size() - refused_ - dialled_;
   if (inside >= clients_max_) return protocol::Admission::Full;
   const std::size_t most = options_.max_clients_per_address;
   if (most != 0 && of_address_.count(address) >= most) return protocol::Admission::FullAddress;
-  return protocol::Admission::Welcome;
+  // Who started us with --preview has the token; its programs need not show it.
+  return way == Way::Owner ? protocol::Admission::Trusted : protocol::Admission::Welcome;
 }
 
 void ClientRegistry::farewell(const ClientRecord& record) {

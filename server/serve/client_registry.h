@@ -105,7 +105,7 @@ class ClientRegistry {
     Way way = Way::Tcp;
   };
 
-  [[nodiscard]] protocol::Admission admission_of(AddressKey address) const;
+  [[nodiscard]] protocol::Admission admission_of(AddressKey address, Way way) const;
   void farewell(const ClientRecord& record);
   void for_each(const std::function<void(ClientConnection&)>& visit, std::optional<Way> way = {});
 

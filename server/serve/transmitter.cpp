@@ -153,13 +153,7 @@ class Transmitter {
                ClientRegistry::Way way) {
     // However many knock at once, those who watch are not kept waiting for them.
     programme_.catch_up();
-    auto catalogue = programme_.catalogue();
-    if (way == ClientRegistry::Way::Owner && !catalogue->token.empty()) {
-      auto open = std::make_shared<protocol::ServerCatalogue>(*catalogue);
-      open->token.clear();
-      catalogue = std::move(open);
-    }
-    clients_.welcome(peer, std::move(catalogue), open_link, way);
+    clients_.welcome(peer, programme_.catalogue(), open_link, way);
   }
 
   /// The status in one line, for the service manager.

@@ -64,6 +64,13 @@ TEST_F(JoiningTest, AWrongTokenIsAnsweredLaterAndAMissingOneAtOnce) {
   EXPECT_EQ(text_of(joining().hello(hello("word"), now_)), "in");
 }
 
+TEST_F(JoiningTest, WhoIsTrustedNeedsNoToken) {
+  catalogue_.token = "word";
+  EXPECT_EQ(text_of(joining(Admission::Trusted).hello(hello(""), now_)), "in");
+  EXPECT_EQ(text_of(joining(Admission::Trusted).list({}, now_)), "list");
+  EXPECT_EQ(text_of(joining(Admission::Trusted).classic(now_)), "in");
+}
+
 TEST_F(JoiningTest, WhoGuessesTooOftenIsComparedNoMore) {
   catalogue_.token = "word";
   for (std::size_t i = 0; i < kWrongTokensMax; ++i) {
