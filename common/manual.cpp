@@ -16,8 +16,8 @@ constexpr std::size_t kTextColumn = 27;  ///< where explanations begin, after sh
 std::string tag_of(const OptionRow& row) {
   std::string tag = row.letter == 0 ? "" : std::string{'-', row.letter} + ", ";
   tag += typed_name(row);
-  if (row.where != OptionRow::Where::Positional && !row.argument.empty())
-    tag += " " + std::string(row.argument);
+  if (row.where != OptionRow::Where::Positional && !row.option.argument.empty())
+    tag += " " + std::string(row.option.argument);
   return tag;
 }
 
@@ -164,9 +164,9 @@ void ManualPage::options(const std::vector<OptionRow>& rows) {
   for (const OptionRow& row : rows) {
     if (!row.heading.empty()) heading(row.heading);
     std::string text(row.more.empty() ? row.text : row.more);
-    if (!row.fallback.empty()) {
+    if (!row.option.fallback.empty()) {
       if (!text.empty()) text += text.back() == '.' ? " " : ". ";
-      text += "Default: " + std::string(row.fallback) + ".";
+      text += "Default: " + std::string(row.option.fallback) + ".";
     }
     item(tag_of(row), text);
   }

@@ -28,13 +28,14 @@ std::string cli_name(const OptionRow& row) {
 }  // namespace
 
 std::string typed_name(const OptionRow& row) {
-  return row.where == OptionRow::Where::Positional ? std::string(row.argument)
-                                                   : "--" + std::string(row.name);
+  return row.where == OptionRow::Where::Positional ? std::string(row.option.argument)
+                                                   : "--" + std::string(row.option.name);
 }
 
 const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name) {
-  const auto row = std::find_if(rows.begin(), rows.end(),
-                                [name](const OptionRow& other) { return other.name == name; });
+  const auto row = std::find_if(rows.begin(), rows.end(), [name](const OptionRow& other) {
+    return other.option.name == name;
+  });
   return row == rows.end() ? nullptr : &*row;
 }
 
@@ -56,10 +57,11 @@ Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
   std::map<std::string_view, std::vector<std::string>> words;
   for (const OptionRow& row : rows) {
     if (row.value.kind == Kind::Flag) {
-      options[row.name] = app.add_flag(cli_name(row));
+      options[row.option.name] = app.add_flag(cli_name(row));
       continue;
     }
-    CLI::Option* option = options[row.name] = app.add_option(cli_name(row), words[row.name]);
+    CLI::Option* option = options[row.option.name] =
+        app.add_option(cli_name(row), words[row.option.name]);
     if (row.where == OptionRow::Where::Positional && row.value.kind == Kind::Words) {
       option->expected(1, kAnyNumber);
       continue;
@@ -70,16 +72,16 @@ Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
   if (auto parsed = parse_command_line(app, std::move(arguments)); !parsed) return parsed.error();
   TypedWords typed;
   for (const OptionRow& row : rows) {
-    const CLI::Option& option = *options.at(row.name);
+    const CLI::Option& option = *options.at(row.option.name);
     if (option.count() == 0) continue;
     auto list = row.value.kind == Kind::Flag ? words_of_flag(row, option)
-                                             : Result(std::move(words.at(row.name)));
+                                             : Result(std::move(words.at(row.option.name)));
     if (!list) return list.error();
     if (list->size() > 1 && row.value.kind != Kind::Flag && row.value.kind != Kind::Words) {
       return usage_error(typed_name(row) + " is given " + std::to_string(list->size()) +
                          " times; give it once");
     }
-    typed.emplace(row.name, std::move(*list));
+    typed.emplace(row.option.name, std::move(*list));
   }
   return typed;
 }
@@ -100,7 +102,7 @@ Error wrong_word(const std::string& name, const std::string& word, const std::st
 
 Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words) {
   for (const OptionRow& row : rows) {
-    const auto found = words.find(row.name);
+    const auto found = words.find(row.option.name);
     if (found == words.end()) continue;
     for (const std::string& word : found->second) {
       if (const Complaint wrong = read_word(row, word)) {
@@ -125,9 +127,17 @@ OptionValue flag() {
 
 std::vector<OptionRow> help_rows() {
   constexpr auto kTyped = OptionRow::Where::Typed;
-  return {{"help", "", "", "this page", "Prints the options, one a line.", flag(), "", kTyped, 'h'},
-          {"version", "", "", "print version, protocol and licence",
-           "Prints version, protocol and licence.", flag(), "", kTyped}};
+  return {{.option = {"help"},
+           .text = "this page",
+           .more = "Prints the options, one a line.",
+           .value = flag(),
+           .where = kTyped,
+           .letter = 'h'},
+          {.option = {"version"},
+           .text = "print version, protocol and licence",
+           .more = "Prints version, protocol and licence.",
+           .value = flag(),
+           .where = kTyped}};
 }
 
 OptionValue one_of(std::string& out, const std::vector<std::string_view>& names) {

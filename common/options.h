@@ -44,11 +44,16 @@ struct OptionRow {
     Positional,  ///< as Anywhere, but on the command line without a name, as its `argument`
   };
 
-  std::string_view name = {};      ///< without dashes: "port"
-  std::string_view argument = {};  ///< stands for its word in --help: "N"; empty for a flag
-  std::string_view fallback = {};  ///< the default as a word; empty: not set, or a flag's false
-  std::string_view text = {};      ///< for --help: one line; empty: only in the manual page
-  std::string_view more = {};      ///< for the manual page: whole sentences; empty: `text`
+  /// "port", "N", "4650".
+  struct Option {
+    std::string_view name = {};      ///< without dashes
+    std::string_view argument = {};  ///< stands for its word in --help; empty for a flag
+    std::string_view fallback = {};  ///< the default as a word; empty: not set, or a flag's false
+  };
+
+  Option option = {};
+  std::string_view text = {};  ///< for --help: one line; empty: only in the manual page
+  std::string_view more = {};  ///< for the manual page: whole sentences; empty: `text`
   OptionValue value = {};
   std::string_view heading = {};  ///< a section with this heading begins here; empty: none does
   Where where = Where::Anywhere;

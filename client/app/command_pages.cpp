@@ -77,7 +77,7 @@ CommandPage command_page(Command command) {
       // Receiving options are accepted so that both commands take the same.
       const std::vector<OptionRow> receiving = receiving_rows(described.playback);
       for (OptionRow& row : page.rows) {
-        if (find_row(receiving, row.name) == nullptr) continue;
+        if (find_row(receiving, row.option.name) == nullptr) continue;
         if (row.more.empty()) row.more = row.text;
         row.text = {};
         if (row.heading == "Receiving") row.heading = "Receiving, once the window has a server";

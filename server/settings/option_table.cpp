@@ -38,323 +38,406 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
-      {"source", "SOURCE", "", "file, folder, film, FIFO, aucast://HOST, \"camera\", -",
-       "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
-       "folder, whose .txt and .csv files become sources, in order of their names. A stream has "
-       "the name of its file without the extension; a client that asks for no name, and every "
-       "classic one, gets the first. - (named live) and FIFOs are sent as they are written, each "
-       "keyframe to all clients at once. aucast://HOST[:PORT][,HOST...][/NAME] is a stream of "
-       "another au-transmitter, which this one relays: one connection there, however many clients "
-       "here; aucasts:// over TLS. When one of several hosts is lost, the next is used. A stream "
-       "that is live there is live here; a recorded one is kept, and served from its beginning "
-       "even while it is still arriving, in a loop if it is in one there. SIGHUP leaves relayed "
-       "streams as they are. nats://HOST[:PORT][,HOST...]/NAME is a stream that --publish sends "
-       "over NATS, with the module of the package aucast-nats; natss:// over TLS. A film (.mp4, "
-       ".mov, .mkv, .webm, .avi and others, through ffmpeg) is read for the face in it; camera is "
-       "the camera /dev/video0 and camera:DEVICE another one, live; a film or a FIFO may stand in "
-       "for DEVICE. Both need the models that scripts/install_models.sh fetches.",
-       words(options.sources), "Sources", Where::Positional},
-      {"follow", "", "", "serve a file live: send what is appended to it",
-       "Files are live sources too. What a file already holds is past; the face starts from its "
-       "last keyframe. A file that is rewritten, replaced or truncated is read from its beginning.",
-       flag(options.live_source.follow)},
-      {"source-timeout", "S", "10", "end a live stream after S seconds of silence (10)",
-       "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral within 1 "
-       "s. After S seconds the connected clients get the end of the stream, {-2}; when the source "
-       "comes back, the stream goes on. Stream files on stdin or FIFOs have no such limit: only "
-       "the end of input ends them.",
-       seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"record", "FILE", "", "record a live source in FILE",
-       "Records what is served, with its times. The file is complete at any moment and is "
-       "synced to the disk every second. Of several live sources the first is recorded; if "
-       "FILE is a folder, each is, to NAME-TIME.txt. A file that is not empty is never "
-       "overwritten. A full disk ends the recording but not the stream; the exit code is 1 "
-       "then. convert --mend repairs a recording that a power cut has truncated.",
-       word(options.record)},
-      {"skip-bad", "", "", "leave broken sources out",
-       "Without it, one broken source ends the start with code 3 or 4, or 2 if its name cannot be "
-       "a stream's, and SIGHUP changes nothing. If no source is left, the start fails all the "
-       "same.",
-       flag(options.skip_bad)},
-      {"check", "", "", "describe the sources, and serve nothing",
-       "Prints what the sources hold (format, scale, people, duration, AUs with their "
-       "ranges, gaps) and serves nothing. Ends with 0 if all of them can be served.",
-       flag(options.check), "", Where::Typed},
-      {"estimate", "", "", "print their bit rates, and serve nothing",
-       "Prints bytes and bits a second for each protocol level, on average and in the "
-       "busiest second, without and with headers, and serves nothing.",
-       flag(options.estimate), "", Where::Typed},
+      {.option = {"source", "SOURCE"},
+       .text = "file, folder, film, FIFO, aucast://HOST, \"camera\", -",
+       .more =
+           "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
+           "folder, whose .txt and .csv files become sources, in order of their names. A stream "
+           "has the name of its file without the extension; a client that asks for no name, and "
+           "every classic one, gets the first. - (named live) and FIFOs are sent as they are "
+           "written, each keyframe to all clients at once. aucast://HOST[:PORT][,HOST...][/NAME] "
+           "is a stream of another au-transmitter, which this one relays: one connection there, "
+           "however many clients here; aucasts:// over TLS. When one of several hosts is lost, the "
+           "next is used. A stream that is live there is live here; a recorded one is kept, and "
+           "served from its beginning even while it is still arriving, in a loop if it is in one "
+           "there. SIGHUP leaves relayed streams as they are. nats://HOST[:PORT][,HOST...]/NAME is "
+           "a stream that --publish sends over NATS, with the module of the package aucast-nats; "
+           "natss:// over TLS. A film (.mp4, .mov, .mkv, .webm, .avi and others, through ffmpeg) "
+           "is read for the face in it; camera is the camera /dev/video0 and camera:DEVICE another "
+           "one, live; a film or a FIFO may stand in for DEVICE. Both need the models that "
+           "scripts/install_models.sh fetches.",
+       .value = words(options.sources),
+       .heading = "Sources",
+       .where = Where::Positional},
+      {.option = {"follow"},
+       .text = "serve a file live: send what is appended to it",
+       .more = "Files are live sources too. What a file already holds is past; the face starts "
+               "from its last keyframe. A file that is rewritten, replaced or truncated is read "
+               "from its beginning.",
+       .value = flag(options.live_source.follow)},
+      {.option = {"source-timeout", "S", "10"},
+       .text = "end a live stream after S seconds of silence (10)",
+       .more = "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral "
+               "within 1 s. After S seconds the connected clients get the end of the stream, {-2}; "
+               "when the source comes back, the stream goes on. Stream files on stdin or FIFOs "
+               "have no such limit: only the end of input ends them.",
+       .value = seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
+      {.option = {"record", "FILE"},
+       .text = "record a live source in FILE",
+       .more = "Records what is served, with its times. The file is complete at any moment and is "
+               "synced to the disk every second. Of several live sources the first is recorded; if "
+               "FILE is a folder, each is, to NAME-TIME.txt. A file that is not empty is never "
+               "overwritten. A full disk ends the recording but not the stream; the exit code is 1 "
+               "then. convert --mend repairs a recording that a power cut has truncated.",
+       .value = word(options.record)},
+      {.option = {"skip-bad"},
+       .text = "leave broken sources out",
+       .more = "Without it, one broken source ends the start with code 3 or 4, or 2 if its name "
+               "cannot be a stream's, and SIGHUP changes nothing. If no source is left, the start "
+               "fails all the same.",
+       .value = flag(options.skip_bad)},
+      {.option = {"check"},
+       .text = "describe the sources, and serve nothing",
+       .more = "Prints what the sources hold (format, scale, people, duration, AUs with their "
+               "ranges, gaps) and serves nothing. Ends with 0 if all of them can be served.",
+       .value = flag(options.check),
+       .where = Where::Typed},
+      {.option = {"estimate"},
+       .text = "print their bit rates, and serve nothing",
+       .more = "Prints bytes and bits a second for each protocol level, on average and in the "
+               "busiest second, without and with headers, and serves nothing.",
+       .value = flag(options.estimate),
+       .where = Where::Typed},
   };
 }
 
 std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
   return {
-      {"upstream-token-file", "FILE", "", "the token for aucast://HOST",
-       "The token that the server of an aucast:// source wants, one word in a file. It is sent "
-       "only over TLS or to this host.",
-       word(upstream.token), "Streams of other au-transmitters"},
-      {"upstream-wait", "S", "10", "how long clients wait for a lost stream (10)",
-       "Seconds, up to 86400. How long clients hold while nobody sends the stream of an aucast:// "
-       "source or of --accept-push. Then those of a live stream get {-2}, and those of a recorded "
-       "one that is incomplete are cut off; the servers are still tried. A client that comes "
-       "before the stream waits as long, but at most 8 s, and is then refused.",
-       seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
-      {"upstream-tls-ca", "FILE", "", "CAs to trust for aucasts://HOST",
-       "The certificates of the authorities that the server of an aucasts:// source must have "
-       "its certificate from (PEM); without it those of the system.",
-       word(upstream.tls.authorities)},
+      {.option = {"upstream-token-file", "FILE"},
+       .text = "the token for aucast://HOST",
+       .more = "The token that the server of an aucast:// source wants, one word in a file. It is "
+               "sent only over TLS or to this host.",
+       .value = word(upstream.token),
+       .heading = "Streams of other au-transmitters"},
+      {.option = {"upstream-wait", "S", "10"},
+       .text = "how long clients wait for a lost stream (10)",
+       .more = "Seconds, up to 86400. How long clients hold while nobody sends the stream of an "
+               "aucast:// source or of --accept-push. Then those of a live stream get {-2}, and "
+               "those of a recorded one that is incomplete are cut off; the servers are still "
+               "tried. A client that comes before the stream waits as long, but at most 8 s, and "
+               "is then refused.",
+       .value =
+           seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
+      {.option = {"upstream-tls-ca", "FILE"},
+       .text = "CAs to trust for aucasts://HOST",
+       .more = "The certificates of the authorities that the server of an aucasts:// source must "
+               "have its certificate from (PEM); without it those of the system.",
+       .value = word(upstream.tls.authorities)},
   };
 }
 
 std::vector<OptionRow> engine_rows(EngineSettings& engine) {
   return {
-      {"publish", "URL", "", "send the first source over NATS, live",
-       "Publishes the first source over NATS under NAME, beside serving it, for au-transmitters "
-       "whose SOURCE is this address (protocol/ENGINE.md). nats://HOST[:PORT][,HOST...]/NAME names "
-       "several servers, which are tried in their order; natss:// is over TLS. Implies --live. "
-       "What comes within --batch goes together.",
-       word(engine.publish), "NATS"},
-      {"nats-token-file", "FILE", "", "the token for the NATS servers",
-       "The token that the servers of NATS want, one word in a file. It is sent only over TLS or "
-       "to this host.",
-       word(engine.token)},
-      {"nats-login", "FILE", "", "a file with NAME:PASSWORD",
-       "A user of NATS and its password, NAME:PASSWORD, the only line of a file. It is sent only "
-       "over TLS or to this host.",
-       word(engine.login)},
-      {"nats-creds", "FILE", "", "a .creds file",
-       "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
-       word(engine.creds)},
-      {"nats-nkey", "KEY", "", "a public NKey",
-       "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
-       word(engine.nkey)},
-      {"nats-seed", "FILE", "", "the seed of that NKey", "The seed of --nats-nkey (SU...).",
-       word(engine.seed)},
-      {"nats-tls-ca", "FILE", "", "CAs to trust for natss://HOST",
-       "The certificates of the authorities that the servers of a natss:// address must have "
-       "theirs from (PEM); without it those of the system. A file with revocation lists is "
-       "refused, since NATS' library does not heed them.",
-       word(engine.tls.authorities)},
-      {"nats-tls-cert", "FILE", "", "the certificate to show to NATS servers",
-       "A certificate to show to servers of NATS that want one (PEM).",
-       word(engine.tls.certificate)},
-      {"nats-tls-key", "FILE", "", "the private key of --nats-tls-cert",
-       "The private key of --nats-tls-cert (PEM).", word(engine.tls.key)},
+      {.option = {"publish", "URL"},
+       .text = "send the first source over NATS, live",
+       .more =
+           "Publishes the first source over NATS under NAME, beside serving it, for "
+           "au-transmitters whose SOURCE is this address (protocol/ENGINE.md). "
+           "nats://HOST[:PORT][,HOST...]/NAME names several servers, which are tried in their "
+           "order; natss:// is over TLS. Implies --live. What comes within --batch goes together.",
+       .value = word(engine.publish),
+       .heading = "NATS"},
+      {.option = {"nats-token-file", "FILE"},
+       .text = "the token for the NATS servers",
+       .more = "The token that the servers of NATS want, one word in a file. It is sent only over "
+               "TLS or to this host.",
+       .value = word(engine.token)},
+      {.option = {"nats-login", "FILE"},
+       .text = "a file with NAME:PASSWORD",
+       .more = "A user of NATS and its password, NAME:PASSWORD, the only line of a file. It is "
+               "sent only over TLS or to this host.",
+       .value = word(engine.login)},
+      {.option = {"nats-creds", "FILE"},
+       .text = "a .creds file",
+       .more = "The credentials of a user of NATS: a .creds file with its JWT and its seed.",
+       .value = word(engine.creds)},
+      {.option = {"nats-nkey", "KEY"},
+       .text = "a public NKey",
+       .more = "The public NKey of a user of NATS (U...), whose seed is in --nats-seed.",
+       .value = word(engine.nkey)},
+      {.option = {"nats-seed", "FILE"},
+       .text = "the seed of that NKey",
+       .more = "The seed of --nats-nkey (SU...).",
+       .value = word(engine.seed)},
+      {.option = {"nats-tls-ca", "FILE"},
+       .text = "CAs to trust for natss://HOST",
+       .more = "The certificates of the authorities that the servers of a natss:// address must "
+               "have theirs from (PEM); without it those of the system. A file with revocation "
+               "lists is refused, since NATS' library does not heed them.",
+       .value = word(engine.tls.authorities)},
+      {.option = {"nats-tls-cert", "FILE"},
+       .text = "the certificate to show to NATS servers",
+       .more = "A certificate to show to servers of NATS that want one (PEM).",
+       .value = word(engine.tls.certificate)},
+      {.option = {"nats-tls-key", "FILE"},
+       .text = "the private key of --nats-tls-cert",
+       .more = "The private key of --nats-tls-cert (PEM).",
+       .value = word(engine.tls.key)},
   };
 }
 
 std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
   return {
-      {"push", "URL", "", "send a stream to the au-transmitter at URL",
-       "Brings a stream to another au-transmitter, which is dialled from here, such as from "
-       "behind a home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. It "
-       "must run with --accept-push. NAME is the stream's name there. The stream sent is the one "
-       "called NAME here, or else the first; without NAME it is the first, under its own name. "
-       "When one of several hosts is lost, the next is used, and all are tried again for ever. "
-       "May be repeated, for several servers or streams.",
-       words(push.addresses), "Pushing"},
-      {"push-token-file", "FILE", "", "the token to push with",
-       "The publisher's token that the servers of --push want, one word in a file. It is sent "
-       "only over TLS or to this host.",
-       word(push.token)},
-      {"push-tls-ca", "FILE", "", "CAs to trust for aucasts:// URLs of --push",
-       "The certificates of the authorities that the servers of --push aucasts:// must have "
-       "their certificates from (PEM); without it those of the system.",
-       word(push.tls.authorities)},
-      {"accept-push", "FILE", "", "serve what others push; FILE has their tokens",
-       "Streams that others bring by --push are served here too; a SOURCE is not needed then. "
-       "FILE has one publisher a line: a token of at most 256 bytes and, after it, the names of "
-       "the streams that it may bring; without names, any. These tokens are not those of viewers. "
-       "A name has one publisher at a time, and cannot be the name of one of this server's own "
-       "streams. While a publisher is away, the clients of its stream hold for --upstream-wait. "
-       "SIGHUP reads FILE again.",
-       word(credentials.publishers)},
+      {.option = {"push", "URL"},
+       .text = "send a stream to the au-transmitter at URL",
+       .more = "Brings a stream to another au-transmitter, which is dialled from here, such as "
+               "from behind a home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// "
+               "over TLS. It must run with --accept-push. NAME is the stream's name there. The "
+               "stream sent is the one called NAME here, or else the first; without NAME it is the "
+               "first, under its own name. When one of several hosts is lost, the next is used, "
+               "and all are tried again for ever. May be repeated, for several servers or streams.",
+       .value = words(push.addresses),
+       .heading = "Pushing"},
+      {.option = {"push-token-file", "FILE"},
+       .text = "the token to push with",
+       .more = "The publisher's token that the servers of --push want, one word in a file. It is "
+               "sent only over TLS or to this host.",
+       .value = word(push.token)},
+      {.option = {"push-tls-ca", "FILE"},
+       .text = "CAs to trust for aucasts:// URLs of --push",
+       .more = "The certificates of the authorities that the servers of --push aucasts:// must "
+               "have their certificates from (PEM); without it those of the system.",
+       .value = word(push.tls.authorities)},
+      {.option = {"accept-push", "FILE"},
+       .text = "serve what others push; FILE has their tokens",
+       .more = "Streams that others bring by --push are served here too; a SOURCE is not needed "
+               "then. FILE has one publisher a line: a token of at most 256 bytes and, after it, "
+               "the names of the streams that it may bring; without names, any. These tokens are "
+               "not those of viewers. A name has one publisher at a time, and cannot be the name "
+               "of one of this server's own streams. While a publisher is away, the clients of its "
+               "stream hold for --upstream-wait. SIGHUP reads FILE again.",
+       .value = word(credentials.publishers)},
   };
 }
 
 OptionRow preview_row(TransmitterOptions& options) {
   return {
-      "preview",
-      "",
-      "",
-      "for programs that start this one: pictures to stdout",
-      "For a program that starts this one: standard output tells what the camera sees, as small "
-      "pictures with landmarks and AUs, and standard input takes orders to let others in or send "
-      "them away. The end of standard input ends the program. Both must be pipes or sockets. The "
-      "only SOURCE is a camera. --token-file and --tls-cert are for those who are let in, not for "
-      "programs of this host. The format is in common/preview/README.md.",
-      flag(options.preview),
-      "",
-      Where::Typed};
+      .option = {"preview"},
+      .text = "for programs that start this one: pictures to stdout",
+      .more =
+          "For a program that starts this one: standard output tells what the camera sees, as "
+          "small pictures with landmarks and AUs, and standard input takes orders to let others in "
+          "or send them away. The end of standard input ends the program. Both must be pipes or "
+          "sockets. The only SOURCE is a camera. --token-file and --tls-cert are for those who are "
+          "let in, not for programs of this host. The format is in common/preview/README.md.",
+      .value = flag(options.preview),
+      .where = Where::Typed};
 }
 
 std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
   return {
-      {"keyframe", "MS", "250", "how long keyframes without a time last (250)",
-       "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello tells "
-       "it to clients, and --live uses it.",
-       whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax), "Sending"},
-      {"classic-min", "PERCENT", "20", "weakest AU sent to level 1 (classic) clients (20)",
-       "For classic clients. Level 1 has no intensities: weaker AUs are left out, the others are "
-       "sent as fully active.",
-       whole(options.classic_min, 0, 100)},
-      {"loop", "", "", "start again at the end", "The first keyframe follows the last, endlessly.",
-       flag(options.loop)},
-      {"live", "", "", "one clock for all: clients see the same moment",
-       "All clients see the same moment. Time starts when the transmitter is ready. A slow "
-       "client gets the newest keyframe and misses those in between; the statistics count "
-       "them as merged.",
-       flag(options.live)},
-      {"max-bitrate", "KBITS", "0", "limit of kbit/s to each client (0: none)",
-       "Kilobits a second for each client, headers included, up to 1000000. The voice is "
-       "subtracted first. Keyframes that come too soon are merged into the next one that fits: the "
-       "newest wins and takes the time of all of them, so the stream keeps its length. Level 2 "
-       "packets count with 52 bytes of TCP and IP headers each. --check and --estimate show the "
-       "result. A keyframe of a live source waits until it fits, and a newer one replaces it.",
-       whole(options.max_kbits, 0, 1'000'000)},
-      {"batch", "MS", "0", "send together what is due within MS (0: do not)",
-       "Headers cost more than a packet, so what is written within this time goes out together. "
-       "Up to 1000 milliseconds, which delay the face by as much.",
-       whole(options.batch, 0, 1000)},
+      {.option = {"keyframe", "MS", "250"},
+       .text = "how long keyframes without a time last (250)",
+       .more = "How long a keyframe without a time lasts, in milliseconds, 1 to 3600000. The hello "
+               "tells it to clients, and --live uses it.",
+       .value = whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax),
+       .heading = "Sending"},
+      {.option = {"classic-min", "PERCENT", "20"},
+       .text = "weakest AU sent to level 1 (classic) clients (20)",
+       .more = "For classic clients. Level 1 has no intensities: weaker AUs are left out, the "
+               "others are sent as fully active.",
+       .value = whole(options.classic_min, 0, 100)},
+      {.option = {"loop"},
+       .text = "start again at the end",
+       .more = "The first keyframe follows the last, endlessly.",
+       .value = flag(options.loop)},
+      {.option = {"live"},
+       .text = "one clock for all: clients see the same moment",
+       .more = "All clients see the same moment. Time starts when the transmitter is ready. A slow "
+               "client gets the newest keyframe and misses those in between; the statistics count "
+               "them as merged.",
+       .value = flag(options.live)},
+      {.option = {"max-bitrate", "KBITS", "0"},
+       .text = "limit of kbit/s to each client (0: none)",
+       .more = "Kilobits a second for each client, headers included, up to 1000000. The voice is "
+               "subtracted first. Keyframes that come too soon are merged into the next one that "
+               "fits: the newest wins and takes the time of all of them, so the stream keeps its "
+               "length. Level 2 packets count with 52 bytes of TCP and IP headers each. --check "
+               "and --estimate show the result. A keyframe of a live source waits until it fits, "
+               "and a newer one replaces it.",
+       .value = whole(options.max_kbits, 0, 1'000'000)},
+      {.option = {"batch", "MS", "0"},
+       .text = "send together what is due within MS (0: do not)",
+       .more = "Headers cost more than a packet, so what is written within this time goes out "
+               "together. Up to 1000 milliseconds, which delay the face by as much.",
+       .value = whole(options.batch, 0, 1000)},
   };
 }
 
 std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
   return {
-      {"bind", "ADDR", "127.0.0.1", "address to listen on (127.0.0.1: this host only)",
-       "An address or a name of this host. 0.0.0.0 listens on all IPv4 addresses, :: on all "
-       "IPv4 and IPv6 addresses. The default admits nobody from outside.",
-       word(options.bind), "Connections"},
-      {"port", "N", "4650", "port to listen on (4650; 0: any free one)",
-       "The TCP port. With 0 the system chooses one; the line \"listening on\" tells which.",
-       whole(options.port, 0, 65535)},
-      {"reuse-port", "", "", "share the port with other au-transmitters",
-       "Several au-transmitters of one user, all with this option, listen on the same port (and "
-       "that of --web and --http), and the system spreads clients over them: one for each "
-       "processor core, or the next version beside this one. What they serve should be the same: "
-       "recordings, or streams that each relays. Each counts its own clients and limits.",
-       flag(options.reuse_port)},
-      {"drain-time", "S", "0", "at exit, give clients S seconds to move elsewhere (0)",
-       "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, clients of "
-       "level 2 are cut off one by one, without {-2}, so that those with --reconnect, relays and "
-       "web pages go on with another au-transmitter at this address, such as the next version "
-       "with --reuse-port; a recorded stream resumes where it was. Whoever is left then gets "
-       "{-2}. A second signal, or S = 0, sends {-2} to all at once.",
-       seconds(options.drain_time, 0, kDrainSecondsMax,
-               "is not a number of seconds from 0 to 3600")},
-      {"client-timeout", "S", "0", "drop clients that owe an answer for S s (0: never)",
-       "Disconnects a client that has a keyframe to answer and sends no byte for so many seconds, "
-       "up to 86400; also one that takes no byte for so long, if its stream is live or it has "
-       "answered beforehand. The time does not run while a client is paused, nor before its stream "
-       "begins. TCP detects a vanished host, and a client that stops reading, within a minute "
-       "anyway.",
-       seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
-      {"max-clients", "N", "0", "most clients at a time (0: as the system allows)",
-       "The number of clients at a time. One client too many is closed, with {error 503 "
-       "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and as "
-       "free memory at the start is enough for, at 64 KiB each. The soft limit of descriptors "
-       "(ulimit -n) is raised to the hard limit at the start.",
-       whole(options.max_clients, 0, kClientsMax)},
-      {"max-clients-per-address", "N", "0", "most clients from one address (0: any number)",
-       "The number of clients at a time from one address; of an IPv6 address the first 64 "
-       "bits count. Clients behind one router share an address.",
-       whole(options.max_clients_per_address, 0, kClientsMax)},
+      {.option = {"bind", "ADDR", "127.0.0.1"},
+       .text = "address to listen on (127.0.0.1: this host only)",
+       .more = "An address or a name of this host. 0.0.0.0 listens on all IPv4 addresses, :: on "
+               "all IPv4 and IPv6 addresses. The default admits nobody from outside.",
+       .value = word(options.bind),
+       .heading = "Connections"},
+      {.option = {"port", "N", "4650"},
+       .text = "port to listen on (4650; 0: any free one)",
+       .more =
+           "The TCP port. With 0 the system chooses one; the line \"listening on\" tells which.",
+       .value = whole(options.port, 0, 65535)},
+      {.option = {"reuse-port"},
+       .text = "share the port with other au-transmitters",
+       .more =
+           "Several au-transmitters of one user, all with this option, listen on the same port "
+           "(and that of --web and --http), and the system spreads clients over them: one for each "
+           "processor core, or the next version beside this one. What they serve should be the "
+           "same: recordings, or streams that each relays. Each counts its own clients and limits.",
+       .value = flag(options.reuse_port)},
+      {.option = {"drain-time", "S", "0"},
+       .text = "at exit, give clients S seconds to move elsewhere (0)",
+       .more =
+           "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, "
+           "clients of level 2 are cut off one by one, without {-2}, so that those with "
+           "--reconnect, relays and web pages go on with another au-transmitter at this address, "
+           "such as the next version with --reuse-port; a recorded stream resumes where it was. "
+           "Whoever is left then gets {-2}. A second signal, or S = 0, sends {-2} to all at once.",
+       .value = seconds(options.drain_time, 0, kDrainSecondsMax,
+                        "is not a number of seconds from 0 to 3600")},
+      {.option = {"client-timeout", "S", "0"},
+       .text = "drop clients that owe an answer for S s (0: never)",
+       .more = "Disconnects a client that has a keyframe to answer and sends no byte for so many "
+               "seconds, up to 86400; also one that takes no byte for so long, if its stream is "
+               "live or it has answered beforehand. The time does not run while a client is "
+               "paused, nor before its stream begins. TCP detects a vanished host, and a client "
+               "that stops reading, within a minute anyway.",
+       .value = seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
+      {.option = {"max-clients", "N", "0"},
+       .text = "most clients at a time (0: as the system allows)",
+       .more = "The number of clients at a time. One client too many is closed, with {error 503 "
+               "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and "
+               "as free memory at the start is enough for, at 64 KiB each. The soft limit of "
+               "descriptors (ulimit -n) is raised to the hard limit at the start.",
+       .value = whole(options.max_clients, 0, kClientsMax)},
+      {.option = {"max-clients-per-address", "N", "0"},
+       .text = "most clients from one address (0: any number)",
+       .more = "The number of clients at a time from one address; of an IPv6 address the first 64 "
+               "bits count. Clients behind one router share an address.",
+       .value = whole(options.max_clients_per_address, 0, kClientsMax)},
   };
 }
 
 std::vector<OptionRow> credential_rows(CredentialFiles& files) {
   return {
-      {"tls-cert", "FILE", "", "serve over TLS with this certificate",
-       "The certificate, followed in the same file by those of the intermediate "
-       "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca, "
-       "--web-cert, --web-key, --token-file and --accept-push; connected clients stay.",
-       word(files.tls.certificate), "TLS and tokens"},
-      {"tls-key", "FILE", "", "the private key of --tls-cert",
-       "PEM. Only the transmitter should be able to read it.", word(files.tls.key)},
-      {"tls-client-ca", "FILE", "", "require client certificates signed by these CAs",
-       "Clients must show a certificate that one of these authorities has signed (PEM). If the "
-       "file has revocation lists too, clients that are in one are refused, and so are those of an "
-       "authority whose list is missing or out of date. Only the client's own certificate is "
-       "looked up, not those of intermediate authorities.",
-       word(files.tls.authorities)},
-      {"token-file", "FILE", "", "the token that viewers must show",
-       "One word of at most 256 bytes. A client without it is refused before it learns "
-       "anything, and so is every classic client, which cannot send one. Without TLS anyone "
-       "on the path can read it.",
-       word(files.token)},
+      {.option = {"tls-cert", "FILE"},
+       .text = "serve over TLS with this certificate",
+       .more = "The certificate, followed in the same file by those of the intermediate "
+               "authorities (PEM). SIGHUP reads it again, as it does --tls-key, --tls-client-ca, "
+               "--web-cert, --web-key, --token-file and --accept-push; connected clients stay.",
+       .value = word(files.tls.certificate),
+       .heading = "TLS and tokens"},
+      {.option = {"tls-key", "FILE"},
+       .text = "the private key of --tls-cert",
+       .more = "PEM. Only the transmitter should be able to read it.",
+       .value = word(files.tls.key)},
+      {.option = {"tls-client-ca", "FILE"},
+       .text = "require client certificates signed by these CAs",
+       .more = "Clients must show a certificate that one of these authorities has signed (PEM). If "
+               "the file has revocation lists too, clients that are in one are refused, and so are "
+               "those of an authority whose list is missing or out of date. Only the client's own "
+               "certificate is looked up, not those of intermediate authorities.",
+       .value = word(files.tls.authorities)},
+      {.option = {"token-file", "FILE"},
+       .text = "the token that viewers must show",
+       .more = "One word of at most 256 bytes. A client without it is refused before it learns "
+               "anything, and so is every classic client, which cannot send one. Without TLS "
+               "anyone on the path can read it.",
+       .value = word(files.token)},
   };
 }
 
 std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
   return {
-      {"web", "ADDR:PORT", "", "serve the page for browsers at http://ADDR:PORT/",
-       "The player as a web page at / and the protocol over WebSocket at /aucast "
-       "(http://ADDR:PORT/). The line \"web on ADDR:PORT\" follows \"listening on\" when it is "
-       "ready. --max-clients, --token-file and all other limits hold for both. Without "
-       "--web-cert, viewers on other hosts should come through a proxy that speaks https.",
-       parsed(Kind::Word, read_address, web.address), "Page for browsers"},
-      {"web-cert", "FILE", "", "serve the page over https with this certificate",
-       "The certificate for --web, followed in the same file by those of the intermediate "
-       "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
-       word(files.certificate)},
-      {"web-key", "FILE", "", "the private key of --web-cert",
-       "The private key of --web-cert (PEM).", word(files.key)},
-      {"web-host", "NAME", "", "a further host name of the page",
-       "A name that --web answers for, beside IP addresses, localhost and the names of "
-       "--web-cert: its own, or that of a proxy in front of it. Pages of these names may watch by "
-       "WebSocket too, such as a course page that holds a face. *.NAME stands for one more "
-       "label. May be repeated.",
-       words(web.hosts)},
-      {"web-trusted-proxy", "ADDR", "", "a reverse proxy in front of the page",
-       "The IP address of a reverse proxy. For its requests, the last address in X-Forwarded-For "
-       "is taken as the client's, in --max-clients-per-address and in the log. May be repeated.",
-       parsed(Kind::Words, read_proxy, web.trusted_proxies)},
+      {.option = {"web", "ADDR:PORT"},
+       .text = "serve the page for browsers at http://ADDR:PORT/",
+       .more =
+           "The player as a web page at / and the protocol over WebSocket at /aucast "
+           "(http://ADDR:PORT/). The line \"web on ADDR:PORT\" follows \"listening on\" when it is "
+           "ready. --max-clients, --token-file and all other limits hold for both. Without "
+           "--web-cert, viewers on other hosts should come through a proxy that speaks https.",
+       .value = parsed(Kind::Word, read_address, web.address),
+       .heading = "Page for browsers"},
+      {.option = {"web-cert", "FILE"},
+       .text = "serve the page over https with this certificate",
+       .more = "The certificate for --web, followed in the same file by those of the intermediate "
+               "authorities (PEM): https and wss in place of http and ws. SIGHUP reads it again.",
+       .value = word(files.certificate)},
+      {.option = {"web-key", "FILE"},
+       .text = "the private key of --web-cert",
+       .more = "The private key of --web-cert (PEM).",
+       .value = word(files.key)},
+      {.option = {"web-host", "NAME"},
+       .text = "a further host name of the page",
+       .more = "A name that --web answers for, beside IP addresses, localhost and the names of "
+               "--web-cert: its own, or that of a proxy in front of it. Pages of these names may "
+               "watch by WebSocket too, such as a course page that holds a face. *.NAME stands for "
+               "one more label. May be repeated.",
+       .value = words(web.hosts)},
+      {.option = {"web-trusted-proxy", "ADDR"},
+       .text = "a reverse proxy in front of the page",
+       .more = "The IP address of a reverse proxy. For its requests, the last address in "
+               "X-Forwarded-For is taken as the client's, in --max-clients-per-address and in the "
+               "log. May be repeated.",
+       .value = parsed(Kind::Words, read_proxy, web.trusted_proxies)},
   };
 }
 
 std::vector<OptionRow> status_rows(TransmitterOptions& options) {
   return {
-      {"stats", "FILE.json", "", "write statistics at exit",
-       "Statistics of every client, written completely or not at all. The totals cover every "
-       "client; the latest 1000 are listed.",
-       word(options.stats), "Status, settings, log"},
-      {"http", "ADDR:PORT", "", "serve status and metrics for monitors",
-       "HTTP for monitoring: /healthz is 200 while clients are accepted and 503 while the "
-       "transmitter stops, /metrics is in Prometheus' text format, /status.json has the "
-       "same as one object. Only GET, one request for each connection, 32 connections at a "
-       "time. There is no password: keep it to this host (127.0.0.1:PORT).",
-       parsed(Kind::Word, read_address, options.http)},
+      {.option = {"stats", "FILE.json"},
+       .text = "write statistics at exit",
+       .more = "Statistics of every client, written completely or not at all. The totals cover "
+               "every client; the latest 1000 are listed.",
+       .value = word(options.stats),
+       .heading = "Status, settings, log"},
+      {.option = {"http", "ADDR:PORT"},
+       .text = "serve status and metrics for monitors",
+       .more = "HTTP for monitoring: /healthz is 200 while clients are accepted and 503 while the "
+               "transmitter stops, /metrics is in Prometheus' text format, /status.json has the "
+               "same as one object. Only GET, one request for each connection, 32 connections at a "
+               "time. There is no password: keep it to this host (127.0.0.1:PORT).",
+       .value = parsed(Kind::Word, read_address, options.http)},
   };
 }
 
 std::vector<OptionRow> program_rows(TransmitterOptions& options) {
   return {
-      {"config",
-       "FILE",
-       "",
-       "read settings from FILE (TOML)",
-       "These options as name = value, one per line. Read before the environment and the command "
-       "line. Without it /etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null "
-       "reads none.",
-       {},
-       "",
-       Where::Typed},
-      {"print-config", "", "", "print all settings, and where each comes from",
-       "Each with where it comes from. The output is a settings file for --config.", flag(), "",
-       Where::Typed},
-      {"log-level", "LEVEL", "info", "trace, debug, info, warning, error or off (info)",
-       "trace, debug, info, warning, error or off. The log goes to stderr. It has at most "
-       "300 lines a second about clients and tells how many were left out; at debug it has "
-       "them all.",
-       log_level(options.log_level)},
-      {"log-format", "FORMAT", "text", "text or json (text)",
-       "Both have the time (UTC), the level and the message. Under systemd each line begins "
-       "with its priority for the journal, and text omits what the journal adds itself.",
-       one_of(options.log_format, {"text", "json"})},
-      {"verbose", "", "", "the same as --log-level debug", "The same as --log-level debug.", flag(),
-       "", Where::Typed, 'v'},
-      {"quiet", "", "", "the same as --log-level error", "The same as --log-level error.", flag(),
-       "", Where::Typed, 'q'},
+      {.option = {"config", "FILE"},
+       .text = "read settings from FILE (TOML)",
+       .more = "These options as name = value, one per line. Read before the environment and the "
+               "command line. Without it /etc/aucast/au-transmitter.toml is read if it exists; "
+               "--config /dev/null reads none.",
+       .where = Where::Typed},
+      {.option = {"print-config"},
+       .text = "print all settings, and where each comes from",
+       .more = "Each with where it comes from. The output is a settings file for --config.",
+       .value = flag(),
+       .where = Where::Typed},
+      {.option = {"log-level", "LEVEL", "info"},
+       .text = "trace, debug, info, warning, error or off (info)",
+       .more = "trace, debug, info, warning, error or off. The log goes to stderr. It has at most "
+               "300 lines a second about clients and tells how many were left out; at debug it has "
+               "them all.",
+       .value = log_level(options.log_level)},
+      {.option = {"log-format", "FORMAT", "text"},
+       .text = "text or json (text)",
+       .more =
+           "Both have the time (UTC), the level and the message. Under systemd each line begins "
+           "with its priority for the journal, and text omits what the journal adds itself.",
+       .value = one_of(options.log_format, {"text", "json"})},
+      {.option = {"verbose"},
+       .text = "the same as --log-level debug",
+       .more = "The same as --log-level debug.",
+       .value = flag(),
+       .where = Where::Typed,
+       .letter = 'v'},
+      {.option = {"quiet"},
+       .text = "the same as --log-level error",
+       .more = "The same as --log-level error.",
+       .value = flag(),
+       .where = Where::Typed,
+       .letter = 'q'},
   };
 }
 

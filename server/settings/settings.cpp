@@ -21,7 +21,7 @@ bool is_setting(const OptionRow& row) {
 /// "AUCAST_TRANSMITTER_CLIENT_TIMEOUT".
 std::string variable_name(const OptionRow& row) {
   std::string name(kVariablePrefix);
-  for (const char c : row.name) {
+  for (const char c : row.option.name) {
     name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
   return name;
@@ -98,8 +98,9 @@ std::vector<std::string> names_of_settings(const std::vector<OptionRow>& rows, N
 Settings::Settings(const std::vector<OptionRow>& rows) : rows_(rows) {
   for (const OptionRow& row : rows) {
     const bool is_flag = row.value.kind == Kind::Flag;
-    if (!is_setting(row) || (row.fallback.empty() && !is_flag)) continue;
-    settings_[std::string(row.name)].words = {is_flag ? "false" : std::string(row.fallback)};
+    if (!is_setting(row) || (row.option.fallback.empty() && !is_flag)) continue;
+    settings_[std::string(row.option.name)].words = {is_flag ? "false"
+                                                             : std::string(row.option.fallback)};
   }
 }
 
@@ -113,7 +114,7 @@ Result<void> Settings::add_file(std::string_view text, const std::string& file) 
     const OptionRow* row = find_row(rows_, entry.key);
     if (row == nullptr) {
       const auto known =
-          names_of_settings(rows_, [](const OptionRow& other) { return other.name; });
+          names_of_settings(rows_, [](const OptionRow& other) { return other.option.name; });
       return bad(entry.place, unknown_option(entry.key, known));
     }
     if (!is_setting(*row))
@@ -138,7 +139,7 @@ Result<void> Settings::add_environment(const Environment& environment) {
       return Error{ErrorKind::Usage,
                    "environment: " + unknown_option(name, names_of_settings(rows_, variable_name))};
     }
-    if (row->name == "config") continue;  // it has been read to find the file
+    if (row->option.name == "config") continue;  // it has been read to find the file
     if (!is_setting(*row)) {
       return usage_error(name + ": " + typed_name(*row) + " is for the command line only");
     }
@@ -147,7 +148,7 @@ Result<void> Settings::add_environment(const Environment& environment) {
       const auto parts = split(value, ',');
       words.assign(parts.begin(), parts.end());
     }
-    settings_[std::string(row->name)] = {std::move(words), Layer::Variable};
+    settings_[std::string(row->option.name)] = {std::move(words), Layer::Variable};
   }
   return {};
 }
@@ -158,7 +159,7 @@ void Settings::add_typed(const TypedWords& typed) {
 
 Result<void> Settings::read() const {
   for (const OptionRow& row : rows_) {
-    const auto setting = settings_.find(row.name);
+    const auto setting = settings_.find(row.option.name);
     if (setting == settings_.end()) continue;
     for (const std::string& word : setting->second.words) {
       if (const Complaint complaint = read_word(row, word)) {
@@ -174,7 +175,7 @@ Error Settings::wrong(const OptionRow& row, const Setting& setting, const std::s
   if (setting.layer == Layer::File) {
     return {ErrorKind::BadData,
             at_place(setting.file, setting.place.line, setting.place.column,
-                     std::string(row.name) + " '" + escaped(word) + "' " + complaint)};
+                     std::string(row.option.name) + " '" + escaped(word) + "' " + complaint)};
   }
   return wrong_word(setting.layer == Layer::Variable ? variable_name(row) : typed_name(row), word,
                     complaint);
@@ -209,11 +210,11 @@ std::string Settings::print() const {
   std::string text = "# Settings of au-transmitter; what --config takes.\n";
   for (const OptionRow& row : rows_) {
     if (!is_setting(row)) continue;
-    const auto setting = settings_.find(row.name);
+    const auto setting = settings_.find(row.option.name);
     if (setting == settings_.end()) {
-      text += "# " + std::string(row.name) + " is not set\n";
+      text += "# " + std::string(row.option.name) + " is not set\n";
     } else {
-      text += std::string(row.name) + " = " + value_text(row, setting->second) + "  # " +
+      text += std::string(row.option.name) + " = " + value_text(row, setting->second) + "  # " +
               origin(row, setting->second) + "\n";
     }
   }

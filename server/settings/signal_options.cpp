@@ -91,47 +91,55 @@ Complaint read_filter(const std::string& word, std::optional<sources::OneEuroSet
 
 std::vector<OptionRow> signal_rows(SignalOptions& options) {
   return {
-      {"distance", "", "", "send the distance of the head as AUs 57, 58",
-       "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 "
-       "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the first "
-       "second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
-       flag(options.distance)},
-      {"neutral", "SECONDS", "", "subtract the face of the first SECONDS, or auto",
-       "Up to 60 seconds, starting at the first row with a face. The median of each AU and of the "
-       "rotations of head and eyes is the neutral face, which is subtracted from every row. While "
-       "it measures, a live source subtracts the median so far. 0: no neutral face, whatever the "
-       "profile has. auto, the default for films and cameras: head and eyes count as straight "
-       "where they mostly are, and the neutral face is that of the moments with the weakest AUs; "
-       "in a table only head and eyes are straightened, and the AUs stay as they are.",
-       parsed(OptionValue::Kind::Number, read_neutral, options)},
-      {"gain", "LIST", "", "factors: 1.2 for all AUs, 45=1.6 for AU 45 (1)",
-       "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
-       "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
-       "neutral face is subtracted; the result is limited to 100 %.",
-       parsed(OptionValue::Kind::Number, read_gain, options.gain)},
-      {"filter", "CUTOFF[,BETA]", "", "smooth (one euro filter), such as 1,5",
-       "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz for a signal at rest, above 0, up to 100; "
-       "the Hz added to it at a speed of 100 % a second, 0 to 100 (5); the cutoff of the "
-       "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
-       "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
-       parsed(OptionValue::Kind::Number, read_filter, options.filter)},
-      {"dead-band", "LIST", "", "least change sent, in percent, such as 3 or 45=0 (2)",
-       "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
-       "AU that is not named. Without it, jitter makes up about half of the bytes. An intensity is "
-       "sent when it has changed by this much since it was last sent, so its error stays below "
-       "that; a change to 0 is always sent. 0 sends everything. Stream files and convert are not "
-       "affected.",
-       parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
-      {"profile", "FILE", "", "load a person's neutral face, gain, dead band, filter",
-       "Neutral face, gain, dead band and filter of one person at one camera, as "
-       "--save-profile writes them (TOML); the options above win. SIGHUP reads it again, "
-       "for live sources too.",
-       word(options.profile)},
-      {"save-profile", "FILE", "", "save them to FILE",
-       "Writes what profile and options amount to, completely or not at all: with --neutral "
-       "once the neutral face is measured, which requires a single source of a recogniser; "
-       "otherwise at the start. Load it with --profile FILE.",
-       word(options.save_profile)},
+      {.option = {"distance"},
+       .text = "send the distance of the head as AUs 57, 58",
+       .more = "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 "
+               "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the "
+               "first second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
+       .value = flag(options.distance)},
+      {.option = {"neutral", "SECONDS"},
+       .text = "subtract the face of the first SECONDS, or auto",
+       .more = "Up to 60 seconds, starting at the first row with a face. The median of each AU and "
+               "of the rotations of head and eyes is the neutral face, which is subtracted from "
+               "every row. While it measures, a live source subtracts the median so far. 0: no "
+               "neutral face, whatever the profile has. auto, the default for films and cameras: "
+               "head and eyes count as straight where they mostly are, and the neutral face is "
+               "that of the moments with the weakest AUs; in a table only head and eyes are "
+               "straightened, and the AUs stay as they are.",
+       .value = parsed(OptionValue::Kind::Number, read_neutral, options)},
+      {.option = {"gain", "LIST"},
+       .text = "factors: 1.2 for all AUs, 45=1.6 for AU 45 (1)",
+       .more = "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
+               "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
+               "neutral face is subtracted; the result is limited to 100 %.",
+       .value = parsed(OptionValue::Kind::Number, read_gain, options.gain)},
+      {.option = {"filter", "CUTOFF[,BETA]"},
+       .text = "smooth (one euro filter), such as 1,5",
+       .more = "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz for a signal at rest, above 0, up to 100; "
+               "the Hz added to it at a speed of 100 % a second, 0 to 100 (5); the cutoff of the "
+               "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "
+               "Roussel and Vogel 2012. 0: no filter, whatever the profile has.",
+       .value = parsed(OptionValue::Kind::Number, read_filter, options.filter)},
+      {.option = {"dead-band", "LIST"},
+       .text = "least change sent, in percent, such as 3 or 45=0 (2)",
+       .more = "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
+               "AU that is not named. Without it, jitter makes up about half of the bytes. An "
+               "intensity is sent when it has changed by this much since it was last sent, so its "
+               "error stays below that; a change to 0 is always sent. 0 sends everything. Stream "
+               "files and convert are not affected.",
+       .value = parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
+      {.option = {"profile", "FILE"},
+       .text = "load a person's neutral face, gain, dead band, filter",
+       .more = "Neutral face, gain, dead band and filter of one person at one camera, as "
+               "--save-profile writes them (TOML); the options above win. SIGHUP reads it again, "
+               "for live sources too.",
+       .value = word(options.profile)},
+      {.option = {"save-profile", "FILE"},
+       .text = "save them to FILE",
+       .more = "Writes what profile and options amount to, completely or not at all: with "
+               "--neutral once the neutral face is measured, which requires a single source of a "
+               "recogniser; otherwise at the start. Load it with --profile FILE.",
+       .value = word(options.save_profile)},
   };
 }
 

@@ -79,42 +79,50 @@ std::string options_of_recordings(const SourceOptions& options) {
 
 std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
   return {
-      {"camera-size", "WxH", "640x480", "size to ask a camera for (640x480)",
-       "The size that a camera is asked for. Faces are read from 640 pixels at most.",
-       parsed(Kind::Word, read_size, options)},
-      {"camera-fps", "N", "30", "pictures a second to ask a camera for (30)",
-       "The pictures a second that a camera is asked for, 1 to 120. Those that come while "
-       "the one before is read are dropped.",
-       whole(options.fps, 1, 120)},
+      {.option = {"camera-size", "WxH", "640x480"},
+       .text = "size to ask a camera for (640x480)",
+       .more = "The size that a camera is asked for. Faces are read from 640 pixels at most.",
+       .value = parsed(Kind::Word, read_size, options)},
+      {.option = {"camera-fps", "N", "30"},
+       .text = "pictures a second to ask a camera for (30)",
+       .more = "The pictures a second that a camera is asked for, 1 to 120. Those that come while "
+               "the one before is read are dropped.",
+       .value = whole(options.fps, 1, 120)},
   };
 }
 
 std::vector<OptionRow> recording_rows(SourceOptions& options) {
   sources::RecordingOptions& recording = options.recording;
   return {
-      {"rate", "HZ", "", "resample to HZ keyframes a second",
-       "Resamples to this rate, 0.1 to 1000, by linear interpolation.",
-       real(options.rate, kRateMin, sources::kRateMax,
-            "is not a number of keyframes a second from 0.1 to 1000"),
-       "Recordings, cameras"},
-      {"fps", "N", "", "frame rate of recordings without times",
-       "Pictures a second, for recordings without times (Py-Feat) or with wrong ones.",
-       parsed(Kind::Number, read_fps, recording.fps)},
-      {"au-scale", "S", "auto", "value of full intensity: 1, 5, 100 or auto (auto)",
-       "The number that stands for full intensity in recordings: 1, 5, 100 or auto.",
-       parsed(Kind::Number, read_au_scale, recording.au_scale)},
-      {"min-confidence", "C", "0.5", "skip rows with less confidence, 0 to 1 (0.5)",
-       "Rows with a lower confidence, 0 to 1, count as no data: the face holds for 0.5 s "
-       "and returns to neutral within 1 s.",
-       real(recording.confidence_min, 0, 1, "is not a number from 0 to 1")},
-      {"face-id", "N", "", "which of several faces, or all",
-       "Which of several faces. Without it: the most frequent one of a recording, the first "
-       "one of a live source, the clearest of a film or camera, whose faces count from 0 as they "
-       "are first seen. With all, each face is a stream of its own, STEM-FACE such as "
-       "webcam-0. A recording gives at most 64, the most frequent first. A live source "
-       "gives at most 16, each from when it is first seen; before them comes a stream without a "
-       "number, which exists from the start and follows one of the faces.",
-       parsed(Kind::Number, read_face_id, recording)},
+      {.option = {"rate", "HZ"},
+       .text = "resample to HZ keyframes a second",
+       .more = "Resamples to this rate, 0.1 to 1000, by linear interpolation.",
+       .value = real(options.rate, kRateMin, sources::kRateMax,
+                     "is not a number of keyframes a second from 0.1 to 1000"),
+       .heading = "Recordings, cameras"},
+      {.option = {"fps", "N"},
+       .text = "frame rate of recordings without times",
+       .more = "Pictures a second, for recordings without times (Py-Feat) or with wrong ones.",
+       .value = parsed(Kind::Number, read_fps, recording.fps)},
+      {.option = {"au-scale", "S", "auto"},
+       .text = "value of full intensity: 1, 5, 100 or auto (auto)",
+       .more = "The number that stands for full intensity in recordings: 1, 5, 100 or auto.",
+       .value = parsed(Kind::Number, read_au_scale, recording.au_scale)},
+      {.option = {"min-confidence", "C", "0.5"},
+       .text = "skip rows with less confidence, 0 to 1 (0.5)",
+       .more = "Rows with a lower confidence, 0 to 1, count as no data: the face holds for 0.5 s "
+               "and returns to neutral within 1 s.",
+       .value = real(recording.confidence_min, 0, 1, "is not a number from 0 to 1")},
+      {.option = {"face-id", "N"},
+       .text = "which of several faces, or all",
+       .more =
+           "Which of several faces. Without it: the most frequent one of a recording, the first "
+           "one of a live source, the clearest of a film or camera, whose faces count from 0 as "
+           "they are first seen. With all, each face is a stream of its own, STEM-FACE such as "
+           "webcam-0. A recording gives at most 64, the most frequent first. A live source gives "
+           "at most 16, each from when it is first seen; before them comes a stream without a "
+           "number, which exists from the start and follows one of the faces.",
+       .value = parsed(Kind::Number, read_face_id, recording)},
   };
 }
 

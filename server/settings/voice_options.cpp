@@ -27,27 +27,37 @@ Complaint read_frame(const std::string& word, Milliseconds& frame) {
 
 std::vector<OptionRow> voice_rows(VoiceOptions& options) {
   return {
-      {"voice", "FILE", "", "sound of the first source (talk.wav for talk.txt)",
-       "A sound file (WAV, FLAC, Ogg Opus, Ogg Vorbis, MP3) beside a source, with the same name "
-       "but .wav, .flac, .opus, .ogg or .mp3, is its voice, which clients that ask for it get "
-       "with the face; a .vtt file there has its captions. This option names another file for "
-       "the first source. For a live source it is - or a FIFO with raw sound: 16-bit signed "
-       "little-endian, 16000 Hz, mono, as arecord -f S16_LE -r 16000 -c 1 -t raw writes it.",
-       word(options.file), "Voice"},
-      {"no-voice", "", "", "serve no sound", "Sound files beside the sources are left alone.",
-       flag(options.none)},
-      {"voice-delay", "MS", "0", "delay the sound by MS (0)",
-       "Milliseconds, -10000 to 10000: how much later the sound is heard with the face, for a "
-       "recogniser whose results come later than the sound from the microphone; a negative number "
-       "makes the sound come earlier, for a microphone that is later than the recogniser.",
-       whole(options.delay, -kDelayMsMax, kDelayMsMax)},
-      {"voice-rate", "KBITS", "10", "kbit/s of the voice: 8, 10, 12, 16 or 24 (10)",
-       "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it takes a third more.",
-       parsed(Kind::Number, read_rate, options.encoder.bits_per_second)},
-      {"voice-frame", "MS", "60", "ms of speech in a packet: 20, 40 or 60 (60)",
-       "Milliseconds of speech in one packet: 20, 40 or 60. Short ones arrive sooner and take "
-       "more of the link.",
-       parsed(Kind::Number, read_frame, options.encoder.frame)},
+      {.option = {"voice", "FILE"},
+       .text = "sound of the first source (talk.wav for talk.txt)",
+       .more = "A sound file (WAV, FLAC, Ogg Opus, Ogg Vorbis, MP3) beside a source, with the same "
+               "name but .wav, .flac, .opus, .ogg or .mp3, is its voice, which clients that ask "
+               "for it get with the face; a .vtt file there has its captions. This option names "
+               "another file for the first source. For a live source it is - or a FIFO with raw "
+               "sound: 16-bit signed little-endian, 16000 Hz, mono, as arecord -f S16_LE -r 16000 "
+               "-c 1 -t raw writes it.",
+       .value = word(options.file),
+       .heading = "Voice"},
+      {.option = {"no-voice"},
+       .text = "serve no sound",
+       .more = "Sound files beside the sources are left alone.",
+       .value = flag(options.none)},
+      {.option = {"voice-delay", "MS", "0"},
+       .text = "delay the sound by MS (0)",
+       .more = "Milliseconds, -10000 to 10000: how much later the sound is heard with the face, "
+               "for a recogniser whose results come later than the sound from the microphone; a "
+               "negative number makes the sound come earlier, for a microphone that is later than "
+               "the recogniser.",
+       .value = whole(options.delay, -kDelayMsMax, kDelayMsMax)},
+      {.option = {"voice-rate", "KBITS", "10"},
+       .text = "kbit/s of the voice: 8, 10, 12, 16 or 24 (10)",
+       .more =
+           "Kilobits of speech a second: 8, 10, 12, 16 or 24. On the wire it takes a third more.",
+       .value = parsed(Kind::Number, read_rate, options.encoder.bits_per_second)},
+      {.option = {"voice-frame", "MS", "60"},
+       .text = "ms of speech in a packet: 20, 40 or 60 (60)",
+       .more = "Milliseconds of speech in one packet: 20, 40 or 60. Short ones arrive sooner and "
+               "take more of the link.",
+       .value = parsed(Kind::Number, read_frame, options.encoder.frame)},
   };
 }
 

@@ -38,30 +38,41 @@ struct ConvertOptions {
 std::vector<OptionRow> rows_of(ConvertOptions& options) {
   using Where = OptionRow::Where;
   std::vector<OptionRow> rows{
-      {"in", "IN", "", "a stream file, a table of a recogniser, or a film",
-       "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace, FaceReader, "
-       "iMotions, Live Link Face or MediaPipe, told by its columns; or a film of a face, "
-       "told by its ending (.mp4, .mov, .mkv, .webm, .avi and others).",
-       word(options.in), "", Where::Positional},
-      {"out", "OUT", "", "the stream file; - for stdout; NAME.csv: OpenFace 2",
-       "The stream file to write, or - for stdout. A name in .csv is written as a table of "
-       "OpenFace 2.",
-       word(options.out), "", Where::Positional},
-      {"more", "IN...", "", "", "With --to, more sources.", words(options.more), "",
-       Where::Positional},
-      {"to", "DIR", "", "write each IN to DIR/NAME.txt, in place of OUT",
-       "Every name is a source then, and each becomes a stream file of its name in this folder.",
-       word(options.to)},
-      {"mend", "", "", "convert what is intact of IN, a truncated file",
-       "IN is a stream file truncated by a power cut: converts what is intact of it to OUT.",
-       flag(options.mend)},
-      {"keyframe", "MS", "250", "how long keyframes without a time last (250)", "",
-       whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax)}};
+      {.option = {"in", "IN"},
+       .text = "a stream file, a table of a recogniser, or a film",
+       .more = "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace, "
+               "FaceReader, iMotions, Live Link Face or MediaPipe, told by its columns; or a film "
+               "of a face, told by its ending (.mp4, .mov, .mkv, .webm, .avi and others).",
+       .value = word(options.in),
+       .where = Where::Positional},
+      {.option = {"out", "OUT"},
+       .text = "the stream file; - for stdout; NAME.csv: OpenFace 2",
+       .more = "The stream file to write, or - for stdout. A name in .csv is written as a table of "
+               "OpenFace 2.",
+       .value = word(options.out),
+       .where = Where::Positional},
+      {.option = {"more", "IN..."},
+       .more = "With --to, more sources.",
+       .value = words(options.more),
+       .where = Where::Positional},
+      {.option = {"to", "DIR"},
+       .text = "write each IN to DIR/NAME.txt, in place of OUT",
+       .more = "Every name is a source then, and each becomes a stream file of its name in this "
+               "folder.",
+       .value = word(options.to)},
+      {.option = {"mend"},
+       .text = "convert what is intact of IN, a truncated file",
+       .more =
+           "IN is a stream file truncated by a power cut: converts what is intact of it to OUT.",
+       .value = flag(options.mend)},
+      {.option = {"keyframe", "MS", "250"},
+       .text = "how long keyframes without a time last (250)",
+       .value = whole(options.keyframe_ms, 1, protocol::kKeyframeTimeMsMax)}};
   append(rows, recording_rows(options.source));
   append(rows, signal_rows(options.source.signal));
-  std::erase_if(rows, [](const OptionRow& row) { return row.name == "dead-band"; });
+  std::erase_if(rows, [](const OptionRow& row) { return row.option.name == "dead-band"; });
   for (OptionRow& row : rows) {
-    if (row.name != "face-id") continue;
+    if (row.option.name != "face-id") continue;
     row.text = "which of several faces";
     row.more =
         "Which of several faces. Without it: the most frequent one of a recording, the clearest of "

@@ -39,8 +39,8 @@ TEST(HelpText, HasTheOptionsAndTheExamplesOfItsCommand) {
     const std::string text = help_text(page);
     for (const OptionRow& row : page.rows) {
       if (row.text.empty()) continue;
-      EXPECT_NE(text.find(typed_name(row) + " "), std::string::npos) << row.name;
-      EXPECT_NE(text.find(row.text), std::string::npos) << row.name;
+      EXPECT_NE(text.find(typed_name(row) + " "), std::string::npos) << row.option.name;
+      EXPECT_NE(text.find(row.text), std::string::npos) << row.option.name;
     }
     EXPECT_FALSE(page.examples.empty());
     for (const std::string_view line : page.examples) {
@@ -70,8 +70,9 @@ TEST(OptionRows, OnlyTheManualPageNamesWhatPlayIgnoresAndWhatUsageShows) {
   }
   EXPECT_TRUE(hidden.contains("--buffer") && hidden.contains("--token-file"));
   for (const OptionRow& row : command_page(Command::Watch).rows) {
-    const bool in_usage = row.name == "host" || row.name == "list" || row.name == "mirror";
-    EXPECT_EQ(row.text.empty(), in_usage) << row.name;
+    const bool in_usage =
+        row.option.name == "host" || row.option.name == "list" || row.option.name == "mirror";
+    EXPECT_EQ(row.text.empty(), in_usage) << row.option.name;
   }
 }
 
@@ -80,8 +81,9 @@ TEST(OptionRows, DefaultsThatTheyNameAreThoseOfTheProgram) {
     PlayerOptions options;
     const PlayerOptions untouched;
     for (const OptionRow& row : option_rows(command, options)) {
-      if (!row.fallback.empty()) {
-        EXPECT_EQ(read_word(row, std::string(row.fallback)), std::nullopt) << row.name;
+      if (!row.option.fallback.empty()) {
+        EXPECT_EQ(read_word(row, std::string(row.option.fallback)), std::nullopt)
+            << row.option.name;
       }
     }
     EXPECT_EQ(options.playback.buffers.receiver_capacity,
@@ -112,7 +114,7 @@ TEST(OptionRows, NameTheLimitsThatAreChecked) {
   PlayerOptions options;
   std::size_t seen = 0;
   for (const OptionRow& row : option_rows(Command::Play, options)) {
-    const auto limit = limits.find(row.name);
+    const auto limit = limits.find(row.option.name);
     if (limit == limits.end()) continue;
     ++seen;
     EXPECT_NE(row.more.find(std::to_string(limit->second)), std::string::npos) << row.more;

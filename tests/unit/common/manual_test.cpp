@@ -23,12 +23,17 @@ CommandPage example_page(std::string_view command) {
           .command = command,
           .usage = {"a-b [OPTIONS] FILE", "a-b play"},
           .about = "Does it.\n",
-          .rows = {{"file", "FILE", "", "what to read", "", {}, "", Where::Positional},
-                   {"port", "N", "7", "(7)", "The port.", whole(port, 0, 9), "Network"},
-                   {"loop", "", "", "again", "", flag(loop), "", Where::Anywhere, 'l'},
-                   {"long-one", "SOMETHING", "", "an explanation of more than half a line", "",
-                    whole(port, 0, 9)},
-                   {"rare", "", "", "", "Only in the manual.", flag(loop)}},
+          .rows = {{.option = {"file", "FILE"}, .text = "what to read", .where = Where::Positional},
+                   {.option = {"port", "N", "7"},
+                    .text = "(7)",
+                    .more = "The port.",
+                    .value = whole(port, 0, 9),
+                    .heading = "Network"},
+                   {.option = {"loop"}, .text = "again", .value = flag(loop), .letter = 'l'},
+                   {.option = {"long-one", "SOMETHING"},
+                    .text = "an explanation of more than half a line",
+                    .value = whole(port, 0, 9)},
+                   {.option = {"rare"}, .more = "Only in the manual.", .value = flag(loop)}},
           .notes = "Running text\nthat goes on.\n\nAnother.\n",
           .examples = {"a-b x.txt"}};
 }
@@ -71,7 +76,7 @@ TEST(ManualPage, HasEveryOptionWithItsDefault) {
 
 TEST(ManualPage, AnOptionWithoutAnExplanationHasItsDefault) {
   ManualPage page("a-b", "1", "does it");
-  page.options({{.name = "quick", .argument = "N", .fallback = "3"}});
+  page.options({{.option = {"quick", "N", "3"}}});
   EXPECT_TRUE(page.text().ends_with(".TP\n\\fB\\-\\-quick N\\fR\nDefault: 3.\n")) << page.text();
 }
 

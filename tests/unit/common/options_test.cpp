@@ -20,17 +20,17 @@ struct Options {
 };
 
 std::vector<OptionRow> rows_of(Options& options) {
-  return {
-      {"file", "FILE", "", "", "", words(options.files), "", Where::Positional},
-      {"port", "N", "", "", "", whole(options.port, 0, 9)},
-      {"fps", "N", "", "", "", whole(options.fps, 1, 240)},
-      {"wait", "S", "", "", "", seconds(options.wait, 0, 10, "is no wait")},
-      {"loop", "", "", "", "", flag(options.loop), "", Where::Anywhere, 'l'},
-      {"no-config", "", "", "", "", flag(options.config, false)},
-      {"level", "LEVEL", "", "", "", log_level(options.level)},
-      {"protocol", "P", "", "", "", one_of(options.classic, {{"auto", false}, {"classic", true}})},
-      {"muscle", "M", "", "", "", words(options.muscles)},
-      {"help", "", "", "", "", {OptionValue::Kind::Flag}, "", Where::Anywhere, 'h'}};
+  return {{.option = {"file", "FILE"}, .value = words(options.files), .where = Where::Positional},
+          {.option = {"port", "N"}, .value = whole(options.port, 0, 9)},
+          {.option = {"fps", "N"}, .value = whole(options.fps, 1, 240)},
+          {.option = {"wait", "S"}, .value = seconds(options.wait, 0, 10, "is no wait")},
+          {.option = {"loop"}, .value = flag(options.loop), .letter = 'l'},
+          {.option = {"no-config"}, .value = flag(options.config, false)},
+          {.option = {"level", "LEVEL"}, .value = log_level(options.level)},
+          {.option = {"protocol", "P"},
+           .value = one_of(options.classic, {{"auto", false}, {"classic", true}})},
+          {.option = {"muscle", "M"}, .value = words(options.muscles)},
+          {.option = {"help"}, .value = {OptionValue::Kind::Flag}, .letter = 'h'}};
 }
 
 Options read(std::vector<std::string> arguments) {
@@ -83,7 +83,7 @@ TEST(Options, UnboundRowsAreDescribedAlone) {
   }
   ASSERT_NE(find_row(rows, "port"), nullptr);
   EXPECT_EQ(find_row(rows, "port")->value.kind, OptionValue::Kind::Number);
-  for (const OptionRow& row : rows) EXPECT_FALSE(row.value.read) << row.name;
+  for (const OptionRow& row : rows) EXPECT_FALSE(row.value.read) << row.option.name;
 }
 
 TEST(Options, FlagsAreCountedAndCanBeTurnedOff) {

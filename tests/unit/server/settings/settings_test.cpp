@@ -56,11 +56,12 @@ TEST(OptionTable, NamesAreDistinctAndExplained) {
   const auto rows = option_rows(options);
   std::set<std::string_view> names;
   for (const OptionRow& row : rows) {
-    EXPECT_TRUE(names.insert(row.name).second) << row.name;
-    ASSERT_FALSE(row.more.empty()) << row.name;
-    EXPECT_EQ(row.more.back(), '.') << row.name;
-    EXPECT_EQ(row.argument.empty(), row.value.kind == OptionValue::Kind::Flag) << row.name;
-    EXPECT_EQ(find_row(rows, row.name), &row);
+    EXPECT_TRUE(names.insert(row.option.name).second) << row.option.name;
+    ASSERT_FALSE(row.more.empty()) << row.option.name;
+    EXPECT_EQ(row.more.back(), '.') << row.option.name;
+    EXPECT_EQ(row.option.argument.empty(), row.value.kind == OptionValue::Kind::Flag)
+        << row.option.name;
+    EXPECT_EQ(find_row(rows, row.option.name), &row);
   }
   EXPECT_EQ(find_row(rows, "none"), nullptr);
 }

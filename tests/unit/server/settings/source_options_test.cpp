@@ -56,7 +56,7 @@ TEST(SourceOptions, WrongWordsAreNamedWithTheirRange) {
 /// A word that the option takes and that is not its default.
 std::string word_for(const OptionRow& row) {
   if (row.value.kind == OptionValue::Kind::Flag) return "true";
-  return row.name == "min-confidence" ? "0.9" : "1";
+  return row.option.name == "min-confidence" ? "0.9" : "1";
 }
 
 TEST(SourceOptions, AreNamedAsTheyAreTypedWhereNothingIsForThemToChange) {
@@ -67,12 +67,12 @@ TEST(SourceOptions, AreNamedAsTheyAreTypedWhereNothingIsForThemToChange) {
     for (const OptionRow& row : rows_of(all)) {
       SourceOptions one;
       const auto own = rows_of(one);
-      EXPECT_FALSE(read_word(*find_row(own, row.name), word_for(row))) << row.name;
+      EXPECT_FALSE(read_word(*find_row(own, row.option.name), word_for(row))) << row.option.name;
       // Stream files are resampled too, and a profile is written whatever was read.
-      const bool for_others_too = row.name == "rate" || row.name == "save-profile";
+      const bool for_others_too = row.option.name == "rate" || row.option.name == "save-profile";
       EXPECT_EQ(options_of_recordings(one), for_others_too ? "" : typed_name(row));
       if (for_others_too) continue;
-      EXPECT_FALSE(read_word(row, word_for(row))) << row.name;
+      EXPECT_FALSE(read_word(row, word_for(row))) << row.option.name;
       names += (names.empty() ? "" : ", ") + typed_name(row);
     }
   };

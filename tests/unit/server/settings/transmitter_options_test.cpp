@@ -162,9 +162,9 @@ TEST(TransmitterOptions, HelpIsCompleteAndFitsTheWidthOfATerminal) {
   const CommandPage page = transmitter_page();
   EXPECT_EQ(command->text, help_text(page));
   for (const OptionRow& row : page.rows) {
-    EXPECT_NE(command->text.find(typed_name(row) + " "), std::string::npos) << row.name;
-    EXPECT_FALSE(row.text.empty()) << row.name;
-    EXPECT_NE(command->text.find(row.text), std::string::npos) << row.name;
+    EXPECT_NE(command->text.find(typed_name(row) + " "), std::string::npos) << row.option.name;
+    EXPECT_FALSE(row.text.empty()) << row.option.name;
+    EXPECT_NE(command->text.find(row.text), std::string::npos) << row.option.name;
   }
   std::istringstream lines(command->text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
