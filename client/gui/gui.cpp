@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "client/gui/panels/key_list.h"
@@ -152,12 +153,13 @@ struct Tab {
   const char* id;
   TextKey name;
 };
-constexpr std::array<Tab, 6> kTabs = {{{"play", "tab.play"},
-                                       {"expression", "tab.expression"},
-                                       {"editor", "tab.editor"},
-                                       {"compose", "tab.compose"},
-                                       {"view", "tab.view"},
-                                       {"camera", "tab.camera"}}};
+constexpr Tab kPlayTab{"play", "tab.play"};
+constexpr Tab kExpressionTab{"expression", "tab.expression"};
+constexpr Tab kEditorTab{"editor", "tab.editor"};
+constexpr Tab kComposeTab{"compose", "tab.compose"};
+constexpr Tab kViewTab{"view", "tab.view"};
+constexpr Tab kCameraTab{"camera", "tab.camera"};
+constexpr std::array kTabs{kPlayTab, kExpressionTab, kEditorTab, kComposeTab, kViewTab, kCameraTab};
 
 /// The scale of the tabs' letters with which all names fit, at most 1.
 float tab_letters(const Look& look) {
@@ -221,9 +223,10 @@ struct Gui::State {
   bool bare = false;    ///< the user wants the face alone
   bool hidden = false;  ///< panel and bar, until the mouse moves
   bool keys = false;
-  bool rows_moved = false;   ///< in the last frame
-  std::size_t tab_seen = 0;  ///< the last one; that panels were hidden changes nothing
-  bool drawn = false;        ///< once at least
+  bool rows_moved = false;  ///< in the last frame
+  /// The last one; that panels were hidden changes nothing.
+  std::string_view tab_seen = kPlayTab.id;
+  bool drawn = false;  ///< once at least
 
   [[nodiscard]] bool shows_bar() const { return !bare && !hidden; }
   [[nodiscard]] bool shows_panel() const { return panel && shows_bar(); }
@@ -259,8 +262,8 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
     tip(tr("panel.keys_tip"));
     ImGui::Spacing();
     if (begin_tabs(look)) {
-      const auto tab = [this](std::size_t which, const auto& contents, bool chosen = false) {
-        if (!begin_tab(look, kTabs[which], chosen)) return;
+      const auto tab = [this](const Tab& which, const auto& contents, bool chosen = false) {
+        if (!begin_tab(look, which, chosen)) return;
         // As wide whether it scrolls or not: the scroll bar has its place in the margin.
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
@@ -270,7 +273,7 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
                               ImGuiWindowFlags_NavFlattened);
         ImGui::PopStyleVar();  // or what pops up from here would have none either
         if (visible) {
-          editor.comes = std::exchange(tab_seen, which) != which;
+          editor.comes = std::exchange(tab_seen, which.id) != which.id;
           kept_place.begin();
           contents();
           rows_moved = kept_place.end();
@@ -278,15 +281,15 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
         ImGui::EndChild();
         ImGui::EndTabItem();
       };
-      tab(0, [&] { remote_panel(look, model, remote, commands); });
-      tab(1, [&] { expression_panel(look, model, expression, commands); });
-      tab(2, [&] { editor_panel(look, model, editor, commands); });
-      tab(3, [&] { composer_panel(look, model, composer, commands); });
-      tab(4, [&] { rendering_panel(look, model, faces, commands); });
+      tab(kPlayTab, [&] { remote_panel(look, model, remote, commands); });
+      tab(kExpressionTab, [&] { expression_panel(look, model, expression, commands); });
+      tab(kEditorTab, [&] { editor_panel(look, model, editor, commands); });
+      tab(kComposeTab, [&] { composer_panel(look, model, composer, commands); });
+      tab(kViewTab, [&] { rendering_panel(look, model, faces, commands); });
       // Who begins with the camera sees its tab.
       const bool begins = !std::exchange(drawn, true) && model.mirror.wanted;
       tab(
-          5, [&] { mirror_panel(look, model, mirror, commands); }, begins);
+          kCameraTab, [&] { mirror_panel(look, model, mirror, commands); }, begins);
       ImGui::EndTabBar();
     }
   }
