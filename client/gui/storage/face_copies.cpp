@@ -47,25 +47,38 @@ Result<void> put_key(std::string& toml, const char* key, const std::string& text
   return value == nullptr ? Result<void>() : put_text(toml, file.string(), *value, text);
 }
 
+/// Copies a file. Shipped ones may be read-only; a copy is there to be changed.
+std::error_code copy_writable(const fs::path& from, const fs::path& to) {
+  std::error_code cause;
+  fs::copy_file(from, to, cause);
+  if (!cause) fs::permissions(to, fs::perms::owner_write, fs::perm_options::add, cause);
+  return cause;
+}
+
 /// Copies a folder and what is in it. Shipped folders may be read-only, which fs::copy would make
 /// of the new ones before there is anything in them.
-void copy_files(const fs::path& from, const fs::path& to) {
-  fs::create_directory(to);
-  for (const auto& entry : fs::directory_iterator(from)) {
-    const fs::path copy = to / entry.path().filename();
-    if (entry.is_directory()) {
-      copy_files(entry.path(), copy);
-    } else {
-      fs::copy_file(entry.path(), copy);
-    }
+std::error_code copy_files(const fs::path& from, const fs::path& to) {
+  std::error_code cause;
+  fs::create_directory(to, cause);
+  if (cause) return cause;
+  for (fs::directory_iterator at(from, cause), end; !cause && at != end;) {
+    const fs::path copy = to / at->path().filename();
+    cause =
+        at->is_directory(cause) ? copy_files(at->path(), copy) : copy_writable(at->path(), copy);
+    if (!cause) at.increment(cause);
   }
+  return cause;
+}
+
+Error not_copied(const fs::path& own_faces, const std::error_code& cause) {
+  return failed("this face cannot be copied to", own_faces, cause);
 }
 
 /// A face may use files of another face, as the shipped people share their muscles. A copy of
 /// `from` has such files in its own folder.
 Result<void> make_whole(const fs::path& copy, const fs::path& from) {
   const fs::path description = copy / face::kFaceFile;
-  if (!fs::exists(description)) return {};
+  if (!is_there(description)) return {};
   auto text = read_file(description);
   if (!text) return text.error();
   const auto document = parse_toml(*text, description.string());
@@ -76,8 +89,10 @@ Result<void> make_whole(const fs::path& copy, const fs::path& from) {
     const fs::path file = fs::path(named->text).lexically_normal();
     if (file.is_relative() && *file.begin() != "..") continue;
     std::string name = file.filename().string();
-    if (fs::exists(copy / name)) name = file.parent_path().filename().string() + "_" + name;
-    fs::copy_file(from / file, copy / name);
+    if (is_there(copy / name)) name = file.parent_path().filename().string() + "_" + name;
+    if (const auto cause = copy_writable(from / file, copy / name)) {
+      return not_copied(copy.parent_path(), cause);
+    }
     if (auto put = put_key(*text, key, name, description); !put) return put;
   }
   return write_file_atomically(description, *text);
@@ -123,6 +138,22 @@ std::string origin_for_copy(const fs::path& from, const FaceFolders& faces) {
   return whole.string();
 }
 
+/// Makes the copy in `unfinished`, a folder in that of the user's own faces.
+Result<void> make_copy(const fs::path& from, const FaceFolders& faces, const std::string& name,
+                       const fs::path& unfinished) {
+  std::error_code cause;
+  fs::create_directories(faces.own, cause);
+  if (!cause) fs::remove_all(unfinished, cause);
+  if (!cause) cause = copy_files(from, unfinished);
+  if (cause) return not_copied(faces.own, cause);
+  if (auto whole = make_whole(unfinished, from); !whole) return whole;
+  // Pictures of it must not bear the name of the face that it was made of.
+  const bool alike = name == fs::weakly_canonical(from, cause).filename();
+  const std::string shown = alike ? "own_" + name : name;
+  if (auto named = name_copy(unfinished, shown, origin_for_copy(from, faces)); !named) return named;
+  return keep_original_aus(unfinished);
+}
+
 }  // namespace
 
 std::string origin_of(const fs::path& face_folder) {
@@ -162,32 +193,14 @@ Result<fs::path> copy_face(const fs::path& face_folder, const FaceFolders& faces
   if (is_there(copy)) return there_already(copy);
   // Another program may be copying at the same time.
   const fs::path unfinished = faces.own / (".unfinished " + std::to_string(::getpid()));
-  try {
-    fs::create_directories(faces.own);
-    fs::remove_all(unfinished);
-    copy_files(from, unfinished);
-    Result<void> whole = make_whole(unfinished, from);
-    // Pictures of it must not bear the name of the face that it was made of.
-    const bool alike = name == fs::weakly_canonical(from).filename();
-    if (whole)
-      whole = name_copy(unfinished, alike ? "own_" + name : name, origin_for_copy(from, faces));
-    if (whole) whole = keep_original_aus(unfinished);
-    // Shipped files may be read-only; a copy is there to be changed.
-    for (const auto& entry : fs::recursive_directory_iterator(unfinished)) {
-      fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
-    }
-    if (!whole) {
-      fs::remove_all(unfinished);
-      return whole.error();
-    }
-    fs::rename(unfinished, copy);
-    return copy;
-  } catch (const fs::filesystem_error& error) {
-    // Half a face is of no use, and the disk may be full.
-    std::error_code ignored;
-    fs::remove_all(unfinished, ignored);
-    return failed("this face cannot be copied to", faces.own, error.code());
-  }
+  Result<void> made = make_copy(from, faces, name, unfinished);
+  std::error_code cause;
+  if (made) fs::rename(unfinished, copy, cause);
+  if (cause) made = not_copied(faces.own, cause);
+  if (made) return copy;
+  // Half a face is of no use, and the disk may be full.
+  fs::remove_all(unfinished, cause);
+  return made.error();
 }
 
 Result<fs::path> rename_face(const fs::path& own_face, const std::string& name) {
