@@ -158,6 +158,8 @@ struct Window::State {
   std::deque<std::string> dropped;
   std::deque<InputEvent> input;
   bool redraw = true;
+  Instant (*clock)() = nullptr;
+  Instant looked_at{};  ///< what comes is newer
   double pointer_x = 0;
   double pointer_y = 0;
   /// Place and size before full screen.
@@ -174,8 +176,10 @@ struct Window::State {
   static State& of(GLFWwindow* window) {
     return *static_cast<State*>(glfwGetWindowUserPointer(window));
   }
-  void happened(const InputEvent& event) {
+  void happened(InputEvent event) {
     redraw = true;
+    event.after = looked_at;
+    event.by = clock == nullptr ? looked_at : clock();
     if (input.size() < kInputMax) input.push_back(event);
   }
   void listen();
@@ -252,12 +256,19 @@ void Window::keep_open() {
   glfwSetWindowShouldClose(state_->window, GLFW_FALSE);
 }
 
-void Window::poll(double seconds_max) {
-  if (seconds_max > 0) {
-    glfwWaitEventsTimeout(seconds_max);
-  } else {
-    glfwPollEvents();
+void Window::poll(Duration wait_max, Instant (*clock)()) {
+  State& state = *state_;
+  state.clock = clock;
+  const std::size_t before = state.input.size();
+  const bool redraw = std::exchange(state.redraw, false);
+  glfwPollEvents();
+  state.looked_at = clock();
+  const bool came = state.redraw || state.input.size() > before || should_close();
+  if (!came && wait_max > Duration::zero()) {
+    glfwWaitEventsTimeout(seconds(wait_max));
+    state.looked_at = clock();
   }
+  state.redraw |= redraw;
 }
 
 std::string Window::next_dropped() {

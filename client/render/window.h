@@ -9,6 +9,7 @@
 #include "client/view/image.h"
 #include "client/view/scene.h"
 #include "common/result.h"
+#include "common/time.h"
 
 struct GLFWwindow;
 
@@ -62,6 +63,9 @@ struct InputEvent {
   double y = 0;
   Key meaning = Key::None;  ///< the command that the key gives, unless a text field has the focus
   bool text = false;        ///< the key only types a character
+  /// It came after the first and no later than the second: a window looks only between frames.
+  Instant after{};
+  Instant by{};
 };
 
 /// A plain GLFW window with an OpenGL 3.3 core context and 4 samples. Thread: the main one.
@@ -77,8 +81,9 @@ class Window {
   [[nodiscard]] bool should_close() const;
   /// Withdraws the user's request to close.
   void keep_open();
-  /// Handles the events that have come. If there are none, waits for one for at most `seconds_max`.
-  void poll(double seconds_max);
+  /// Handles the events that have come. If there are none, waits for one for at most `wait_max`.
+  /// `clock`: for the times of the input.
+  void poll(Duration wait_max, Instant (*clock)());
   /// The path of the next file dropped on the window; empty: none.
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);

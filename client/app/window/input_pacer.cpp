@@ -5,12 +5,14 @@
 
 namespace aucast::app {
 
-std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
+std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting, bool typing) {
   using Kind = render::InputEvent::Kind;
   const bool keys_wait = std::exchange(focus_may_move_, false);
   bool moved = false;
   bool clicked = false;
   bool scrolled = false;
+  bool acted = false;      // a key was pressed that does not only type
+  bool commanded = false;  // what follows may be for what the command opens
   std::set<int> keys;
   std::size_t count = 0;
   for (const render::InputEvent& event : waiting) {
@@ -23,7 +25,7 @@ std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
       case Kind::Button:
         // A tab is pressed only if the pointer was on it a frame before, and what is dragged goes
         // to where it was let go only if it is seen there.
-        if (moved || clicked || scrolled) return count;
+        if (moved || clicked || scrolled || commanded) return count;
         clicked = true;
         focus_may_move_ = true;
         break;
@@ -32,14 +34,19 @@ std::size_t InputPacer::next(const std::deque<render::InputEvent>& waiting) {
         scrolled = true;
         break;
       case Kind::Key:
-        // Letting go goes to nobody, and a key that waits for it would repeat.
-        if ((keys_wait || focus_may_move_) && event.action != 0) return count;
+        // Letting go goes to nobody, and a key that waits for it would repeat. But a key is seen
+        // only while it is down, and so is Ctrl with it.
+        if (acted || ((keys_wait || focus_may_move_) && event.action != 0)) return count;
+        if (commanded && event.action != 0) return count;
+        commanded |= !typing && event.meaning != render::Key::None;
         if (event.text) break;
         if (!keys.insert(event.code).second) return count;
-        focus_may_move_ |= event.action != 0;
+        acted = event.action != 0;
+        focus_may_move_ |= acted;
         break;
       case Kind::Character:
         if (keys_wait || focus_may_move_) return count;
+        commanded |= !typing && event.meaning != render::Key::None;
         break;
       case Kind::Focus:
         break;

@@ -13,8 +13,9 @@ namespace aucast::app {
 class InputPacer {
  public:
   /// How many events, from the front of `waiting`, the next frame may see. 0 if keys have to wait
-  /// until it is known what gets them.
-  [[nodiscard]] std::size_t next(const std::deque<render::InputEvent>& waiting);
+  /// until it is known what gets them. `typing`: keys are typed into something, so that none is a
+  /// command.
+  [[nodiscard]] std::size_t next(const std::deque<render::InputEvent>& waiting, bool typing);
 
  private:
   bool focus_may_move_ = false;  ///< because of what the previous frame saw

@@ -44,7 +44,7 @@ class GlDisplay : public WindowDisplay {
     }
   }
 
-  void poll(Duration wait_max) override { window_->poll(seconds(wait_max)); }
+  void poll(Duration wait_max) override { window_->poll(wait_max, steady_now); }
 
   bool take_closing() override {
     const bool closing = window_->should_close();

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
 
 #include "client/app/window/input_pacer.h"
+#include "client/app/window/panel_mouse.h"
 #include "client/gui/gui.h"
 #include "client/gui/model/curtain.h"
 #include "client/render/picture_texture.h"
@@ -43,12 +43,9 @@ class WindowOverlay {
   [[nodiscard]] gui::Gui& gui() { return gui_; }
 
  private:
-  /// The position of a pointer that has left the window.
-  static constexpr float kNowhere = -1e6F;
-
   void feed();
   void take(const render::InputEvent& event);
-  void move_to(float x, float y);
+  void move_to(const render::InputEvent& event);
   void upload_picture(const gui::MirrorView& mirror);
 
   render::Window& window_;
@@ -56,9 +53,7 @@ class WindowOverlay {
   gui::Curtain curtain_;
   bool hidden_ = false;
   std::deque<render::Key> keys_;
-  float pointer_x_ = kNowhere;
-  float pointer_y_ = kNowhere;
-  std::array<bool, 3> buttons_{};
+  PanelMouse mouse_;
   render::PictureTexture texture_;
   std::shared_ptr<const preview::Seen> in_texture_;
   gui::Gui gui_;

@@ -60,13 +60,11 @@ void WindowOverlay::upload_picture(const gui::MirrorView& mirror) {
 
 void WindowOverlay::feed() {
   std::deque<render::InputEvent>& input = window_.input();
-  for (std::size_t left = pacer_.next(input); left > 0; --left) {
+  for (std::size_t left = pacer_.next(input, gui_.wants_keys()); left > 0; --left) {
     take(input.front());
     input.pop_front();
   }
-  ImGuiIO& io = ImGui::GetIO();
-  io.MousePos = ImVec2(pointer_x_, pointer_y_);
-  for (std::size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
+  mouse_.hand_over();
 }
 
 void WindowOverlay::take(const render::InputEvent& event) {
@@ -74,16 +72,14 @@ void WindowOverlay::take(const render::InputEvent& event) {
   GLFWwindow* const window = window_.native();
   switch (event.kind) {
     case Kind::Move:
-      move_to(static_cast<float>(event.x), static_cast<float>(event.y));
+      move_to(event);
       break;
     case Kind::Leave:
       // Who drags something may leave the window and come back.
       if (!buttons_[0] && !buttons_[1]) pointer_x_ = pointer_y_ = kNowhere;
       break;
     case Kind::Button:
-      if (event.code >= 0 && static_cast<std::size_t>(event.code) < buttons_.size()) {
-        buttons_[static_cast<std::size_t>(event.code)] = event.action != 0;
-      }
+      mouse_.take(event);
       break;
     case Kind::Scroll:
       if (!gui_.wants_pointer()) view::zoom(window_.viewpoint(), event.y);
@@ -105,14 +101,15 @@ void WindowOverlay::take(const render::InputEvent& event) {
 }
 
 /// A drag that began on the face turns the view with the left button and moves it with the right.
-void WindowOverlay::move_to(float x, float y) {
-  const auto right = static_cast<double>(x - std::exchange(pointer_x_, x));
-  const auto down = static_cast<double>(y - std::exchange(pointer_y_, y));
+void WindowOverlay::move_to(const render::InputEvent& event) {
+  const double right = event.x - mouse_.x();
+  const double down = event.y - mouse_.y();
+  mouse_.take(event);
   if (gui_.wants_pointer()) return;
   const int height = static_cast<int>(ImGui::GetIO().DisplaySize.y);
-  if (buttons_[0]) {
+  if (mouse_.down(0)) {
     view::orbit(window_.viewpoint(), right, down, height);
-  } else if (buttons_[1]) {
+  } else if (mouse_.down(1)) {
     view::pan(window_.viewpoint(), right, down, height);
   }
 }

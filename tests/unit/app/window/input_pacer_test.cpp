@@ -28,14 +28,21 @@ InputEvent character(char c) {
   return {Kind::Character, c};
 }
 
+InputEvent letter(char code, int action, render::Key meaning) {
+  InputEvent event = key(code, action, true);
+  event.meaning = meaning;
+  return event;
+}
+
 constexpr int kEnter = 257;
+constexpr int kControl = 341;
 
 /// How many events each frame sees until none are left.
-std::vector<std::size_t> frames(std::deque<InputEvent> waiting) {
+std::vector<std::size_t> frames(std::deque<InputEvent> waiting, bool typing = false) {
   InputPacer pacer;
   std::vector<std::size_t> shares;
   while (!waiting.empty() && shares.size() < 100) {
-    shares.push_back(pacer.next(waiting));
+    shares.push_back(pacer.next(waiting, typing));
     for (std::size_t i = 0; i < shares.back(); ++i) waiting.pop_front();
   }
   EXPECT_TRUE(waiting.empty());
@@ -83,6 +90,27 @@ TEST(InputPacer, AKeyThatActsIsTappedInTwoFrames) {
             (Shares{1, 1, 1, 1}));
 }
 
+/// Some keyboards and programs let Ctrl go first: the letter is then let go as if it was typed.
+TEST(InputPacer, ALetterIsSeenWhileCtrlIsDown) {
+  EXPECT_EQ(frames({key(kControl, 1, false), key('a', 1, false), key(kControl, 0, false),
+                    key('a', 0, true), key('x', 1, true), character('x')}),
+            (Shares{1, 0, 1, 2, 2}));
+}
+
+TEST(InputPacer, WhatFollowsACommandIsForWhatItOpens) {
+  const std::deque<InputEvent> typed = {letter('o', 1, render::Key::O),
+                                        character('o'),
+                                        letter('o', 0, render::Key::None),
+                                        letter('/', 1, render::Key::None),
+                                        character('/'),
+                                        letter('s', 1, render::Key::S),
+                                        character('s')};
+  EXPECT_EQ(frames(typed), (Shares{3, 4}));
+  EXPECT_EQ(frames(typed, true), (Shares{7})) << "no command is given in a field";
+  EXPECT_EQ(frames({letter('o', 1, render::Key::O), character('o'), button(1), button(0)}),
+            (Shares{2, 1, 1}));
+}
+
 /// A click into a field and a letter at once: ImGui knows of the focus two frames later.
 TEST(InputPacer, KeysWaitUntilTheFocusIsWhereTheClickPutIt) {
   EXPECT_EQ(frames({button(1), button(0), key('q', 1, true), character('q')}),
@@ -96,7 +124,7 @@ TEST(InputPacer, WhatFollowsEnterWaitsUntilTheFieldIsLeft) {
 
 TEST(InputPacer, NothingIsSharedOutOfNothing) {
   InputPacer pacer;
-  EXPECT_EQ(pacer.next({}), 0U);
+  EXPECT_EQ(pacer.next({}, false), 0U);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <deque>
 #include <memory>
 
 #include "client/app/window/input_pacer.h"
+#include "client/app/window/panel_mouse.h"
 #include "client/gui/gui.h"
 
 namespace aucast {
@@ -29,30 +31,35 @@ class SlowFrames : public testing::Test {
   }
 
   void click(double x, double y) {
-    input_.push_back({Kind::Move, 0, 0, 0, 0, x, y});
-    input_.push_back({Kind::Button, 0, 0, 1});
-    input_.push_back({Kind::Button, 0, 0, 0});
+    comes({Kind::Move, 0, 0, 0, 0, x, y});
+    comes({Kind::Button, 0, 0, 1});
+    comes({Kind::Button, 0, 0, 0});
   }
-  /// A fifth of a second has passed.
+  /// Since the last frame.
+  void comes(InputEvent event) {
+    event.after = now_ - kFrame;
+    event.by = now_;
+    input_.push_back(event);
+  }
   void frame() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.DeltaTime = 0.2F;
-    for (std::size_t left = pacer_.next(input_); left > 0; --left) {
-      const InputEvent& event = input_.front();
-      if (event.kind == Kind::Move) {
-        io.MousePos = ImVec2(static_cast<float>(event.x), static_cast<float>(event.y));
-      } else {
-        io.MouseDown[0] = event.action != 0;
-      }
+    now_ += kFrame;
+    ImGui::GetIO().DeltaTime = static_cast<float>(seconds(kFrame));
+    for (std::size_t left = pacer_.next(input_, gui_.wants_keys()); left > 0; --left) {
+      mouse_.take(input_.front());
       input_.pop_front();
     }
+    mouse_.hand_over();
     gui_.draw(model_, commands_);
   }
+
+  static constexpr Milliseconds kFrame{200};
 
   gui::Gui gui_{1};
   gui::GuiModel model_;
   gui::GuiCommands commands_;
   app::InputPacer pacer_;
+  app::PanelMouse mouse_;
+  Instant now_{};
   std::deque<InputEvent> input_;
 };
 
@@ -74,6 +81,30 @@ TEST_F(SlowFrames, NoClickIsLost) {
   }
   EXPECT_EQ(expressions, kRounds);
   EXPECT_EQ(views, kRounds);
+}
+
+TEST_F(SlowFrames, ADoubleClickIsOneWhateverTheFrames) {
+  model_.browser.open = true;
+  model_.browser.folder = "/tmp";
+  model_.browser.entries = {{"fear.txt", false}};
+  for (int i = 0; i < 3; ++i) frame();
+  const ImGuiWindow* const dialog = ImGui::FindWindowByID(ImHashStr("###files"));
+  ASSERT_NE(dialog, nullptr);
+  const double x = dialog->Pos.x + 60;
+  const double y = dialog->Pos.y + 115;
+  click(x, y);
+  for (int i = 0; i < 5; ++i) frame();
+  EXPECT_TRUE(commands_.empty()) << "it is chosen";
+  click(x, y);  // a second later
+  frame();      // the pointer comes
+  frame();      // the press
+  click(x, y);
+  while (!input_.empty()) frame();
+  int taken = 0;
+  for (const gui::GuiCommand& command : commands_) {
+    taken += gui::command_if<gui::ChooseFile>(command) != nullptr ? 1 : 0;
+  }
+  EXPECT_EQ(taken, 1);
 }
 
 }  // namespace

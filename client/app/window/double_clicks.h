@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "client/render/window.h"
+#include "common/time.h"
+
+namespace aucast::app {
+
+/// Judges by the times of two presses whether they are one double click. ImGui 1.86 judges by the
+/// frames that saw them, which are further apart if drawing is slow. Pure.
+class DoubleClicks {
+ public:
+  /// Whether this press of a button follows the last one of that button soon enough. Where it is
+  /// not known when they came exactly, it does if it may.
+  [[nodiscard]] bool follows(const render::InputEvent& press);
+
+ private:
+  std::array<std::optional<Instant>, 3> last_{};  ///< at the latest
+};
+
+}  // namespace aucast::app
