@@ -248,6 +248,7 @@ void Gui::State::make_style() {
 
 void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
+  bool asks = false;         ///< a dialog is there, or comes in the next frame
   const float width = panel_width();
   ImGui::SetNextWindowPos(ImVec2(size.x - width, 0));
   ImGui::SetNextWindowSize(ImVec2(width, size.y));
@@ -364,6 +365,10 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, model, commands);
   state_->focus.end();
+void Gui::expect(const GuiModel& model) {
+  state_->asks = model.browser.open || model.asks_to_leave;
+}
+
   ImGui::Render();
 }
 
@@ -432,7 +437,7 @@ float Gui::covered_width() const {
 }
 
 bool Gui::wants_keys() const {
-  return ImGui::GetIO().WantTextInput ||
+  return ImGui::GetIO().WantTextInput || state_->asks ||
          ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 

@@ -27,6 +27,10 @@ class Gui {
   /// true if so: the font's texture must then be made anew before the backends begin their frame.
   [[nodiscard]] bool prepare(const DisplayView& display);
 
+  /// Tells of the model that the next frames show, before their input is taken: a dialog has the
+  /// keys from the frame in which it comes.
+  void expect(const GuiModel& model);
+
   /// Makes one frame, after the backends have begun theirs; the result is ImGui's draw data. What
   /// the user asks for is appended to `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);

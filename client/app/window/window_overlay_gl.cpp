@@ -34,6 +34,7 @@ WindowOverlay::~WindowOverlay() {
 
 void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands) {
   upload_picture(model.mirror);
+  gui_.expect(model);
   if (gui_.prepare(model.display)) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -75,9 +76,6 @@ void WindowOverlay::take(const render::InputEvent& event) {
       move_to(event);
       break;
     case Kind::Leave:
-      // Who drags something may leave the window and come back.
-      if (!buttons_[0] && !buttons_[1]) pointer_x_ = pointer_y_ = kNowhere;
-      break;
     case Kind::Button:
       mouse_.take(event);
       break;

@@ -1,6 +1,8 @@
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -76,11 +78,45 @@ void up_button(const Look& look, const BrowserView& view, GuiCommands& commands)
 
 void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
   const float up = kUpWidth * look.scale;
+/// Whether a path is begun where nothing is being typed: it is for the line of the folder, and what
+/// has been typed of it is put there.
+bool path_begins(const BrowserView& view, FileForm& form) {
+  auto& typed = ImGui::GetIO().InputQueueCharacters;
+  const bool begins = !typed.empty() && typed[0] == '/';
+  if (!begins || is_saving(view.purpose) || ImGui::IsAnyItemActive()) return false;
+  std::string path;
+  for (const ImWchar character : typed) {
+    std::array<char, 5> bytes{};
+    path += ImTextCharToUtf8(bytes.data(), character);
+  }
+  typed.clear();
+  set_text(form.folder, path);
+  form.name[0] = 0;
+  form.to_first = false;
+  // ImGui itself would take some frames, in which more is typed.
+  ImGui::GetCurrentContext()->NavActivateInputId = ImGui::GetID("##folder");
+  return true;
+}
+
+/// Puts the cursor behind what is in the previous item, a field that has just become active.
+void go_to_end_of_field() {
+  ImGuiInputTextState* const text = ImGui::GetInputTextState(ImGui::GetItemID());
+  if (text == nullptr) return;
+  text->Stb.cursor = text->CurLenW;
+  text->ClearSelection();
+}
+
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
   // Stays in the field, so that what was mistyped can be corrected.
   if (std::exchange(form.entered, false) && !view.problem.empty()) ImGui::SetKeyboardFocusHere();
-  if (ImGui::InputText("##folder", form.folder.data(), form.folder.size(),
-                       ImGuiInputTextFlags_EnterReturnsTrue)) {
+  const bool begins = path_begins(view, form);
+  bool entered = ImGui::InputText("##folder", form.folder.data(), form.folder.size(),
+                                  ImGuiInputTextFlags_EnterReturnsTrue);
+  if (begins) {
+    go_to_end_of_field();
+    entered = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+  }
+  if (entered) {
     commands.push_back(ChooseFile{form.folder.data()});
     form.entered = true;
   }
@@ -138,7 +174,20 @@ std::string first_lines(const std::string& text, int lines) {
 /// Why the file was not taken; empty: nothing is wrong.
 std::string objection(const BrowserView& view, const FileForm& form) {
   constexpr int kLinesMost = 3;
-  if (!view.problem.empty()) return first_lines(view.problem, kLinesMost);
+/// What is chosen in the list or typed at present.
+std::string choice_in(const FileForm& form) {
+  return std::string(form.folder.data()) + '\n' + form.name.data();
+}
+
+/// Why the folder cannot be shown or the file not be taken, if that is still what is chosen; empty:
+/// nothing is wrong.
+std::string problem_of(const BrowserView& view, const FileForm& form) {
+  const bool another = !form.tried.empty() && form.tried != choice_in(form);
+  return another ? std::string() : view.problem;
+}
+
+  const std::string problem = problem_of(view, form);
+  if (!problem.empty()) return first_lines(problem, kLinesMost);
   if (is_saving(view.purpose) && form.name[0] == 0) return tr("file.unnamed");
   return view.replaces.empty() ? std::string() : tr("file.there", view.replaces);
 }
@@ -231,7 +280,7 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
     if (ImGui::IsItemActive() || ImGui::IsAnyMouseDown()) form.waits = false;
   }
   const std::string text = objection(view, form);
-  if (!text.empty()) toned_text(view.problem.empty() ? Tone::Waiting : Tone::Bad, text);
+  if (!text.empty()) toned_text(problem_of(view, form).empty() ? Tone::Waiting : Tone::Bad, text);
   const bool folder = is_folder(view.purpose);
   const char* action = folder                  ? tr("file.this_folder")
                        : !saving               ? tr("button.open")
@@ -264,6 +313,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     set_text(form.name, view.name);
   }
   if (form.shown_folder != view.folder) {
+    form.tried.clear();
     form.shown_folder = view.folder;
     set_text(form.folder, view.folder);
     if (!is_saving(view.purpose)) form.name[0] = 0;
@@ -292,6 +342,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   }
   const float below = height_of_decision(view, form);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
+  const std::size_t before = commands.size();
   decide(look, view, form, commands);
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (!shown || escaped) commands.push_back(CloseBrowser{});
@@ -299,3 +350,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
 }
 
 }  // namespace aucast::gui
+  for (std::size_t i = before; i < commands.size(); ++i) {
+    if (command_if<ChooseFile>(commands[i]) != nullptr) form.tried = choice_in(form);
+    if (command_if<EnterFolder>(commands[i]) != nullptr) form.tried.clear();
+  }

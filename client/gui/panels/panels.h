@@ -150,6 +150,7 @@ struct FileForm {
   std::array<char, 256> name{};
   std::string shown_folder;  ///< the folder that was taken from the model
   std::string shown_name;
+  std::string tried;            ///< the choice that was refused, if one was
   bool entered = false;         ///< the field of the folder was active in the previous frame
   bool named = false;           ///< a new file was named in the previous frame
   bool to_first = false;        ///< give the focus to the first entry

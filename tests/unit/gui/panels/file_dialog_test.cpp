@@ -1,9 +1,11 @@
 // The file dialog by keyboard.
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "client/gui/widgets/widgets.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
 namespace aucast::gui {
@@ -71,6 +73,67 @@ TEST_F(FileDialog, EnterOpensWhatWasClicked) {
   }
   ASSERT_TRUE(asked<ChooseFile>());
   EXPECT_EQ(asked<ChooseFile>()->file, "anger.txt");
+}
+
+TEST_F(FileDialog, WhatIsWrongWithAFileIsNotSaidOfAnother) {
+  model_.browser.open = true;
+  model_.browser.purpose = Purpose::ComposeStream;
+  model_.browser.folder = "/tmp";
+  model_.browser.entries = {{"anger.txt", false}, {"fear.txt", false}};
+  frames(5);
+  const auto is_said = [&] {
+    frames(2);
+    const auto& vertices = dialog()->DrawList->VtxBuffer;
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [](const ImDrawVert& vertex) { return vertex.col == colour_of(Tone::Bad); });
+  };
+  press(ImGuiKey_DownArrow);
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "fear.txt");
+  model_.browser.problem = "this is no stream";
+  EXPECT_TRUE(is_said());
+  press(ImGuiKey_UpArrow);
+  EXPECT_FALSE(is_said()) << "another file is chosen";
+  press(ImGuiKey_DownArrow);
+  EXPECT_TRUE(is_said());
+}
+
+TEST_F(FileDialog, APathThatIsTypedAtOnceIsForItsField) {
+  model_.browser.purpose = Purpose::PlayStream;
+  model_.browser.folder = "/home";
+  model_.browser.entries = {{"anger.txt", false}};
+  model_.browser.open = true;
+  ImGui::GetIO().AddInputCharactersUTF8("/da");
+  frames(1);
+  ASSERT_NE(dialog(), nullptr);
+  EXPECT_EQ(ImGui::GetActiveID(), dialog()->GetID("##folder"));
+  ImGui::GetIO().AddInputCharactersUTF8("ta/x.csv");
+  frames(1);
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "/data/x.csv");
+  commands_.clear();
+  model_.browser.open = false;
+  frames(5);
+  // All of it in one frame.
+  model_.browser.open = true;
+  ImGui::GetIO().AddInputCharactersUTF8("/data/y.csv");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "/data/y.csv");
+}
+
+TEST_F(FileDialog, HasTheKeysFromTheFrameInWhichItComes) {
+  EXPECT_FALSE(gui_->wants_keys());
+  model_.browser.open = true;
+  gui_->expect(model_);
+  EXPECT_TRUE(gui_->wants_keys());
+  frames(5);
+  model_.browser.open = false;
+  frames(5);
+  gui_->expect(model_);
+  EXPECT_FALSE(gui_->wants_keys());
 }
 
 TEST_F(FileDialog, BackspaceGoesUpWhereNothingIsTyped) {
