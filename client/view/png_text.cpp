@@ -1,5 +1,7 @@
 #include "client/view/png_text.h"
 
+#include <optional>
+
 #include "common/check.h"
 
 namespace aucast::view {
@@ -15,11 +17,33 @@ void append_big_endian(std::string& bytes, std::uint32_t number) {
   }
 }
 
+/// UTF-8 as Latin-1; nullopt: a character is not in it, or is a control character other than the
+/// end of a line.
+std::optional<std::string> in_latin_1(std::string_view utf8) {
+  std::string text;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(utf8[i]);
+    if (byte == '\n' || (byte >= 0x20 && byte < 0x7F)) {
+      text += utf8[i];
+      continue;
+    }
+    // U+00A0 to U+00FF are C2 or C3 and one more byte.
+    if ((byte != 0xC2 && byte != 0xC3) || i + 1 == utf8.size()) return std::nullopt;
+    const auto next = static_cast<unsigned char>(utf8[++i]);
+    const bool printed = next >= (byte == 0xC2 ? 0xA0 : 0x80) && next <= 0xBF;
+    if (!printed) return std::nullopt;
+    text += static_cast<char>(byte == 0xC2 ? next : next + 0x40U);
+  }
+  return text;
+}
+
 std::string chunk(const PngText& text) {
   AUCAST_CHECK(!text.keyword.empty() && text.keyword.size() <= kKeywordMax);
   using std::string_literals::operator""s;
-  // Not compressed, no language, the keyword not translated.
-  const std::string typed = "iTXt" + text.keyword + "\0\0\0\0\0"s + text.text;
+  const auto latin_1 = in_latin_1(text.text);
+  // Of iTXt: not compressed, no language, the keyword not translated.
+  const std::string typed = latin_1 ? "tEXt" + text.keyword + "\0"s + *latin_1
+                                    : "iTXt" + text.keyword + "\0\0\0\0\0"s + text.text;
   std::string bytes;
   append_big_endian(bytes, static_cast<std::uint32_t>(typed.size() - 4));
   bytes += typed;

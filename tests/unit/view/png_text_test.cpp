@@ -48,21 +48,40 @@ TEST(PngText, StandsBehindTheHeaderAndLeavesThePictureAlone) {
   const test::TempFolder folder;
   const auto file = folder.path() / "x.png";
   const Image image = make_image(5, 3, 0x204060);
-  const std::array<PngText, 2> texts{{{"Software", "AUcast"}, {"Face", "J\xC3\xBCrgen"}}};
+  const std::array<PngText, 3> texts{
+      {{"Software", "AUcast"}, {"Face", "J\xC3\xBCrgen"}, {"Edited", "\xC5\x81ukasz"}}};
   ASSERT_TRUE(write_png(image, file, texts));
   const auto bytes = read_file(file);
   ASSERT_TRUE(bytes.has_value());
   const auto chunks = chunks_of(*bytes);
-  ASSERT_GE(chunks.size(), 5U);
+  ASSERT_GE(chunks.size(), 6U);
   EXPECT_EQ(chunks[0].type, "IHDR");
-  EXPECT_EQ(chunks[1].type, "iTXt");
-  EXPECT_EQ(chunks[1].data, std::string("Software\0\0\0\0\0AUcast", 19));
-  EXPECT_EQ(chunks[2].data, std::string("Face\0\0\0\0\0J\xC3\xBCrgen", 16));
-  EXPECT_EQ(chunks[3].type, "IDAT");
+  EXPECT_EQ(chunks[1].type, "tEXt");
+  EXPECT_EQ(chunks[1].data, std::string("Software\0AUcast", 15));
+  EXPECT_EQ(chunks[2].type, "tEXt");
+  EXPECT_EQ(chunks[2].data, std::string("Face\0J\xFCrgen", 11));
+  EXPECT_EQ(chunks[3].type, "iTXt") << "Latin-1 does not have that letter";
+  EXPECT_EQ(chunks[3].data, std::string("Edited\0\0\0\0\0\xC5\x81ukasz", 18));
+  EXPECT_EQ(chunks[4].type, "IDAT");
   EXPECT_EQ(chunks.back().type, "IEND");
   const auto back = read_png(file);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->rgba, image.rgba);
+}
+
+TEST(PngText, OnlyWhatIsPrintedIsLatin1) {
+  const auto type_of = [](const char* text) {
+    const std::string before(8 + 12 + 13 + 12, '\0');  // signature, IHDR, IEND
+    const std::array<PngText, 1> texts{{{"Face", text}}};
+    return with_texts(before, texts).substr(8 + 12 + 13 + 4, 4);
+  };
+  EXPECT_EQ(type_of(""), "tEXt");
+  EXPECT_EQ(type_of("a\nb"), "tEXt");
+  EXPECT_EQ(type_of("\xC2\xA0\xC3\xBF"), "tEXt");
+  EXPECT_EQ(type_of("\xC2\x85"), "iTXt") << "a control character";
+  EXPECT_EQ(type_of("\t"), "iTXt");
+  EXPECT_EQ(type_of("\x7F"), "iTXt");
+  EXPECT_EQ(type_of("\xC3"), "iTXt") << "no whole character";
 }
 
 }  // namespace
