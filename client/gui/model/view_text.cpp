@@ -144,8 +144,8 @@ std::string connecting_in_words(PlaybackState state, const playback::SourceStatu
   if (awaits_connection(state, status)) {
     return tr(status.reconnects > 0 ? TextKey("state.reconnecting") : TextKey("state.connecting"));
   }
-  if (state == PlaybackState::Stalled && !status.connected && status.reconnects > 0 &&
-      status.end == EndReason::NotEnded) {
+  const bool waits = state == PlaybackState::Stalled || state == PlaybackState::Stale;
+  if (waits && !status.connected && status.reconnects > 0 && status.end == EndReason::NotEnded) {
     return tr("state.reconnecting");
   }
   return {};

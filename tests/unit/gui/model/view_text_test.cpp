@@ -55,6 +55,14 @@ TEST(ViewText, TheStateIsSaidInWords) {
   EXPECT_FALSE(plays_the_rest(PlaybackState::Lost, gone));
 }
 
+TEST(ViewText, WhatIsConnectedToAnewIsNotWaitedForInVain) {
+  playback::SourceStatus gone;
+  gone.reconnects = 2;
+  EXPECT_EQ(state_in_words(PlaybackState::Stalled, gone, {}), "reconnecting");
+  EXPECT_EQ(state_in_words(PlaybackState::Stale, gone, {}), "reconnecting");
+  EXPECT_EQ(state_in_words(PlaybackState::Stale, connected(), {}), "waiting, nothing comes");
+}
+
 TEST(ViewText, AThresholdIsRoundedUpAsTheBuffersHaveIt) {
   EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(1), {10, 5, 1}), "buffering 100 %");
   EXPECT_EQ(state_in_words(PlaybackState::Buffering, connected(2), {10, 5, 25}), "buffering 66 %")
