@@ -78,6 +78,30 @@ void recording_mark(const Look& look, const std::string& file, GuiCommands& comm
   tip(tr("play.recording_tip", file));
 }
 
+/// Says that a gallery is being made whose dialog was closed, and how far it is.
+void gallery_mark(const Look& look, const GalleryView& gallery, GuiCommands& commands) {
+  const float side = ImGui::GetTextLineHeight();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 36 * look.scale - 2 * side);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("##gallery", ImVec2(side, side))) {
+    commands.push_back(GalleryCommand(OpenGallery{}));
+  }
+  mark_focus();
+  tip(tr("panel.gallery_tip", progress_text(gallery)));
+  constexpr float kTop = -IM_PI / 2;
+  constexpr float kAround = 2 * IM_PI;
+  const float share = gallery.total == 0
+                          ? 0.0F
+                          : static_cast<float>(gallery.drawn) / static_cast<float>(gallery.total);
+  const ImVec2 middle(at.x + side / 2, at.y + side / 2);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float radius = 0.4F * side;
+  const float thick = 3.5F * look.scale;
+  list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Button), 24, thick);
+  list.PathArcTo(middle, radius, kTop, kTop + kAround * std::clamp(share, 0.1F, 1.0F), 24);
+  list.PathStroke(colour_of(Tone::Waiting), 0, thick);
+}
+
 /// What would be lost.
 std::string lost_in_words(const GuiModel& model) {
   std::string text;
@@ -259,6 +283,9 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
     state_line(look, model);
     if (!model.video.recording.empty()) recording_mark(look, model.video.recording, commands);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 22 * look.scale);
+    if (model.gallery.running && !model.gallery.open) {
+      gallery_mark(look, model.gallery, commands);
+    }
     if (ImGui::SmallButton("?")) keys = !keys;
     tip(tr("panel.keys_tip"));
     ImGui::Spacing();

@@ -144,7 +144,11 @@ void WindowSession::advance(Instant now) {
   }
   playback_.advance(now);
   lister_.advance();
+  const bool made_gallery = gallery_.view().running;
   gallery_.advance(now);
+  // Who has closed its dialog would not learn of it.
+  const gui::GalleryView& gallery = gallery_.view();
+  if (made_gallery && !gallery.running && !gallery.open) say(gallery.outcome, gallery.failed, now);
   if (const auto exported = export_.advance()) {
     say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }

@@ -123,3 +123,7 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
 }
 
 }  // namespace aucast::gui
+  const GalleryView& gallery = model.gallery;
+  if (gallery.running && !gallery.open) {
+    quiet_text(tr("play.gallery_runs", progress_text(gallery)));
+  }

@@ -110,6 +110,7 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"play.video_tip", "an MP4 of what is shown from now on (v)"},
     {"play.end_video_tip", "ends the video and saves it (v)"},
     {"play.gallery", "Gallery..."},
+    {"play.gallery_runs", "Gallery: {progress}"},
     {"play.gallery_tip", "pictures of many AUs and expressions of this face, and sweeps"},
     {"play.recording", "recording {file}"},
     {"play.completing", "completing {file}"},

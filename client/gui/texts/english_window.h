@@ -34,6 +34,7 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"panel.your_au", "shown: your AU{number}"},
     {"panel.your_keyframe", "shown: your keyframe"},
     {"panel.keys_tip", "the keys"},
+    {"panel.gallery_tip", "the gallery is being made: {progress}. A click shows it."},
     {"panel.right_side", "right, the subject's"},
     {"panel.left_side", "left, the subject's"},
     {"panel.linked", "left and right together"},

@@ -271,6 +271,19 @@ TEST_F(WindowSessionComposerTest, LeavingAsksWhileAGalleryIsBeingMade) {
   EXPECT_TRUE(session_->leaving());
 }
 
+TEST_F(WindowSessionComposerTest, HowAGalleryEndedIsSaidWhereItsDialogIsClosed) {
+  const test::TempFolder folder;
+  ask(gui::GalleryCommand(gui::ChangeGallery{quick_gallery(folder.path() / "gallery")}));
+  for (const bool open : {true, false}) {
+    if (open) session_->apply(gui::GalleryCommand(gui::OpenGallery{}), clock_.now());
+    session_->apply(gui::GalleryCommand(gui::BeginGallery{}), clock_.now());
+    if (!open) session_->apply(gui::GalleryCommand(gui::CloseGallery{}), clock_.now());
+    while (model().gallery.running) session_->advance(clock_.now());
+    EXPECT_FALSE(model().gallery.outcome.empty());
+    EXPECT_EQ(model().notice.text, open ? "" : model().gallery.outcome);
+  }
+}
+
 TEST_F(WindowSessionComposerTest, SavingOnLeavingStillAsksAboutTheGallery) {
   const test::TempFolder folder;
   make_two();
