@@ -64,8 +64,8 @@ inline constexpr std::array kEnglishMaking = std::to_array<EnglishText>({
     {"expression.search_hint", "search: a word, AUs, an author"},
     {"expression.strength", "Strength"},
     {"expression.strength_tip",
-     "of all intensities of an expression; Ctrl+click to type; by keys: Space, then Left and "
-     "Right"},
+     "of all intensities of an expression; the next one that is chosen begins at 100 %; "
+     "Ctrl+click to type; by keys: Space, then Left and Right"},
     {"expression.title", "Expressions"},
     {"expression.macros", "Waters' macros"},
     {"expression.way", "Transition"},

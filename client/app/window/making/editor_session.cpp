@@ -67,7 +67,11 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
     return true;
   };
   const Overloaded carry_out{
-      [&](const gui::ShowExpression& one) { return show_expression(one.index, false, now); },
+      [&](const gui::ShowExpression& one) {
+        // What another one was weakened to says nothing about this one.
+        if (strength_of_ && *strength_of_ != one.index) expressions_.percent = 100;
+        return show_expression(one.index, false, now);
+      },
       [&](const gui::ChangeStrength& one) { return change_strength(one, now); },
       [&](const gui::ShowAus& one) { return show_aus(one.aus, now); },
       [&](const gui::ChangeTransition& one) {
@@ -117,6 +121,7 @@ bool EditorSession::show_expression(std::size_t index, bool continued, Instant n
   }
   go_to(std::move(target), continued, now);
   expressions_.chosen = static_cast<int>(index);
+  strength_of_ = index;
   if (expression.muscles.empty()) {
     expressions_.aus = protocol::format_au_set(expression.aus);
   } else {
@@ -128,6 +133,7 @@ bool EditorSession::show_expression(std::size_t index, bool continued, Instant n
 bool EditorSession::change_strength(const gui::ChangeStrength& change, Instant now) {
   expressions_.percent = std::clamp(change.percent, 0, 100);
   const int chosen = expressions_.chosen;
+  if (chosen < 0) strength_of_.reset();
   return chosen >= 0 && show_expression(static_cast<std::size_t>(chosen), change.continued, now);
 }
 

@@ -115,6 +115,8 @@ class EditorSession {
   AuFrame asked_;                     ///< aus_, before the rules
   std::vector<gui::AuRow> compound_;  ///< asked_ and what became of it
   gui::ExpressionsView expressions_;
+  /// The expression that has the strength that is set; nullopt: the next one gets it.
+  std::optional<std::size_t> strength_of_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
 };
 

@@ -65,6 +65,20 @@ TEST_F(EditedSessionTest, AnExpressionIsShownAsStronglyAsAsked) {
   EXPECT_FLOAT_EQ(shown("left_zygomaticus_major"), whole * 0.4F) << "a drag is one step";
 }
 
+TEST_F(EditedSessionTest, AnotherExpressionBeginsAtFullStrength) {
+  open_nothing();
+  ask(gui::ShowExpression{expression("happiness")});
+  ask(gui::ChangeStrength{40, false});
+  ask(gui::ShowExpression{expression("happiness")});
+  EXPECT_EQ(model().expressions.percent, 40) << "it is the same one";
+  ask(gui::ShowExpression{expression("anger")});
+  EXPECT_EQ(model().expressions.percent, 100);
+  ask(gui::ChangeStrength{30, false});
+  ask(gui::NeutralFace{});
+  ask(gui::ShowExpression{expression("happiness")});
+  EXPECT_EQ(model().expressions.percent, 100);
+}
+
 TEST_F(EditedSessionTest, TheTableOfAusIsOfTheFaceThatIsShown) {
   open({frame({{4, Side::Both, 100}}), frame({{26, Side::Both, 100}})});
   go_on(Milliseconds(0));
