@@ -14,14 +14,12 @@
 namespace aucast::gui {
 namespace {
 
-constexpr float kRow = 24;
+constexpr float kCurve = 24;
 constexpr float kNumberWidth = 28;
 constexpr float kValueWidth = 34;
 /// More of them begin folded: the table of AUs is below them.
 constexpr std::size_t kCurvesOpen = 8;
 constexpr float kNameSize = 0.85F;
-/// How much of a line its name covers.
-constexpr float kNameGround = 0.7F;
 
 /// What is drawn of the curves stays the same until another stream is opened.
 void make_outlines(const LocalView& local, std::size_t columns, CurvesForm& form) {
@@ -49,17 +47,8 @@ void line_of(const Look& look, const std::vector<float>& outline, ImVec2 from, I
                                           1.5F * look.scale);
 }
 
-/// The name of an AU over its line, which is dimmed there and still to be followed.
-void name_over(const Look& look, int number, ImVec2 from, ImVec2 to) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::string name = au_name(number);
-  const float size = kNameSize * ImGui::GetFontSize();
-  const float width = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, name.c_str()).x;
-  const float inset = 4 * look.scale;
-  const ImVec2 end(std::min(from.x + width + 2 * inset, to.x), to.y);
-  list.AddRectFilled(from, end, ImGui::GetColorU32(ImGuiCol_FrameBg, kNameGround));
-  list.AddText(ImGui::GetFont(), size, ImVec2(from.x + inset, (from.y + to.y - size) / 2),
-               ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+float name_height() {
+  return kNameSize * ImGui::GetFontSize();
 }
 
 /// The heading, a part to fold; returns whether it is open.
@@ -104,24 +93,27 @@ Rows rows_here(const Look& look, std::size_t count) {
           .left = corner.x + kNumberWidth * look.scale,
           .right = corner.x + width - kValueWidth * look.scale,
           .end = corner.x + width,
-          .height = kRow * look.scale,
+          .height = name_height() + kCurve * look.scale,
           .count = count};
 }
 
-/// Draws the curves that are seen, each with its number, its name and its value at `place`.
+/// Draws the curves that are seen, each with its number, its name above it and its value at
+/// `place`.
 void draw_rows(const Look& look, const LocalView& local, const CurvesForm& form, const Rows& rows,
                Duration place) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
   for (std::size_t i = 0; i < rows.count; ++i) {
     const AuCurve& curve = (*local.curves)[i];
-    const ImVec2 from(rows.left, rows.top(i) + look.scale);
+    const ImVec2 corner(rows.left, rows.top(i));
+    const ImVec2 from(rows.left, corner.y + name_height() + look.scale);
     const ImVec2 to(rows.right, rows.top(i + 1) - look.scale);
-    if (!ImGui::IsRectVisible(from, to)) continue;
+    if (!ImGui::IsRectVisible(corner, to)) continue;
+    list.AddText(ImGui::GetFont(), name_height(), corner, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                 au_name(curve.number).c_str());
     list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
     line_of(look, form.outlines[i], from, to);
-    name_over(look, curve.number, from, to);
-    const float y = rows.top(i) + (rows.height - ImGui::GetTextLineHeight()) / 2;
+    const float y = (from.y + to.y - ImGui::GetTextLineHeight()) / 2;
     list.AddText(ImVec2(rows.corner.x, y), colour, std::to_string(curve.number).c_str());
     const std::string value =
         std::to_string(std::lround(100 * value_at(curve, *local.ends, place)));

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -78,6 +79,30 @@ TEST_F(Arrows, ManyCurvesAreFoldedUntilTheyAreWanted) {
   press(ImGuiKey_Enter);
   EXPECT_GT(contents()->ContentSize.y, folded + 100);
   EXPECT_TRUE(go_to("##curves"));
+}
+
+TEST_F(Arrows, TheNameOfACurveHidesNothingOfIt) {
+  model_.local.curves = std::make_shared<const AuCurves>(AuCurves{{6, {0.5F}}, {12, {1.0F}}});
+  play_something();
+  ASSERT_TRUE(go_to("##curves"));
+  const ImU32 line = ImGui::GetColorU32(ImGuiCol_PlotLines);
+  const ImU32 name = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  const ImVec2 no_letter = ImGui::GetIO().Fonts->TexUvWhitePixel;
+  const ImRect item = ImGui::GetCurrentContext()->NavWindow->NavRectRel[ImGuiNavLayer_Main];
+  const float top = contents()->DC.CursorStartPos.y + item.Min.y;
+  const float height = item.GetHeight() / 2;
+  float end_of_name = 0;
+  float begin_of_line = height;
+  for (const ImDrawVert& vertex : contents()->DrawList->VtxBuffer) {
+    const float y = vertex.pos.y - top;
+    if (y < 0 || y >= height) continue;  // of another row
+    const bool letter = vertex.uv.x != no_letter.x || vertex.uv.y != no_letter.y;
+    if (vertex.col == name && letter) end_of_name = std::max(end_of_name, y);
+    if (vertex.col == line) begin_of_line = std::min(begin_of_line, y);
+  }
+  EXPECT_GT(end_of_name, 0);
+  EXPECT_LT(end_of_name, begin_of_line);
+  EXPECT_LT(begin_of_line, height);
 }
 
 TEST_F(Arrows, ReadCurvesFrameByFrameAndAuByAu) {
