@@ -176,13 +176,14 @@ void leave_question(const Look& look, const GuiModel& model, GuiCommands& comman
 struct Tab {
   const char* id;
   TextKey name;
+  TextKey tip;
 };
-constexpr Tab kPlayTab{"play", "tab.play"};
-constexpr Tab kExpressionTab{"expression", "tab.expression"};
-constexpr Tab kEditorTab{"editor", "tab.editor"};
-constexpr Tab kComposeTab{"compose", "tab.compose"};
-constexpr Tab kViewTab{"view", "tab.view"};
-constexpr Tab kCameraTab{"camera", "tab.camera"};
+constexpr Tab kPlayTab{"play", "tab.play", "tip.tab_play"};
+constexpr Tab kExpressionTab{"expression", "tab.expression", "tip.tab_expression"};
+constexpr Tab kEditorTab{"editor", "tab.editor", "tip.tab_editor"};
+constexpr Tab kComposeTab{"compose", "tab.compose", "tip.tab_compose"};
+constexpr Tab kViewTab{"view", "tab.view", "tip.tab_view"};
+constexpr Tab kCameraTab{"camera", "tab.camera", "tip.tab_camera"};
 constexpr std::array kTabs{kPlayTab, kExpressionTab, kEditorTab, kComposeTab, kViewTab, kCameraTab};
 
 /// The scale of the tabs' letters with which all names fit, at most 1.
@@ -247,6 +248,7 @@ struct Gui::State {
   bool bare = false;    ///< the user wants the face alone
   bool hidden = false;  ///< panel and bar, until the mouse moves
   bool keys = false;
+  bool asks = false;        ///< a dialog is there, or comes in the next frame
   bool rows_moved = false;  ///< in the last frame
   /// The last one; that panels were hidden changes nothing.
   std::string_view tab_seen = kPlayTab.id;
@@ -272,7 +274,6 @@ void Gui::State::make_style() {
 
 void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  bool asks = false;         ///< a dialog is there, or comes in the next frame
   const float width = panel_width();
   ImGui::SetNextWindowPos(ImVec2(size.x - width, 0));
   ImGui::SetNextWindowSize(ImVec2(width, size.y));
@@ -282,16 +283,18 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
   if (ImGui::Begin("panel", nullptr, kFlags)) {
     state_line(look, model);
     if (!model.video.recording.empty()) recording_mark(look, model.video.recording, commands);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - 22 * look.scale);
     if (model.gallery.running && !model.gallery.open) {
       gallery_mark(look, model.gallery, commands);
     }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 22 * look.scale);
     if (ImGui::SmallButton("?")) keys = !keys;
     tip(tr("panel.keys_tip"));
     ImGui::Spacing();
     if (begin_tabs(look)) {
       const auto tab = [this](const Tab& which, const auto& contents, bool chosen = false) {
-        if (!begin_tab(look, which, chosen)) return;
+        const bool shows = begin_tab(look, which, chosen);
+        tip(tr(which.tip));
+        if (!shows) return;
         // As wide whether it scrolls or not: the scroll bar has its place in the margin.
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::SetNextWindowContentSize(ImVec2(room - kScrollBar / 2 * look.scale, 0));
@@ -363,6 +366,10 @@ bool Gui::prepare(const DisplayView& display) {
   return true;
 }
 
+void Gui::expect(const GuiModel& model) {
+  state_->asks = model.browser.open || model.asks_to_leave;
+}
+
 void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   state_->rows_moved = false;
   state_->focus.before_frame(model.browser.open);
@@ -392,10 +399,6 @@ void Gui::draw(const GuiModel& model, GuiCommands& commands) {
   if (state_->keys) key_list(state_->look, free, state_->keys);
   if (model.asks_to_leave) leave_question(state_->look, model, commands);
   state_->focus.end();
-void Gui::expect(const GuiModel& model) {
-  state_->asks = model.browser.open || model.asks_to_leave;
-}
-
   ImGui::Render();
 }
 

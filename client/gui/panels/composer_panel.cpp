@@ -29,8 +29,10 @@ void ask(GuiCommands& commands, ComposerCommand command) {
 
 void file_buttons(const ComposerView& composer, GuiCommands& commands) {
   if (wide_button(tr("button.new"), 0, 4, true)) ask(commands, NewComposition{});
+  tip(tr("tip.new_stream"));
   if (wide_button(tr("button.open_dots"), 1, 4, true))
     commands.push_back(Browse{Purpose::ComposeStream});
+  tip(tr("tip.open_stream"));
   const bool any = !composer.rows->empty();
   const std::string why_not = any ? "" : tr("compose.save_none");
   if (wide_button(tr("button.save"), 2, 4, any && composer.unsaved))
@@ -338,12 +340,15 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
   keyframe_heading(look, composer, commands);
   const char* add = chosen ? tr("compose.double") : tr("compose.add");
   if (wide_button(add, 0, 5, true, !chosen)) ask(commands, AddKeyframe{});
+  tip(tr("tip.add_keyframe"));
   if (wide_button(tr("button.neutral"), 1, 5, true)) ask(commands, ComposeNeutral{});
   tip(tr("tip.neutral"));
   if (wide_button(tr("compose.take"), 2, 5, composer.can_take)) ask(commands, ComposeShown{});
   tip(composer.can_take ? tr("compose.take_tip") : tr("compose.take_none"), true);
   if (wide_button(tr("button.undo"), 3, 5, composer.can_undo)) ask(commands, UndoComposing{});
+  tip(tr("tip.undo"));
   if (wide_button(tr("button.redo"), 4, 5, composer.can_redo)) ask(commands, RedoComposing{});
+  tip(tr("tip.redo"));
   time_of_keyframe(look, composer, commands);
   pad(look, composer, commands);
   au_grid(model, commands);

@@ -53,7 +53,7 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
     name.copy(form.name.data(), form.name.size() - 1);
   }
   const std::string before = form.name.data();
-  label(look, tr("editor.name"));
+  label(look, tr("editor.name"), tr("tip.au_name"));
   if (!unnamed) {
     // No field, which one would try to type into.
     fitted_text(name, ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x,
@@ -66,6 +66,7 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
       ImGui::InputTextWithHint("##auname", tr("editor.name_hint"), form.name.data(),
                                form.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   stay_in_field();
+  tip(tr("tip.au_name"));
   if (before != form.name.data()) commands.push_back(NameAu{number, form.name.data()});
   return entered;
 }
@@ -100,6 +101,7 @@ void au_file_buttons(const GuiModel& model, GuiCommands& commands) {
   if (wide_button(tr("button.import"), 0, 3, true)) commands.push_back(Browse{Purpose::ImportAus});
   tip(tr("editor.import_tip"));
   if (wide_button(tr("button.export"), 1, 3, known)) commands.push_back(Browse{Purpose::ExportAu});
+  tip(tr("tip.export_au"));
   const char* remove = known && !entry->shipped ? tr("button.delete") : tr("editor.as_it_came");
   if (wide_button(remove, 2, 3, known && entry->own)) commands.push_back(RemoveAu{entry->number});
   tip(help_of_removing(entry), true);
@@ -120,7 +122,7 @@ bool au_combo(const char* id, const GuiModel& model, const char* none, int& numb
   if (number >= 0 && shown == none) shown = tr("editor.new", number);
   const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
   if (!open) {
-    if (number >= 0) tip(shown);  // it may be cut
+    tip(number >= 0 ? shown : tr("tip.edit"));  // it may be cut
     return false;
   }
   bool chosen = false;
@@ -145,8 +147,11 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
     commands.push_back(LoadAu{number});
   }
   if (wide_button(tr("button.undo"), 0, 4, editor.can_undo)) commands.push_back(Undo{});
+  tip(tr("tip.undo"));
   if (wide_button(tr("button.redo"), 1, 4, editor.can_redo)) commands.push_back(Redo{});
+  tip(tr("tip.redo"));
   if (wide_button(tr("button.revert"), 2, 4, editor.unsaved)) commands.push_back(RevertAu{});
+  tip(tr("tip.revert"));
   if (wide_button(tr("button.neutral"), 3, 4, true)) commands.push_back(NeutralFace{});
   tip(tr("tip.neutral"));
   label(look, tr("editor.save_as"), tr("tip.save_as"));
@@ -160,11 +165,13 @@ void au_buttons(const Look& look, const GuiModel& model, EditorForm& form, GuiCo
   const bool beside = width - gap - button >= number_field_width();
   ImGui::SetNextItemWidth(beside ? width - gap - button : width);
   if (number_field("##as", target, {.least = 1, .most = kAuNumberMax})) form.save_as = target;
+  tip(tr("tip.save_as"));
   target = form.save_as >= 0 ? form.save_as : editor.au;
   const bool unnamed = target > 0 && !facs_name(target);
   if (beside) ImGui::SameLine();
   ImGui::BeginDisabled(target < 1);
   const bool pressed = ImGui::Button(tr("button.save"), ImVec2(beside ? button : -1, 0));
+  tip(tr("tip.save_au"));
   ImGui::EndDisabled();
   const bool entered = name_field(look, model, target, unnamed, form, commands);
   if (pressed || entered) {

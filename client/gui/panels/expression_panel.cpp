@@ -106,7 +106,9 @@ void more_expressions(const Look& look, const ExpressionsView& expressions, int 
   ImGui::SetNextItemWidth(-1);
   const std::string shown =
       is_other ? whole_label(expressions.buttons[chosen]) : tr("expression.more");
-  if (!ImGui::BeginCombo("##more", shown.c_str(), ImGuiComboFlags_HeightLarge)) return;
+  if (!ImGui::BeginCombo("##more", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+    return tip(tr("tip.more"));
+  }
   if (ImGui::IsWindowAppearing()) {
     form.search[0] = 0;
     ImGui::SetKeyboardFocusHere();
@@ -152,10 +154,12 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   if (number_field("##frames", settings.frames,
                    {.least = 1, .most = TransitionSettings::kFramesMax}))
     changed = true;
+  tip(tr("tip.frames"));
   label(look, tr("expression.each_ms"), tr("tip.frames"));
   if (number_field("##frame", settings.frame_ms,
                    {.least = 1, .most = TransitionSettings::kFrameMsMax}))
     changed = true;
+  tip(tr("tip.frames"));
   quiet_text(tr("expression.takes", settings.frames * settings.frame_ms));
   if (changed) commands.push_back(ChangeTransition{settings});
 }
@@ -181,6 +185,7 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
   tip(tr("expression.together_tip"));
   ImGui::SameLine();
   const bool pressed = ImGui::Button(tr("button.show"), ImVec2(-1, 0));
+  tip(tr("tip.show_aus"));
   if ((pressed || entered) && form.aus[0] != 0) commands.push_back(ShowAus{form.aus.data()});
   if (!model.editor.compound.empty()) {
     au_table(

@@ -31,7 +31,7 @@ std::string title_of_question(Asked asks, const std::string& face) {
 
 /// The field for the name and what is wrong with it. Returns whether Enter was pressed in it.
 bool face_name_field(const Look& look, FaceForm& form, const std::string& wrong) {
-  label(look, tr("file.name"));
+  label(look, tr("file.name"), tr("tip.face_name"));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered =
       ImGui::InputText("##facename", form.name.data(), form.name.size(),

@@ -133,6 +133,7 @@ void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiComma
   if (wide_button(tr("face.other"), 0, 1, true)) {
     commands.push_back(Browse{Purpose::LookForFaces});
   }
+  tip(tr("tip.other_face"));
 }
 
 }  // namespace aucast::gui

@@ -72,12 +72,12 @@ bool path_is_typed(const BrowserView& view, const FileForm& form) {
 void up_button(const Look& look, const BrowserView& view, GuiCommands& commands) {
   const bool backspace =
       !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace));
-  if (!ImGui::Button(tr("file.up"), ImVec2(kUpWidth * look.scale, 0)) && !backspace) return;
+  const bool pressed = ImGui::Button(tr("file.up"), ImVec2(kUpWidth * look.scale, 0));
+  tip(tr("tip.folder_up"));
+  if (!pressed && !backspace) return;
   commands.push_back(EnterFolder{std::filesystem::path(view.folder).parent_path().string()});
 }
 
-void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
-  const float up = kUpWidth * look.scale;
 /// Whether a path is begun where nothing is being typed: it is for the line of the folder, and what
 /// has been typed of it is put there.
 bool path_begins(const BrowserView& view, FileForm& form) {
@@ -106,6 +106,8 @@ void go_to_end_of_field() {
   text->ClearSelection();
 }
 
+void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
+  const float up = kUpWidth * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
   // Stays in the field, so that what was mistyped can be corrected.
   if (std::exchange(form.entered, false) && !view.problem.empty()) ImGui::SetKeyboardFocusHere();
@@ -122,6 +124,7 @@ void go_to_end_of_field() {
   }
   // The one that was typed last counts.
   if (ImGui::IsItemEdited() && !is_saving(view.purpose)) form.name[0] = 0;
+  tip(tr("tip.folder_line"));
   ImGui::SameLine();
   up_button(look, view, commands);
 }
@@ -171,9 +174,6 @@ std::string first_lines(const std::string& text, int lines) {
   return end == std::string::npos ? text : text.substr(0, end) + "\n...";
 }
 
-/// Why the file was not taken; empty: nothing is wrong.
-std::string objection(const BrowserView& view, const FileForm& form) {
-  constexpr int kLinesMost = 3;
 /// What is chosen in the list or typed at present.
 std::string choice_in(const FileForm& form) {
   return std::string(form.folder.data()) + '\n' + form.name.data();
@@ -186,6 +186,9 @@ std::string problem_of(const BrowserView& view, const FileForm& form) {
   return another ? std::string() : view.problem;
 }
 
+/// Why the file was not taken; empty: nothing is wrong.
+std::string objection(const BrowserView& view, const FileForm& form) {
+  constexpr int kLinesMost = 3;
   const std::string problem = problem_of(view, form);
   if (!problem.empty()) return first_lines(problem, kLinesMost);
   if (is_saving(view.purpose) && form.name[0] == 0) return tr("file.unnamed");
@@ -222,6 +225,7 @@ void table_settings(const Look& look, const TablesView& tables, const std::strin
   const TableSettings now = settings_for(tables, file);
   const bool open = ImGui::TreeNodeEx(
       tr("file.tables"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  tip(tr("tip.file_tables"));
   table_line(now, tables.asked.has_value());
   if (!open) return;
   TableSettings settings = now;
@@ -266,7 +270,7 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   const bool saving = is_saving(view.purpose);
   bool entered = false;
   if (saving) {
-    label(look, tr("file.name"));
+    label(look, tr("file.name"), tr("tip.new_name"));
     // What was refused can be typed on.
     form.to_name |= std::exchange(form.named, false) && !view.problem.empty();
     if (std::exchange(form.to_name, false)) {
@@ -277,6 +281,7 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
     entered =
         ImGui::InputText("##name", form.name.data(), form.name.size(),
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    tip(tr("tip.new_name"));
     if (ImGui::IsItemActive() || ImGui::IsAnyMouseDown()) form.waits = false;
   }
   const std::string text = objection(view, form);
@@ -290,7 +295,9 @@ void decide(const Look& look, const BrowserView& view, FileForm& form, GuiComman
   const bool typed = !saving && !folder && form.name[0] == 0 && path_is_typed(view, form);
   const bool named = folder || typed || form.name[0] != 0;
   if (wide_button(tr("button.cancel"), 0, 2, true)) commands.push_back(CloseBrowser{});
+  tip(tr("tip.file_cancel"));
   const bool pressed = wide_button(action, 1, 2, named, named);
+  tip(tr("tip.file_take"));
   // Behind a click on a file Enter opens it, as a second click does.
   entered |= !saving && !folder && entered_nowhere();
   if (named && (pressed || entered)) {
@@ -306,6 +313,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   constexpr const char* kId = "###files";
   if (!view.open) {
     form.shown_folder.clear();
+    form.tried.clear();
     return;
   }
   if (form.shown_folder.empty() || form.shown_name != view.name) {
@@ -313,7 +321,6 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     set_text(form.name, view.name);
   }
   if (form.shown_folder != view.folder) {
-    form.tried.clear();
     form.shown_folder = view.folder;
     set_text(form.folder, view.folder);
     if (!is_saving(view.purpose)) form.name[0] = 0;
@@ -335,6 +342,7 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
     commands.push_back(CloseBrowser{});
     return;
   }
+  const std::size_t before = commands.size();
   folder_line(look, view, form, commands);
   if (view.purpose == Purpose::PlayStream) {
     const auto file = std::filesystem::path(view.folder) / form.name.data();
@@ -342,15 +350,14 @@ void file_dialog(const Look& look, const GuiModel& model, FileForm& form, GuiCom
   }
   const float below = height_of_decision(view, form);
   entry_list(look, view, form, std::max(ImGui::GetContentRegionAvail().y - below, 60.0F), commands);
-  const std::size_t before = commands.size();
   decide(look, view, form, commands);
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (!shown || escaped) commands.push_back(CloseBrowser{});
-  ImGui::EndPopup();
-}
-
-}  // namespace aucast::gui
   for (std::size_t i = before; i < commands.size(); ++i) {
     if (command_if<ChooseFile>(commands[i]) != nullptr) form.tried = choice_in(form);
     if (command_if<EnterFolder>(commands[i]) != nullptr) form.tried.clear();
   }
+  ImGui::EndPopup();
+}
+
+}  // namespace aucast::gui

@@ -28,10 +28,11 @@ bool text_field(const char* id, const char* hint, const std::string& now, std::a
 
 bool folder_field(const Look& look, GallerySettings& settings, GalleryForm& form,
                   GuiCommands& commands) {
-  label(look, tr("gallery.folder"));
+  label(look, tr("gallery.folder"), tr("tip.gallery_folder"));
   leave_room_to_choose(look);
   const bool changed = text_field("##folder", tr("gallery.folder_hint"), settings.folder,
                                   form.folder, form.folder_taken);
+  tip(tr("tip.gallery_folder"));
   if (changed) settings.folder = form.folder.data();
   if (choose_button(look)) {
     commands.push_back(Browse{Purpose::GalleryFolder});
@@ -41,7 +42,7 @@ bool folder_field(const Look& look, GallerySettings& settings, GalleryForm& form
 
 bool sections(const Look& look, GallerySettings& settings) {
   bool changed = false;
-  label(look, tr("gallery.pictures_of"));
+  label(look, tr("gallery.pictures_of"), tr("tip.gallery_sections"));
   const float left = ImGui::GetCursorPosX();
   const float half = (ImGui::GetWindowContentRegionMax().x - left) / 2;
   for (std::size_t i = 0; i < kGallerySections.size(); ++i) {
@@ -67,16 +68,18 @@ bool sweeps(const Look& look, GallerySettings& settings, GalleryForm& form) {
 }
 
 bool size(const Look& look, GallerySettings& settings) {
-  label(look, tr("gallery.size"));
+  label(look, tr("gallery.size"), tr("tip.gallery_size"));
   const float by = ImGui::CalcTextSize(" x ").x;
   const float each = (ImGui::GetContentRegionAvail().x - by) / 2;
   ImGui::SetNextItemWidth(each);
   bool changed = ImGui::InputInt("##width", &settings.width, 0);
+  tip(tr("tip.gallery_size"));
   ImGui::SameLine(0, 0);
   ImGui::TextUnformatted(" x ");
   ImGui::SameLine(0, 0);
   ImGui::SetNextItemWidth(each);
   changed |= ImGui::InputInt("##height", &settings.height, 0);
+  tip(tr("tip.gallery_size"));
   return changed;
 }
 
@@ -134,10 +137,12 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
       commands.push_back(view.running ? GalleryCommand(CancelGallery{})
                                       : GalleryCommand(CloseGallery{}));
     }
+    tip(tr("tip.gallery_cancel"));
     const bool may_begin = !view.running && wrong.empty();
     if (wide_button(tr("gallery.make"), 1, 2, may_begin, may_begin)) {
       commands.push_back(GalleryCommand(BeginGallery{}));
     }
+    tip(tr("tip.gallery_make"));
   }
   ImGui::End();
   if (!shown) commands.push_back(GalleryCommand(CloseGallery{}));

@@ -47,9 +47,11 @@ void camera_buttons(const Look& look, const MirrorView& mirror, MirrorForm& form
   if (wide_button(tr("camera.start"), 0, 2, off, off)) {
     commands.push_back(MirrorCommand(StartMirror{form.source.data()}));
   }
+  tip(tr("tip.camera_start"));
   if (wide_button(tr("camera.stop"), 1, 2, !off && mirror.phase != Phase::Ending)) {
     commands.push_back(MirrorCommand(StopMirror{}));
   }
+  tip(tr("tip.camera_stop"));
 }
 
 /// Draws over the picture, which begins at `at`.
@@ -154,7 +156,7 @@ std::string name_of_bind(const std::string& bind) {
 }
 
 void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& form) {
-  label(look, tr("camera.address"));
+  label(look, tr("camera.address"), tr("tip.camera_address"));
   const float port_width = 64 * look.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - port_width -
                           ImGui::GetStyle().ItemInnerSpacing.x);
@@ -166,6 +168,8 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
       if (list_item(name_of_bind(choice), choice == form.bind)) form.bind = choice;
     }
     ImGui::EndCombo();
+  } else {
+    tip(tr("tip.camera_address"));
   }
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(port_width);
@@ -188,6 +192,7 @@ void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiC
   tip(film ? tr("tip.film_live") : tr("tip.live"));
   if (wide_button(tr("camera.end"), 1, 2, live, live))
     commands.push_back(MirrorCommand(GoPrivate{}));
+  tip(tr("tip.camera_end"));
   if (mirror.seen != nullptr && !mirror.trouble.empty()) {
     toned_text(mirror.expected ? Tone::Quiet : Tone::Bad, mirror.trouble);
   } else if (live) {

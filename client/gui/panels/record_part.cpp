@@ -22,10 +22,10 @@ constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
 void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
                    GuiCommands& commands) {
   const PictureSettings& now = model.pictures;
-  if (!ImGui::TreeNodeEx(tr("play.where"),
-                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    return;
-  }
+  const bool open = ImGui::TreeNodeEx(
+      tr("play.where"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  tip(tr("tip.where"));
+  if (!open) return;
   if (!form.filled || form.taken != now) {
     if (!form.filled || form.taken.folder != now.folder) put(now.folder, form.folder);
     if (!form.filled || form.taken.pattern != now.pattern) put(now.pattern, form.name);
@@ -33,37 +33,41 @@ void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
     form.filled = true;
   }
   PictureSettings wanted = now;
-  label(look, tr("play.folder"));
+  label(look, tr("play.folder"), tr("tip.picture_folder"));
   leave_room_to_choose(look);
   ImGui::InputTextWithHint("##picturefolder", tr("play.folder_hint"), form.folder.data(),
                            form.folder.size());
+  tip(tr("tip.picture_folder"));
   if (ImGui::IsItemDeactivatedAfterEdit()) wanted.folder = form.folder.data();
   if (choose_button(look)) {
     commands.push_back(Browse{Purpose::PictureFolder});
   }
   if (model.picture_folder != now.folder) quiet_text(model.picture_folder);
-  label(look, tr("play.name"));
+  const std::string name_help =
+      tr("play.name_tip", "{number}", "{face}", "{stream}", "{keyframe}", "{aus}", "{date}");
+  label(look, tr("play.name"), name_help.c_str());
   if (ImGui::InputText("##picturename", form.name.data(), form.name.size())) {
     wanted.pattern = form.name.data();
   }
-  tip(tr("play.name_tip", "{number}", "{face}", "{stream}", "{keyframe}", "{aus}", "{date}"));
+  tip(name_help);
   if (const auto name = picture_name(wanted.pattern, {}, 1); !name) {
     toned_text(Tone::Bad, name.error().message);
   }
-  label(look, tr("play.size"));
+  label(look, tr("play.size"), tr("tip.picture_size"));
   int kind = now.width == 0 ? 0 : now.width == 1920 && now.height == 1080 ? 1 : 2;
-  const std::array<Word, 3> sizes = {
-      {{tr("play.size_window")}, {"1920 x 1080"}, {tr("play.size_other")}}};
+  const std::array<Word, 3> sizes = {{{tr("play.size_window"), tr("tip.picture_size")},
+                                      {"1920 x 1080", tr("tip.picture_size")},
+                                      {tr("play.size_other"), tr("tip.picture_size")}}};
   if (choice("size", sizes, kind)) {
     wanted.width = kind == 0 ? 0 : kind == 1 ? 1920 : 800;
     wanted.height = kind == 0 ? 0 : kind == 1 ? 1080 : 1000;
   }
   if (kind == 2) {
     const std::string limits = tr("play.side_tip", kPictureSideMin, kPictureSideMax);
-    label(look, tr("play.width"));
+    label(look, tr("play.width"), limits.c_str());
     static_cast<void>(number_field("##picturewidth", wanted.width, kSideSteps));
     tip(limits);
-    label(look, tr("play.height"));
+    label(look, tr("play.height"), limits.c_str());
     static_cast<void>(number_field("##pictureheight", wanted.height, kSideSteps));
     tip(limits);
   }
@@ -118,12 +122,12 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   if (!model.video.completing.empty()) quiet_text(tr("play.completing", model.video.completing));
   const ExportView& exported = model.exported;
   if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
+  const GalleryView& gallery = model.gallery;
+  if (gallery.running && !gallery.open) {
+    quiet_text(tr("play.gallery_runs", progress_text(gallery)));
+  }
   if (!model.onsets.empty()) quiet_text(tr("play.times_go", model.onsets));
   where_they_go(look, model, form, commands);
 }
 
 }  // namespace aucast::gui
-  const GalleryView& gallery = model.gallery;
-  if (gallery.running && !gallery.open) {
-    quiet_text(tr("play.gallery_runs", progress_text(gallery)));
-  }

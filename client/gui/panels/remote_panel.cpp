@@ -71,6 +71,8 @@ bool address(const GuiModel& model, RemoteForm& form) {
       }
     }
     ImGui::EndCombo();
+  } else {
+    tip(tr("tip.recent"));
   }
   ImGui::EndDisabled();
   return entered;
@@ -121,8 +123,9 @@ void stream(const Look& look, const GuiModel& model, RemoteForm& form, GuiComman
   const std::string& asked = form.settings.stream;
   const bool its_first = asked.empty() && form.settings == model.remote_settings;
   const std::string& chosen = its_first ? model.playing.stream : asked;
-  if (!ImGui::BeginCombo("##stream", chosen.empty() ? tr("play.first_stream") : chosen.c_str()))
-    return;
+  if (!ImGui::BeginCombo("##stream", chosen.empty() ? tr("play.first_stream") : chosen.c_str())) {
+    return tip(tr("tip.stream"));
+  }
   const bool good = !form.wrong && !problem(form.settings);
   if (ImGui::IsWindowAppearing() && good) commands.push_back(AskStreams{form.settings});
   const StreamsView& streams = model.streams;
@@ -152,6 +155,7 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
   const bool lost = running && !playing.detail.empty();
   const bool may_connect = (!running || corrected || lost) && !wrong;
   const bool pressed = wide_button(tr("play.connect"), 0, 3, may_connect, may_connect);
+  tip(tr("tip.connect"));
   if ((pressed && may_connect) || (entered && !wrong)) commands.push_back(Connect{form.settings});
   if (wide_button(paused ? tr("play.resume") : tr("play.pause"), 1, 3, moves && !connecting)) {
     if (paused) {
@@ -160,8 +164,10 @@ void connect_buttons(const GuiModel& model, const RemoteForm& form, bool entered
       commands.push_back(Pause{});
     }
   }
+  tip(paused ? tr("tip.resume") : tr("tip.pause"));
   const bool stopped = playing.local && paused && model.local.position == Duration::zero();
   if (wide_button(tr("play.stop"), 2, 3, moves && !stopped)) commands.push_back(Stop{});
+  tip(tr("tip.stop"));
 }
 
 /// The choice of gui::Behind, and its numbers.
@@ -206,10 +212,11 @@ void take_chosen(const std::string& chosen, std::string& taken, std::span<char> 
 /// How to connect to the server. Initially folded. Takes effect with the next Connect.
 void next_connection(const Look& look, const GuiModel& model, RemoteForm& form,
                      GuiCommands& commands) {
-  if (!ImGui::TreeNodeEx(tr("play.next_connection"),
-                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    return;
-  }
+  const bool open =
+      ImGui::TreeNodeEx(tr("play.next_connection"),
+                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  tip(tr("tip.connection"));
+  if (!open) return;
   RemoteSettings& settings = form.settings;
   label(look, tr("play.protection"), tr("tip.tls"));
   if (ImGui::Checkbox(tr("play.tls"), &settings.tls)) write(server_text(settings), form.address);

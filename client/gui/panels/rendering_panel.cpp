@@ -35,9 +35,12 @@ constexpr std::array<LayerLabel, 8> kLayers = {
 void viewpoint(const Look& look, GuiCommands& commands) {
   heading(look, tr("view.viewpoint"), tr("tip.viewpoint"));
   if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{Facing::Front});
+  tip(tr("tip.look_from"));
   if (wide_button(tr("view.three_quarter"), 1, 3, true))
     commands.push_back(LookFrom{Facing::ThreeQuarter});
+  tip(tr("tip.look_from"));
   if (wide_button(tr("view.profile"), 2, 3, true)) commands.push_back(LookFrom{Facing::Profile});
+  tip(tr("tip.look_from"));
   quiet_text(tr("view.mouse"));
 }
 
@@ -74,18 +77,21 @@ bool usual_view(RenderingSettings& settings) {
 
 bool named_slider(const Look& look, const char* name, const char* id, int& value, int least,
                   int most, const char* format) {
-  label(look, name);
-  return slider(id, -1, value, least, most, format, "-200 %");
+  label(look, name, tr("tip.light"));
+  const bool changed = slider(id, -1, value, least, most, format, "-200 %");
+  tip(tr("tip.light"));
+  return changed;
 }
 
 bool light(const Look& look, RenderingSettings& settings) {
   heading(look, tr("view.light"));
   bool changed = false;
-  label(look, tr("view.background"));
+  label(look, tr("view.background"), tr("tip.background"));
   int ground = static_cast<int>(settings.ground);
   std::array<Word, kGrounds.size()> grounds{};
-  std::transform(kGrounds.begin(), kGrounds.end(), grounds.begin(),
-                 [](TextKey key) { return Word{tr(key)}; });
+  std::transform(kGrounds.begin(), kGrounds.end(), grounds.begin(), [](TextKey key) {
+    return Word{tr(key), tr("tip.background")};
+  });
   grounds.back().tip = tr("view.none_help");
   if (choice("ground", grounds, ground)) {
     settings.ground = static_cast<Ground>(ground);
@@ -106,9 +112,11 @@ bool light(const Look& look, RenderingSettings& settings) {
 
 /// A whole number kept in its range, typed or stepped.
 bool number(const Look& look, const char* name, const char* id, int& value, int least, int most,
-            int step, const char* help = "") {
+            int step, const char* help) {
   label(look, name, help);
-  return number_field(id, value, {step, 10 * step, least, most});
+  const bool changed = number_field(id, value, {step, 10 * step, least, most});
+  tip(help);
+  return changed;
 }
 
 bool blinking(const Look& look, RenderingSettings& settings) {
@@ -116,6 +124,7 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   bool changed = false;
   label(look, tr("view.blinks"), tr("tip.blinking"));
   changed |= ImGui::Checkbox("##blinking", &settings.blinking);
+  tip(tr("tip.blinking"));
   if (!settings.blinking) return changed;
   playback::BlinkOptions& blink = settings.blink;
   changed |= number(look, tr("view.every_ms"), "##interval", blink.interval_ms,
@@ -137,17 +146,19 @@ void pace(const Look& look, const RenderingView& rendering) {
   heading(look, tr("view.pace"), tr("tip.pace"));
   if (rendering.pace.empty()) quiet_text(tr("view.nothing_moved"));
   for (const PaceRow& row : rendering.pace) {
-    label(look, row.name.c_str());
+    label(look, row.name.c_str(), tr("tip.pace"));
     ImGui::TextUnformatted(row.value.c_str());
   }
 }
 
 void language(const Look& look, const DisplayView& view, DisplaySettings& settings) {
-  label(look, tr("view.language"));
+  label(look, tr("view.language"), tr("tip.language"));
   const auto used = std::find_if(view.languages.begin(), view.languages.end(),
                                  [&](const auto& one) { return one.code == view.language; });
   const bool known = used != view.languages.end();
-  if (!ImGui::BeginCombo("##language", known ? used->name.c_str() : view.language.c_str())) return;
+  if (!ImGui::BeginCombo("##language", known ? used->name.c_str() : view.language.c_str())) {
+    return tip(tr("tip.language"));
+  }
   for (const LanguageEntry& one : view.languages) {
     if (list_item(one.name, one.code == view.language)) settings.language = one.code;
   }
@@ -159,10 +170,11 @@ void display(const Look& look, const DisplayView& view, GuiCommands& commands) {
   heading(look, tr("view.window"));
   DisplaySettings settings = view.settings;
   language(look, view, settings);
-  label(look, tr("view.text_size"));
+  label(look, tr("view.text_size"), tr("tip.text_size"));
   static_cast<void>(number_field("##textsize", settings.text_percent,
                                  {kTextStep, 2 * kTextStep, kTextPercentMin, kTextPercentMax},
                                  true));
+  tip(tr("tip.text_size"));
   // All has another height when it was changed: the field stays where it can be seen.
   int& drawn =
       *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("drawn"), view.settings.text_percent);

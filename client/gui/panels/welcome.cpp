@@ -19,8 +19,10 @@ void contents(const GuiModel& model, const char* words, GuiCommands& commands) {
   if (wide_button(tr("play.sample"), 0, 2, !model.sample.empty(), !model.sample.empty())) {
     commands.push_back(OpenStream{model.sample});
   }
+  tip(tr("tip.sample"));
   if (wide_button(tr("button.open_file"), 1, 2, true))
     commands.push_back(Browse{Purpose::PlayStream});
+  tip(tr("tip.open_file"));
   for (std::size_t i = 0; i < std::min(model.recent_files.size(), kFilesShown); ++i) {
     const std::filesystem::path file = model.recent_files[i];
     ImGui::PushID(static_cast<int>(i));

@@ -35,7 +35,9 @@ TipPlace place_of_tip(const std::string& text, const ImRect& item) {
   const float right = screen.x - window.Max.x;
   const float room = std::max(left, right) - 2 * gap - 2 * style.WindowPadding.x;
   const bool bar = window.GetHeight() < kBarRows * ImGui::GetFrameHeightWithSpacing();
-  TipPlace place{item.Min, std::min(wanted, screen.x - 2 * (gap + style.WindowPadding.x))};
+  // What is at the right of a bar is the panel.
+  const float end = bar ? window.Max.x : screen.x;
+  TipPlace place{item.Min, std::min(wanted, end - 2 * (gap + style.WindowPadding.x))};
   if (!bar && room >= kTipWidthLeast * ImGui::GetFontSize()) {
     place.width = std::min(wanted, room);
     // Where there is enough at both sides it stands at the left, over the face.
@@ -48,7 +50,7 @@ TipPlace place_of_tip(const std::string& text, const ImRect& item) {
     place.at.y = above >= height ? above - height : below + gap;
   }
   const ImVec2 size = size_at(place.width);
-  place.at.x = std::max(gap, std::min(place.at.x, screen.x - gap - size.x));
+  place.at.x = std::max(gap, std::min(place.at.x, end - gap - size.x));
   place.at.y = std::max(gap, std::min(place.at.y, screen.y - gap - size.y));
   return place;
 }

@@ -171,7 +171,9 @@ void leave_room_to_choose(const Look& look) {
 
 bool choose_button(const Look& look) {
   ImGui::SameLine();
-  return ImGui::Button(tr("button.choose"), ImVec2(kChooseWidth * look.scale, 0));
+  const bool pressed = ImGui::Button(tr("button.choose"), ImVec2(kChooseWidth * look.scale, 0));
+  tip(tr("tip.choose"));
+  return pressed;
 }
 
 bool pointed_at() {

@@ -55,8 +55,8 @@ void heading(const Look& look, const std::string& text, const char* help = "");
 /// `colour` 0: the normal one.
 void fitted_text(const std::string& text, float right, unsigned colour = 0);
 /// Writes a label at the left. The next item is placed in the panel's column for values, or below
-/// the label if that has too little room, and fills the rest.
-void label(const Look& look, const char* text, const char* help = "");
+/// the label if that has too little room, and fills the rest. `help`: its tooltip.
+void label(const Look& look, const char* text, const char* help);
 void quiet_text(const std::string& text);
 /// Whether the pointer is on the previous item. Unlike ImGui's hovering, the keyboard focus does
 /// not count.

@@ -187,7 +187,7 @@ TEST_F(OverFace, SaveSaysWhyItIsGreyWithoutAKeyframe) {
   ASSERT_TRUE(go_to_tab("Compose"));
   const auto tips_of_row = [this] {
     int tips = 0;
-    for (float y = 60; y < 160; y += 12) {
+    for (float y = 72; y < 160; y += 12) {
       point_at(ImGui::GetIO().DisplaySize.x - 60, y);  // the last button of the first row
       tips += static_cast<int>(tooltip() != nullptr);
     }

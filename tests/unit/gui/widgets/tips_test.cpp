@@ -88,6 +88,86 @@ TEST_F(Tips, EveryWordOfAChoiceIsExplained) {
   EXPECT_TRUE(silent.empty()) << silent.size() << " without a tooltip";
 }
 
+/// Controls of which nothing is said while the keyboard focus or the pointer is on them.
+class SaidOfControls : public Tips {
+ protected:
+  /// All that Tab comes to; each by its text where that is its identity, else by its place.
+  std::set<std::string> silent() {
+    std::set<std::string> found;
+    std::set<ImGuiID> seen;
+    for (int i = 0; i < 250; ++i) {
+      press(ImGuiKey_Tab);
+      const ImGuiWindow* const window = ImGui::GetCurrentContext()->NavWindow;
+      if (focus() == 0 || window == nullptr || !seen.insert(focus()).second) continue;
+      // The cross of a dialog and the lines of its list are no words.
+      const bool cross = window->NavRectRel[ImGuiNavLayer_Main].Max.y < 0;
+      if (cross || std::string(window->Name).find("/entries_") != std::string::npos) continue;
+      if (tooltip() == nullptr && !said_at_pointer(*window)) {
+        found.insert(name_of(*window, focus()));
+      }
+    }
+    EXPECT_GT(seen.size(), 3U);
+    return found;
+  }
+  /// A field is in use as soon as it has the focus.
+  bool said_at_pointer(const ImGuiWindow& window) {
+    press(ImGuiKey_Escape);
+    press(ImGuiKey_Escape);
+    const ImVec2 place = window.NavRectRel[ImGuiNavLayer_Main].GetCenter();
+    point_at(window.DC.CursorStartPos.x + place.x, window.DC.CursorStartPos.y + place.y);
+    const bool said = tooltip() != nullptr;
+    point_at(1, 400);
+    return said;
+  }
+  static std::string name_of(const ImGuiWindow& window, ImGuiID id) {
+    for (const EnglishText& one : kEnglish) {
+      if (ImHashStr(one.text, 0, window.ID) == id) return one.key;
+    }
+    const ImRect place = window.NavRectRel[ImGuiNavLayer_Main];
+    return std::string(window.Name) + " " + std::to_string(place.Min.x) + " " +
+           std::to_string(place.Min.y);
+  }
+};
+
+using Silent = std::set<std::string>;
+
+TEST_F(SaidOfControls, OfThePanels) {
+  model_.gallery.running = true;
+  model_.video.recording = "face.mp4";
+  model_.playing.keyframe = "keyframe 3";
+  model_.playing.activity = Activity::Playing;
+  model_.editor.can_undo = model_.editor.can_redo = model_.editor.unsaved = true;
+  model_.editor.au = 12;
+  model_.composer.can_undo = model_.composer.can_redo = model_.composer.unsaved = true;
+  model_.composer.can_take = true;
+  model_.display.languages = {{"en", "English"},
+                              {"fr",
+                               "Fran\xC3\xA7"
+                               "ais"}};
+  play_something();
+  for (const char* tab : {"Play", "Expression", "Editor", "Compose", "View", "Camera"}) {
+    SCOPED_TRACE(tab);
+    ASSERT_TRUE(go_to_tab(tab));
+    for (const char* part : {tr("play.next_connection"), tr("play.where")}) {
+      if (std::string(tab) == "Play" && go_to(part)) press(ImGuiKey_Enter);
+    }
+    EXPECT_EQ(silent(), Silent{});
+  }
+}
+
+TEST_F(SaidOfControls, OfTheDialogs) {
+  ImGui::GetIO().DisplaySize = ImVec2(1400, 800);  // beside the panel
+  model_.gallery.open = true;
+  frames(3);
+  EXPECT_EQ(silent(), Silent{});
+  model_.gallery.open = false;
+  model_.browser.open = true;
+  model_.browser.folder = "/tmp";
+  model_.browser.entries = {{"fear.txt", false}};
+  frames(5);
+  EXPECT_EQ(silent(), Silent{});
+}
+
 TEST_F(Tips, ANameThatATableCutsIsWholeInItsTip) {
   ImGui::GetIO().DisplaySize = ImVec2(800, 1600);
   const auto said_of = [&](const std::string& name) {

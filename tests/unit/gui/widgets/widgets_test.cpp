@@ -349,7 +349,7 @@ TEST_F(Widgets, AControlWithoutRoomBesideItsLabelStandsBelowIt) {
   const auto below = [this](float scale) {
     float label_end = 0;
     draw([&] {
-      label(Look{.scale = scale}, "Stream");
+      label(Look{.scale = scale}, "Stream", "");
       label_end = ImGui::GetItemRectMax().y;
       ImGui::Button("x", ImVec2(-1, 0));
       note();
