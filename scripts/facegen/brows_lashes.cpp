@@ -279,8 +279,8 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
       // The inner end is single hairs on bare skin: with as much ground it is a grey haze.
-      const double fade = smooth_step(0.02, 0.34, t) * smooth_step(1.0, 0.86, t);
-      const double alpha = 0.70 * fade * smooth_step(1.0, 0.20, std::abs(s));
+      const double fade = smooth_step(-0.01, 0.30, t) * smooth_step(1.0, 0.86, t);
+      const double alpha = 0.74 * fade * smooth_step(1.0, 0.22, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
     }
@@ -320,7 +320,7 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const double length = (0.28 + 0.58 * half_width) * (0.75 + 0.5 * chance(4)) *
                           mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
-    const double alpha = mix(0.34, 0.95, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5));
+    const double alpha = mix(0.32, 0.95, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5));
     const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
     const double thick = mix(0.0105, 0.0140, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};

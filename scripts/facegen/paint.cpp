@@ -27,7 +27,7 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
 /// The thin skin round the eye and over the temple is cooler and a little darker.
 Vec3 cooled(const Vec3& colour, const Vec3& p) {
   if (p.z < 2) return colour;
-  const double socket = 0.20 * bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
+  const double socket = 0.32 * bell(Vec3{(p.x - 1.75) / 0.95, (p.y - 3.1) / 0.8, 0}) +
                         0.40 * bell(Vec3{(p.x - 1.9) / 0.85, (p.y - 1.95) / 0.42, 0});
   const double temple = bell(Vec3{(p.x - 4.3) / 0.9, (p.y - 3.4) / 1.3, (p.z - 4) / 1.6});
   return colour * mix(Vec3{1}, Vec3{0.90, 0.86, 0.88}, saturate(socket + 0.35 * temple));
@@ -76,11 +76,11 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
 /// begins.
 double corner_shade(const Identity& who, const Vec3& p) {
   const Vec3 from_corner{p.x - kMouthCorner + 0.09, p.y - lip_contact(who, kMouthCorner), 0};
-  return bell(Vec3{from_corner.x / 0.25, from_corner.y / 0.16, 0});
+  return bell(Vec3{from_corner.x / 0.19, from_corner.y / 0.16, 0});
 }
 
 void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
-  vertex.colour *= Vec3{1} - Vec3{0.27, 0.39, 0.41} * corner_shade(who, v.position);
+  vertex.colour *= Vec3{1} - Vec3{0.20, 0.29, 0.30} * corner_shade(who, v.position);
   if (v.ring == kLipBorderRing - 1) {
     // A pale line goes round the red of the lips.
     vertex.colour *= mix(1.06, 1.0, smooth_step(0.5, 1.0, v.position.x / kMouthCorner));
@@ -111,7 +111,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
   if (v.ring == 1) vertex.colour = mix(vertex.colour, kNostrilRim, 0.25);
   if (v.ring < 2) return;
-  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.55 : 0.95);
+  vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.44 : 0.92);
   vertex.gloss = 0.2;
 }
 
@@ -206,7 +206,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{-0.07, 0.04, 0.11} * inner_socket(p);
-    c *= Vec3{1} + Vec3{0.09, 0.18, 0.20} * under_brow(p);
+    c *= Vec3{1} + Vec3{0.05, 0.10, 0.11} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
     c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
@@ -226,7 +226,7 @@ void lighten_sockets(Skin& skin) {
     if (p.z < 4) continue;
     const double inside = bell(Vec3{(p.x - 1.95) / 1.35, (p.y - 3.25) / 0.70, 0});
     double& occlusion = skin.part.vertices[i].occlusion;
-    occlusion = mix(occlusion, 1.0, 0.5 * inside);
+    occlusion = mix(occlusion, 1.0, 0.3 * inside);
   }
 }
 
