@@ -122,7 +122,7 @@ double beard_field(const HalfVertex& v) {
   const double jaw = smooth_step(-0.9, -2.6, p.y + 0.35 * (p.z - 5) - 0.25 * p.x);
   const double moustache = smooth_step(-0.70, -1.50, p.y) * smooth_step(2.4, 1.2, p.x);
   const double below = smooth_step(-7.2, -5.6, p.y) * smooth_step(1.0, 2.6, p.z);
-  return std::max(jaw * mix(1, 0.5, smooth_step(1.8, 3.2, p.x)), moustache) * below;
+  return std::max(jaw * mix(1, 0.5, smooth_step(1.8, 3.2, p.x)), 0.7 * moustache) * below;
 }
 
 /// What faces down under the edge of the jaw: a little darker, so that the edge reads in profile.
