@@ -31,10 +31,10 @@ struct Assets {
 /// Reads face, rules and expressions, and logs Face::remarks.
 [[nodiscard]] Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options);
 
-/// The expression with this name. If there is none, a Usage error that suggests the nearest one.
+/// The expression with this name. If there is none, fails with Usage and suggests the nearest name.
 [[nodiscard]] Result<Expression> find_expression(const Assets& assets, const std::string& name);
 
-/// The same with all intensities and activations times `strength`, in [0,1].
+/// The expression with all its intensities and activations times `strength`, in [0,1].
 [[nodiscard]] Expression at_strength(Expression expression, float strength);
 
 /// The mapping for the face of `assets`.
@@ -42,7 +42,7 @@ struct Assets {
   return {assets.face, assets.face.recordings, assets.rules, mixer};
 }
 
-/// These AUs for a caption: the label of the first expression that has exactly these AUs, else the
+/// A caption for these AUs: the label of the first expression that has exactly these AUs, else the
 /// AUs themselves.
 [[nodiscard]] std::string describe(const Assets& assets, const AuFrame& aus);
 

@@ -25,7 +25,7 @@ class BackgroundWork {
       done_ = done;
     }
     [[nodiscard]] bool cancelled() const { return cancel_.stop_requested(); }
-    /// For work that waits: asks it to stop when it is cancelled.
+    /// For work that waits: the token asks it to stop when it is cancelled.
     [[nodiscard]] std::stop_token stop() const { return cancel_.get_token(); }
 
    private:
@@ -56,7 +56,7 @@ class BackgroundWork {
   [[nodiscard]] std::size_t total() const {
     return course_ == nullptr ? 0 : course_->total_.load();
   }
-  /// The result, once, after the work has ended; running() is false from then on.
+  /// Returns the result once, after the work has ended. running() is true until then.
   [[nodiscard]] std::optional<Result<std::string>> take_outcome() { return task_.take(); }
 
  private:

@@ -7,10 +7,10 @@
 
 namespace aucast::app {
 
-/// Finds each loss of the connection after which it is tried again, once.
+/// Reports each loss of the connection once, if the player tries to connect again.
 class LossWarnings {
  public:
-  /// The warning of a loss that was not told of before; else empty. Call it often while there is
+  /// The warning of a loss that has not been reported yet; else empty. Call it often while there is
   /// nothing to play.
   [[nodiscard]] std::string look_at(const playback::Playback& playback);
 

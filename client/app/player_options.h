@@ -45,7 +45,7 @@ struct FaceOptions {
 /// How keyframes are received and played.
 struct PlaybackOptions {
   std::string endpoint;                    ///< HOST[:PORT]; empty: none
-  std::vector<protocol::Endpoint> others;  ///< the further hosts of an address with several
+  std::vector<protocol::Endpoint> others;  ///< the further hosts of an address that names several
   std::filesystem::path file;              ///< play FILE
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed;
@@ -57,7 +57,7 @@ struct PlaybackOptions {
   bool reconnect = false;
   bool one_round = false;         ///< several hosts, no --reconnect: fails if none answers
   Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
-  net::SecurityOptions security;  ///< TLS, its files and the token's
+  net::SecurityOptions security;  ///< TLS with its files, and the token's file
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking
   std::optional<std::uint64_t> idle_seed;       ///< --idle; nullopt: no saccades and no breath
 };

@@ -13,7 +13,7 @@
 
 namespace aucast::app {
 
-/// What --stats writes: one JSON object, on every exit once the options have been read.
+/// What --stats writes: one JSON object, on every exit after the options have been read.
 struct PlayerStats {
   std::uint64_t keyframes_received = 0;
   std::uint64_t bytes_received = 0;  ///< of the keyframes' packets
@@ -31,9 +31,9 @@ struct PlayerStats {
   bool live = false;
   /// Live: the time from the arrival of a keyframe until the face had reached it.
   playback::DelaySummary delay_measured;
-  std::optional<Duration> delay_aimed_at;  ///< the delay aimed at: the median, or the last one;
-                                           ///< nullopt: not live
-  std::uint64_t keyframes_dropped = 0;     ///< live: to catch up
+  std::optional<Duration> delay_aimed_at;  ///< the median of the delays aimed at, or the last of
+                                           ///< them; nullopt: not live
+  std::uint64_t keyframes_dropped = 0;     ///< live: skipped to catch up
   std::uint64_t voice_left_out = 0;        ///< packets for which the source had no room
   std::uint64_t captions_left_out = 0;     ///< likewise
   std::uint64_t reconnects = 0;            ///< attempts after a loss

@@ -15,15 +15,16 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows `text()` if it is time for it. `last`: no more follow, so a terminal shows it now.
+  /// Shows `text()` if it is time for it. `last`: no more texts follow, so a terminal shows this
+  /// one.
   template <typename Text>
   void show(const Text& text, bool last = false) {
     if (is_due(last)) write(text());
   }
 
-  /// Ends the line, so that something else can be written; show() begins another one.
+  /// Ends the line, so that something else can be written; show() then begins a new one.
   void interrupt();
-  /// Ends the line and writes one of its own below it.
+  /// Ends the line and writes `text` on a new line below it.
   void end_with(const std::string& text);
 
  private:

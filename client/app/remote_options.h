@@ -12,8 +12,8 @@ namespace aucast::app {
                                                 const net::Endpoint& endpoint,
                                                 net::Security security);
 
-/// Takes over from the window's form the sizes and thresholds of the buffers, and how far the face
-/// may be behind the server.
+/// Copies settings from the window's form into `buffers`: the sizes and thresholds of the buffers,
+/// and how far the face may be behind the server.
 void set_buffers(const gui::RemoteSettings& settings, playback::BufferOptions& buffers);
 
 }  // namespace aucast::app

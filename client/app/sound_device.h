@@ -10,8 +10,8 @@
 
 namespace aucast::app {
 
-/// Opens the device that the options ask for. Null if they ask for none, or if it cannot be opened,
-/// which is logged; then `options` no longer asks for the voice.
+/// Opens the device that the options ask for. Returns null if they ask for none. If it cannot be
+/// opened, logs that, returns null, and `options` no longer asks for the voice.
 [[nodiscard]] std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options);
 
 /// Opens a sound file. Errors are those of reading it.

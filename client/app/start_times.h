@@ -11,7 +11,7 @@ class StartTimes {
  public:
   /// Begins with the time from the program's start up to this call.
   StartTimes();
-  /// Call it when `stage` has ended, which took the time since the previous call.
+  /// Call it when `stage` has ended. The stage took the time since the previous call.
   void passed(const char* stage);
   /// "first picture after 612 ms: files 45, window 220, ..."
   [[nodiscard]] std::string text() const;

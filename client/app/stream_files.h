@@ -17,7 +17,7 @@ struct TitledStream {
   std::string title;                          ///< byte for byte as in the file; empty: none
 };
 
-/// Reads a stream file. Unreadable, or BadData with a line for each error.
+/// Reads a stream file. Fails with Unreadable, or with BadData and a line for each error.
 [[nodiscard]] Result<TitledStream> read_stream(const std::filesystem::path& file);
 
 /// The result of open_stream().
@@ -27,18 +27,18 @@ struct OpenedStream {
   std::vector<std::string> warnings;  ///< what the reader finds odd in the file, a sentence each
 };
 
-/// What messages call the settings of a table: as the file dialog does (file.fps and file.neutral
-/// in the table of texts), or as options on the command line.
+/// The names by which messages call the settings of a table: those of the file dialog (file.fps and
+/// file.neutral in the table of texts), or the options of the command line.
 inline constexpr sources::SettingNames kDialogNames{"Pictures/s", "'Neutral, s'"};
 inline constexpr sources::SettingNames kOptionNames{"--table-fps", "--table-neutral"};
 
-/// Reads a stream file or the table of a recogniser, which are told apart by their content.
-/// `settings`: for tables, called by `names`. Unreadable; BadData with a line for each error; Usage
-/// if a table needs a setting.
+/// Reads a stream file or the table of a recogniser, and tells them apart by their content.
+/// `settings`: for tables; messages call them by `names`. Fails with Unreadable, with BadData and a
+/// line for each error, or with Usage if a table needs a setting.
 [[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
                                                const gui::TableSettings& settings,
                                                const sources::SettingNames& names);
-/// The same for a file and settings that were typed, with what was found in the log. Returns the
+/// The same for a file and settings from the command line. Logs what was found and returns the
 /// keyframes.
 [[nodiscard]] Result<std::vector<playback::Keyframe>> open_typed_stream(
     const std::filesystem::path& file, const gui::TableSettings& settings);

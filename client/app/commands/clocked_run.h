@@ -12,8 +12,8 @@
 
 namespace aucast::app {
 
-/// Plays to the end in real time without drawing: activations are computed at each of the 50
-/// positions of every keyframe, when it is due. `stop` is asked at least every 50 ms. `out` plays
+/// Plays to the end in real time without drawing: computes the activations at the 50 positions of
+/// every keyframe, each when its position is due. `stop` is asked at least every 50 ms. `out` plays
 /// `track` or, if that is null, the voice of what is played; `out` may be null too.
 void run_clocked(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
                  std::unique_ptr<sound::SoundOut> out, sound::SoundTrack* track,

@@ -27,7 +27,7 @@ class FaceDiagram {
   /// The muscles. They follow head and jaw but not the skin. Active ones are coloured by their
   /// activation.
   [[nodiscard]] std::span<const view::Segment> muscles() const;
-  /// Jaw and lids: dots on the vertices, from blue (a little) to red (all the way).
+  /// Dots on the vertices that jaw and lids move, from blue (a little) to red (all the way).
   [[nodiscard]] std::span<const view::Segment> tags() const;
 
  private:

@@ -10,10 +10,10 @@
 
 namespace aucast::app {
 
-/// Plays to the end on the film clock, for which `playback` must have been made: it waits only for
+/// Plays to the end on the film clock, for which `playback` must have been made, and waits only for
 /// keyframes that have not come yet. Draws what the options ask for. `stop` is asked often; when it
-/// returns true, playing stops and the files are finished with what they have. The source's
-/// failures are in its status; the Result is only about pictures and files. `track`: the sound of
+/// returns true, playing stops and the files are finished with what they have. Failures of the
+/// source are in its status; the Result is only about pictures and files. `track`: the sound of
 /// what is played; null: the voice that comes with it.
 [[nodiscard]] Result<void> run_film(const Assets& assets, const PlayerOptions& options,
                                     playback::Playback& playback, sound::SoundTrack* track,

@@ -19,10 +19,10 @@ class FilmSound {
   /// `track`: the sound of what is played, which must outlive this object; null: its voice.
   FilmSound(playback::Playback& playback, sound::SoundTrack* track);
 
-  /// Fails if a file cannot be written where it is wanted.
+  /// Begins the sound, if the options ask for any. Fails if its file cannot be written.
   [[nodiscard]] Result<void> open(const SoundOptions& sound, const OutputOptions& output);
-  /// Call it for each keyframe that begins. `end_ms`: when it ends, in the film's time. Takes the
-  /// voice that has come and writes the sound up to there.
+  /// Call it for each keyframe that begins. `end_ms`: when the keyframe ends, in the film's time.
+  /// Takes the voice that has come and writes the sound up to `end_ms`.
   void keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms);
   /// How much sound is left after the last keyframe.
   [[nodiscard]] std::int64_t tail_ms() const;

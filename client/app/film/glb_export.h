@@ -19,8 +19,8 @@ struct ExportedStream {
   std::string sound;  ///< name of the sound file that belongs to it; empty: none
 };
 
-/// BadData if a stream has more samples than can be exported. `place`: where it was read from, for
-/// the message.
+/// Fails with BadData if a stream has more samples than can be exported. `place`: where the stream
+/// was read from, for the message.
 [[nodiscard]] Result<void> check_length(const std::vector<playback::Keyframe>& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
@@ -29,8 +29,8 @@ struct ExportedStream {
 using OnSample = std::function<bool(std::size_t done, std::size_t total)>;
 
 /// Writes the face, with `stream` as its animation, into the GLB file that the options name.
-/// Returns two lines about what is in it and how far it is from the face that face-player draws. If
-/// `on_sample` stops it, it fails and writes nothing.
+/// Returns two lines: what the file contains, and how far its face is from the one that face-player
+/// draws. If `on_sample` returns false, fails and writes nothing.
 [[nodiscard]] Result<std::string> export_glb(const Assets& assets, const PlayerOptions& options,
                                              const ExportedStream& stream,
                                              const OnSample& on_sample = {});

@@ -9,9 +9,9 @@
 
 namespace aucast::app {
 
-/// The skin of a face as Wavefront OBJ: the vertices of the part `skin` in the order of the face's
-/// file, with nine decimals so that the same floats are read back, and its triangles. `positions`:
-/// those of the whole mesh.
+/// The skin of a face as Wavefront OBJ: vertices and triangles of the part `skin`. The vertices are
+/// in the order of the face's file, with nine decimals so that the same floats are read back.
+/// `positions`: those of the whole mesh.
 [[nodiscard]] std::string format_obj(const face::FaceMesh& mesh,
                                      std::span<const glm::vec3> positions);
 

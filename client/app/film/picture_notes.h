@@ -17,8 +17,8 @@ namespace aucast::app {
 /// What a picture shows and how it was made.
 struct PictureNotes {
   const face::Face& face;
-  std::optional<AuFrame> aus;  ///< as the face shows them, after the rules; nullopt: it is made of
-                               ///< muscles alone
+  std::optional<AuFrame> aus;  ///< as the face shows them, after the rules; nullopt: the face is
+                               ///< made of muscles alone
   std::string_view rules{};
   face::Mixer mixer = face::Mixer::Maximum;
   view::Layers layers = {};

@@ -23,8 +23,8 @@ class FrameFolder {
  public:
   [[nodiscard]] static Result<FrameFolder> open(const std::filesystem::path& folder);
   [[nodiscard]] Result<void> add(const view::Image& picture);
-  /// After the last picture: those that an earlier, longer run has left behind it in the folder,
-  /// and why that matters, in a sentence; empty: there are none.
+  /// Call it after the last picture. Returns a sentence about pictures that an earlier, longer run
+  /// has left in the folder; empty: there are none.
   [[nodiscard]] std::string leftovers() const;
 
  private:
@@ -34,9 +34,9 @@ class FrameFolder {
   std::uint64_t count_ = 0;
 };
 
-/// The faces that keyframes reach, on one page, each with a caption. Of a stream with more than
-/// kPicturesMax keyframes it shows every second, fourth and so on, so that the page covers the
-/// whole stream.
+/// One page with the faces that keyframes reach, each with a caption. If a stream has more than
+/// kPicturesMax keyframes, the page shows every second, every fourth and so on, so that it covers
+/// the whole stream.
 class Sheet {
  public:
   static constexpr std::size_t kPicturesMax = 60;
@@ -51,7 +51,7 @@ class Sheet {
  private:
   std::filesystem::path file_;
   std::uint64_t keyframes_ = 0;
-  std::uint64_t every_ = 1;  ///< one of so many keyframes gets a picture
+  std::uint64_t every_ = 1;  ///< 2: every second keyframe gets a picture
   std::vector<view::Image> pictures_;
   std::vector<std::string> captions_;
 };

@@ -11,8 +11,8 @@ struct Escaped {
   gui::GuiCommands commands;
   bool ends_full_screen = false;
 };
-/// Closes one thing, the one on top. It never leaves the player: only q and the window's close
-/// button do. When it ends full screen, it also closes a notice.
+/// Closes only what is on top. Never leaves the player: only q and the window's close button do
+/// that. If it ends full screen, it also closes a notice.
 [[nodiscard]] Escaped close_nearest(gui::Gui& gui, const gui::GuiModel& shown, bool full_screen);
 
 }  // namespace aucast::app

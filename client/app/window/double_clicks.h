@@ -12,12 +12,12 @@ namespace aucast::app {
 /// frames that saw them, which are further apart if drawing is slow. Pure.
 class DoubleClicks {
  public:
-  /// Whether this press of a button follows the last one of that button soon enough. Where it is
-  /// not known when they came exactly, it does if it may.
+  /// Whether this press of a button comes soon enough after the previous press of the same button.
+  /// If their exact times are not known, true unless they were surely too far apart.
   [[nodiscard]] bool follows(const render::InputEvent& press);
 
  private:
-  std::array<std::optional<Instant>, 3> last_{};  ///< at the latest
+  std::array<std::optional<Instant>, 3> last_{};  ///< when each button was pressed, at the latest
 };
 
 }  // namespace aucast::app

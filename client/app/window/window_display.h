@@ -37,7 +37,7 @@ class WindowDisplay {
 
   /// Handles the events that have come. If there are none, waits for one for at most `wait_max`.
   virtual void poll(Duration wait_max) = 0;
-  /// Whether the user has asked to close the window since the last call. It stays open.
+  /// Whether the user has asked to close the window since the last call. The window stays open.
   [[nodiscard]] virtual bool take_closing() = 0;
   /// The path of the next file that was dropped on the window; empty: none.
   [[nodiscard]] virtual std::string next_dropped() = 0;
@@ -55,26 +55,27 @@ class WindowDisplay {
 
   virtual void set_title(const std::string& title) = 0;
   virtual void look_from(gui::Facing view) = 0;
-  /// Does what a key does to the window, except Leave and CloseNearest.
+  /// Carries out an act, except Leave and CloseNearest.
   virtual void act(WindowAct act, Instant now) = 0;
   /// Closes what is open on top, or ends full screen. Returns what else is to be done for it.
   [[nodiscard]] virtual gui::GuiCommands close_nearest(const gui::GuiModel& shown, Instant now) = 0;
 
   // === Pictures.
 
-  /// Call it when the assets have another face. It is seen as the previous one was.
+  /// Call it when the assets have another face. It is seen from the same side and as large as
+  /// before.
   [[nodiscard]] virtual Result<void> change_face() = 0;
   /// Goes on with the small pictures that the panels lack. Returns true if one was made.
   [[nodiscard]] virtual bool make_thumbnails(const FaceOf& face_of) = 0;
-  /// Whether make_thumbnails() waits for one.
+  /// Whether make_thumbnails() waits for a face that is being read.
   [[nodiscard]] virtual bool thumbnails_wait() const = 0;
-  /// Draws the face and the panels, and appends what the user asks for to `commands`. `moved`:
-  /// whether `activations`, one per channel, differ from the last ones. Returns how long that took,
-  /// without `mix`.
+  /// Draws the face and the panels, and appends the commands of the user to `commands`. `moved`:
+  /// whether `activations`, one per channel, differ from the last ones. Returns how long that took;
+  /// `mix` is 0.
   [[nodiscard]] virtual FrameTimes draw(const std::vector<float>& activations, bool moved,
                                         const view::Style& style, const gui::GuiModel& model,
                                         gui::GuiCommands& commands) = 0;
-  /// A picture of the face that was drawn last, in pixels. It does not depend on what lies over the
+  /// A picture of the face that was drawn last, in pixels. It does not depend on what covers the
   /// window.
   [[nodiscard]] virtual Result<view::Image> picture(int width, int height, Sharpness sharpness,
                                                     const view::Style& style) = 0;
@@ -87,8 +88,8 @@ class WindowDisplay {
   [[nodiscard]] virtual float scale() const = 0;
 };
 
-/// Opens the window with OpenGL. `assets` and `output` must outlive it. `start_times`: is told when
-/// its parts are there.
+/// Opens the window with OpenGL. `assets` and `output` must outlive it. `start_times`: counts the
+/// stages of opening it.
 [[nodiscard]] Result<std::unique_ptr<WindowDisplay>> open_display(const Assets& assets,
                                                                   const OutputOptions& output,
                                                                   StartTimes& start_times);

@@ -40,9 +40,9 @@ class WindowLoop {
 
   /// One turn; its body gives an overview. `stopped_from_outside`: whether to leave without asking.
   void tick(bool stopped_from_outside);
-  /// Whether the user has left, playing has ended with --exit-at-end, or it cannot go on.
+  /// Whether the user has left, playing has ended with --exit-at-end, or outcome() has an error.
   [[nodiscard]] bool done() const;
-  /// Why it cannot go on; else no error.
+  /// The error because of which the window cannot go on, if there is one.
   [[nodiscard]] Result<void> outcome() const;
   /// Ends a video and keeps the settings. Call it last.
   void finish();
@@ -72,13 +72,13 @@ class WindowLoop {
   gui::GuiModel shown_model_;
   gui::GuiCommands commands_;  ///< of the panels, as of the last picture
   std::string title_;
-  std::uint64_t shown_face_;  ///< as WindowSession counts them
-  // What the settings that were kept last have.
+  std::uint64_t shown_face_;  ///< face_changes() of the session when this face was shown
+  // As in the settings that were kept last.
   std::vector<std::string> kept_addresses_;
   std::vector<std::string> kept_files_;
   std::uint64_t kept_face_;
   int frames_due_ = gui::kFramesAfterChange;
-  bool picture_due_ = false;  ///< of what is drawn next
+  bool picture_due_ = false;  ///< a picture is to be saved of what is drawn next
   bool leaving_ = false;
   std::optional<Error> failed_;
 };

@@ -22,15 +22,15 @@ class WindowOverlay {
   WindowOverlay(const WindowOverlay&) = delete;
   WindowOverlay& operator=(const WindowOverlay&) = delete;
 
-  /// Draws over what the window shows, and appends what the user asks for to `commands`. The mouse
-  /// outside the panels moves the viewpoint: a drag with the left button turns, with the right
-  /// button moves, the wheel zooms.
+  /// Draws over what the window shows, and appends the commands of the user to `commands`. Outside
+  /// the panels the mouse moves the viewpoint: the left button turns it, the right button moves it,
+  /// the wheel zooms.
   void draw(const gui::GuiModel& model, gui::GuiCommands& commands);
   /// The next key that was pressed and not typed into something; Key::None: there are no more.
   [[nodiscard]] render::Key next_key();
   void set_full_screen(bool full_screen, Instant now);
-  /// Hides panels while the mouse is still, and shows them when it moves; returns whether that
-  /// changed. Call it before draw().
+  /// Hides panels while the mouse is still, and shows them when it moves. Returns whether it has
+  /// hidden or shown them. Call it before draw().
   [[nodiscard]] bool move_curtain(Instant now);
   /// When to call move_curtain() next if nothing happens before; nullopt: no need to.
   [[nodiscard]] std::optional<Instant> curtain_falls_at(Instant now) const {

@@ -11,7 +11,7 @@
 
 namespace aucast::app {
 
-/// Pictures and videos of what the window shows. What became of them is told the user, in the
+/// Pictures and videos of what the window shows. The user is told what became of them, in the
 /// window and on standard error. The constructor's arguments must outlive it. Thread: the player's.
 class WindowPictures {
  public:
@@ -25,7 +25,7 @@ class WindowPictures {
   void save(const std::vector<float>& activations, Instant now);
   /// Begins a video, or ends the one that is running.
   void toggle_video(Instant now);
-  /// Adds a picture to the video that is running if it is due, and tells when one is completed.
+  /// Adds a picture to the running video if one is due. Tells the user when a video is completed.
   void advance(Instant now);
   /// How long advance() may wait.
   [[nodiscard]] Duration wait_max() const;

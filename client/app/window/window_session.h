@@ -69,8 +69,8 @@ class WindowSession {
   void apply(const gui::GuiCommand& command, Instant now);
   void toggle_pause(Instant now);
 
-  // These act on the editor or the composer, whichever's face is shown. They do nothing while the
-  // face is playback's.
+  // These act on the editor or the composer, if the face that is shown is theirs. They do nothing
+  // while the face is playback's.
   void undo(Instant now);
   void redo(Instant now);
   void save(Instant now);
@@ -81,7 +81,7 @@ class WindowSession {
   [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
   /// The AUs of which the face is made now, after the rules; nullopt if it is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
-  /// What a face that is edited muscle by muscle shows, as part of a file's name; else empty.
+  /// What the face shows if it is edited muscle by muscle, as part of a file's name; else empty.
   [[nodiscard]] std::string edited_shown() const {
     return shown_ == Shown::Editor && !aus_shown() ? editor_.made_of() : std::string();
   }
@@ -105,9 +105,9 @@ class WindowSession {
 
   /// Whether playing has come to its end; false if nothing has been opened.
   [[nodiscard]] bool over() const { return playback_.over(); }
-  /// The user wants to leave: leaving() becomes true, unless something is unsaved or unfinished: a
-  /// keyframe that was not added, a gallery, a GLB file. In that case the panels ask, and go on
-  /// asking however often this is called.
+  /// Call it when the user wants to leave. leaving() becomes true, unless something is unsaved or
+  /// unfinished (a keyframe that was not added, a gallery, a GLB file). In that case the panels
+  /// ask, and go on asking however often this is called.
   void ask_to_leave();
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] const gui::AnimationSettings& animation() const { return settings_.animation(); }
@@ -141,7 +141,7 @@ class WindowSession {
   [[nodiscard]] bool makes_files() const {
     return gallery_.view().running || !export_.view().file.empty();
   }
-  /// Whether something is being made that leaving would lose and that cannot be saved as it is.
+  /// Whether leaving would lose something unfinished, which cannot be saved as it is.
   [[nodiscard]] bool unfinished() const { return composer_.begun() || makes_files(); }
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
@@ -172,7 +172,7 @@ class WindowSession {
   gui::VideoView video_;
   std::vector<gui::PaceRow> pace_;
   bool asks_to_leave_ = false;
-  bool leaves_once_saved_ = false;  ///< for which a file is being chosen
+  bool leaves_once_saved_ = false;  ///< a file to save to is being chosen
   bool leaving_ = false;
 };
 

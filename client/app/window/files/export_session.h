@@ -31,7 +31,7 @@ class ExportSession {
   /// Writes what was played as a stream file (save_stream()). Fails if there is no keyframe.
   [[nodiscard]] static Result<std::string> stream(const Played& played,
                                                   const std::filesystem::path& file);
-  /// Writes its AUs as a table (au_table.h). Fails if there is no keyframe.
+  /// Writes the AUs of what was played as a table (au_table.h). Fails if there is no keyframe.
   [[nodiscard]] static Result<std::string> table(const Played& played,
                                                  const std::filesystem::path& file);
   /// Writes the skin of a face with these activations as Wavefront OBJ.
@@ -42,11 +42,11 @@ class ExportSession {
   /// its animation. Fails while another one is being written.
   [[nodiscard]] Result<std::string> glb(PlayerOptions options, Played played,
                                         const std::string& name, const std::filesystem::path& file);
-  /// Cancels the GLB file.
+  /// Cancels the writing of the GLB file.
   void cancel() { work_.cancel(); }
-  /// Waits until the GLB file has ended.
+  /// Waits until the writing of the GLB file has ended.
   void wait() const { work_.wait(); }
-  /// The result of the GLB file, once it has ended.
+  /// Returns the result once, after the writing of the GLB file has ended.
   [[nodiscard]] std::optional<Result<std::string>> advance();
   [[nodiscard]] gui::ExportView view() const;
 

@@ -28,9 +28,9 @@ struct Named {
 /// The name that is suggested for a new file.
 [[nodiscard]] std::string new_file_name(gui::Purpose purpose, const Named& shown);
 
-/// The path of the first file for a picture or a video that does not exist yet, so that none is
-/// overwritten; {date} in the pattern is today. A pattern without {number} gets -2, -3 and so on
-/// where needed. Makes the folder; fails if it cannot.
+/// A path for a new picture or video: the first one by the pattern that does not exist yet, so that
+/// no file is overwritten. {date} in the pattern is today. A pattern without {number} gets -2, -3
+/// and so on where needed. Makes the folder; fails if it cannot.
 [[nodiscard]] Result<std::filesystem::path> new_picture_file(const gui::PictureSettings& settings,
                                                              const Named& shown,
                                                              const std::string& ending);

@@ -23,8 +23,8 @@ class FileSession {
   void set_recent(std::vector<std::string> files) { recent_ = std::move(files); }
   /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
-  /// Begins with the folder in which a file was saved before, if it is still there; empty: none
-  /// was.
+  /// Call it at the start with the folder in which a file was saved before; empty: none was. A
+  /// folder that no longer exists is ignored.
   void set_own_folder(const std::filesystem::path& folder);
   /// The folder in which a file was saved or exported last; empty: none was.
   [[nodiscard]] const std::filesystem::path& own_folder() const { return saved_in_; }
@@ -37,8 +37,9 @@ class FileSession {
     browser_.open(gui::Purpose::LookForFaces, folder);
   }
   void enter(const std::filesystem::path& folder) { browser_.enter(folder); }
-  /// The user has chosen `name`. Calls `use` for that file and returns its sentence, unless the
-  /// user must be asked something first. If `use` fails, the dialog stays open and says why.
+  /// The user has chosen `name`. Calls `use` for that file and returns the sentence from `use`,
+  /// unless the user must be asked something first. If `use` fails, the dialog stays open and says
+  /// why.
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
   /// Says in the dialog why a file cannot be used. Returns false if the dialog is not open.
   [[nodiscard]] bool refuse(std::string problem);

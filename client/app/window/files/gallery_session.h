@@ -21,13 +21,13 @@ class GallerySession {
   using Count = std::function<Result<std::size_t>(const PlayerOptions& options)>;
   GallerySession(Make make, Count count) : make_(std::move(make)), count_(std::move(count)) {}
 
-  /// `shown`: the options with which the command would draw the face as the window does.
+  /// `shown`: the options with which `face-player gallery` would draw the face as the window does.
   void apply(const gui::GalleryCommand& command, const PlayerOptions& shown);
   /// Sets the folder for the pictures.
   void set_folder(const std::filesystem::path& folder) { view_.settings.folder = folder.string(); }
   /// Updates view() with how far the work is at `now`.
   void advance(Instant now);
-  /// Waits until the gallery that is being made has ended; advance() then tells.
+  /// Waits until the gallery that is being made has ended; advance() then updates view().
   void wait() const { work_.wait(); }
   [[nodiscard]] const gui::GalleryView& view() const { return view_; }
 
@@ -41,8 +41,9 @@ class GallerySession {
   Count count_;
   gui::GalleryView view_;
   BackgroundWork work_;
-  std::optional<Instant> first_at_;  ///< when the first picture was there, which takes longest
-  std::size_t first_ = 0;            ///< how many were there then
+  std::optional<Instant> first_at_;  ///< when the first picture was ready; the pace is measured
+                                     ///< from then on
+  std::size_t first_ = 0;            ///< how many pictures were ready at first_at_
 };
 
 }  // namespace aucast::app

@@ -68,8 +68,8 @@ class WindowFiles {
   /// Saves the composed stream in the file that it came from, or asks for one.
   void save_composition(Instant now);
 
-  /// The name of what plays, without an ending; empty: it has none. `shows`: whether its face is
-  /// shown.
+  /// The name of what plays, without a file's ending; empty: it has none. `shows`: whether the
+  /// window shows its face; if not, a server's stream counts as nameless.
   [[nodiscard]] std::string name_of_stream(bool shows) const;
   /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return files_.recent(); }

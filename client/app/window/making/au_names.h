@@ -20,12 +20,12 @@ class AuNames {
   void removed(int number, const std::string& name);
   /// Forgets what was typed.
   void revert() { typed_.clear(); }
-  /// Forgets what was removed, which was another face's.
+  /// Forgets the names of removed AUs, which belong to the previous face.
   void change_face() { removed_.clear(); }
 
   /// Whether there is a name that was typed and not saved.
   [[nodiscard]] bool unsaved() const { return !typed_.empty(); }
-  /// All of them, by AU.
+  /// The names that were typed and those of removed AUs, by AU.
   [[nodiscard]] std::map<int, std::string> view() const;
 
  private:

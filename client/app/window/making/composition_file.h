@@ -18,7 +18,7 @@ namespace aucast::app {
                                               const std::string& title = {});
 
 /// Writes that text, completely or not at all, and returns a sentence about where it was saved. If
-/// the file had other text, which may have comments, that is kept beside it with a ~ at the end of
+/// the file had another text, which may have comments, the old file is kept with a ~ at the end of
 /// its name.
 [[nodiscard]] Result<std::string> save_stream(const gui::Composer::Keyframes& keyframes,
                                               const std::filesystem::path& file,

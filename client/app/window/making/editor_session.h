@@ -22,13 +22,13 @@ namespace aucast::app {
 /// constructor's arguments must outlive it. Thread: the player's.
 class EditorSession {
  public:
-  /// `shown`: the activations of the face in the window, whichever session they come from.
-  /// Expressions are reached from there.
+  /// `shown`: the activations of the face in the window, whichever session they come from. The way
+  /// to an expression begins at them.
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
-  /// Takes the face that is shown (another session's) as a free expression. If something is being
-  /// edited, goes on with that instead.
+  /// Begins to edit the face in the window, which another session shows, as a free expression. If
+  /// something is being edited already, goes on with that.
   void begin_with_shown();
   /// Returns true if the editor's face is to be shown.
   bool apply(const gui::EditorCommand& command, Instant now);
@@ -46,8 +46,8 @@ class EditorSession {
   /// Call it when the language has changed: makes all texts anew.
   void change_language();
 
-  /// Writes the AU that is being edited to a file, as it was last saved. Returns a sentence about
-  /// it.
+  /// Writes the AU that is being edited to a file, in the version that was saved last. Returns a
+  /// sentence about it.
   [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
 
   /// Imports the AUs of an AU file as the user's own, and shows the first. Returns a sentence about
@@ -59,15 +59,15 @@ class EditorSession {
   /// When activations() change next; nullopt: they stay the same.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
   /// The AUs of which the face is made, also an AU that is being edited and has not been changed
-  /// yet; nullopt if it is made of muscles.
+  /// yet; nullopt if the face is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus() const;
   /// What the face shows if it is not made of AUs, as part of a name: an AU that was changed, an
   /// expression made of muscles, or "edited".
   [[nodiscard]] std::string made_of() const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || names_.unsaved(); }
-  /// Whether an AU or an unsaved expression is being edited. It then stays what is edited while
-  /// another face is shown.
+  /// Whether an AU or an unsaved expression is being edited. The editor then keeps it while another
+  /// face is shown.
   [[nodiscard]] bool edits() const { return editor_.au() || editor_.unsaved(); }
   /// Whether the last attempt to save an AU failed.
   [[nodiscard]] bool save_failed() const { return save_failed_; }
@@ -75,7 +75,7 @@ class EditorSession {
   [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
   /// `active`: whether the editor's face is shown.
   [[nodiscard]] gui::EditorView view(bool active) const;
-  /// Has one button for each expression of the assets, in their order.
+  /// One button for each expression of the assets, in their order.
   [[nodiscard]] const gui::ExpressionsView& expressions() const { return expressions_; }
   /// The AUs of the face with what they drive.
   [[nodiscard]] const std::shared_ptr<const std::vector<gui::AuEntry>>& known_aus() const {
@@ -115,7 +115,7 @@ class EditorSession {
   AuFrame asked_;                     ///< aus_, before the rules
   std::vector<gui::AuRow> compound_;  ///< asked_ and what became of it
   gui::ExpressionsView expressions_;
-  /// The expression that has the strength that is set; nullopt: the next one gets it.
+  /// The expression to which expressions_.percent belongs; nullopt: to the next one that is shown.
   std::optional<std::size_t> strength_of_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
 };

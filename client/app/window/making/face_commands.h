@@ -13,8 +13,8 @@ namespace aucast::app {
 /// Shows the face in this folder in the window.
 using ShowFolder = std::function<Result<void>(const std::filesystem::path& folder)>;
 
-/// Does what a panel asked for with a face: shows, copies, renames or deletes it; a face that is
-/// shown is never one that is gone. Returns what is to be said about it; empty: nothing.
+/// Carries out a panel's command about a face: shows, copies, renames or deletes it. Before the
+/// face in the window is deleted, shows another one. Returns a sentence for the user; empty: none.
 [[nodiscard]] Result<std::string> carry_out(const gui::FaceCommand& command, FaceSession& faces,
                                             const ShowFolder& show);
 

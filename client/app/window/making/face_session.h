@@ -17,7 +17,7 @@ class FaceSession {
  public:
   explicit FaceSession(Assets& assets);
 
-  /// The remembered face that the window was started with; empty: none, so with the default one.
+  /// Call it with the remembered face that the window was started with; empty: the default one.
   void remember(std::string face) { next_ = std::move(face); }
   /// The face that the window should remember: the name of a shipped one, or a folder.
   [[nodiscard]] const std::string& next() const { return next_; }
@@ -29,7 +29,7 @@ class FaceSession {
   /// Adds the faces in this folder to the list.
   void look_in(const std::filesystem::path& folder);
 
-  // These change which faces there are, not the one that is shown.
+  // These change the list of faces, not the face that is shown.
 
   /// Copies the face in `folder` to a new one of the user's own; returns its folder.
   [[nodiscard]] Result<std::filesystem::path> copy(const std::filesystem::path& folder,
@@ -39,8 +39,8 @@ class FaceSession {
                                                      const std::string& name);
   /// Deletes a face of the user's own.
   [[nodiscard]] Result<void> remove(const std::filesystem::path& folder);
-  /// For a face of the user's own: the shipped one that it was copied from, or the default one if
-  /// it was copied from none. Fails for any other face.
+  /// The shipped face from which a face of the user's own was copied, or the default one if it was
+  /// not copied from a shipped face. Fails if `folder` is not a face of the user's own.
   [[nodiscard]] Result<std::filesystem::path> origin(const std::filesystem::path& folder) const;
 
   [[nodiscard]] const gui::FacesView& view() const { return view_; }

@@ -21,10 +21,10 @@ class OwnAus {
 
   /// Call it when the assets have another face.
   void change_face();
-  /// Whether the user's copy of the face has this AU and the shipped face does not, or has another
-  /// version.
+  /// Whether the face is the user's copy, and this AU is new in it or differs from the original's.
   [[nodiscard]] bool differs_from_shipped(int number) const;
-  /// Whether the face that was copied, mostly a shipped one, has this AU.
+  /// Whether the face has this AU; for a copy, whether the face that was copied (usually a shipped
+  /// one) has it.
   [[nodiscard]] bool shipped(int number) const { return shipped_.contains(number); }
 
   /// The AUs of the face, with what they drive and look like.

@@ -11,8 +11,8 @@ namespace aucast::app {
 /// XDG_DATA_HOME nor HOME.
 [[nodiscard]] Result<std::filesystem::path> folder_of_own_faces();
 
-/// That folder to write to, and that of the shipped faces. Fails also if they are one, by a link or
-/// a setting: the shipped ones stay as they are.
+/// The folder of the user's own faces, for writing, and that of the shipped faces. Also fails if
+/// both are the same folder, by a link or a setting, because shipped faces must stay as they are.
 [[nodiscard]] Result<gui::FaceFolders> writable_own_faces(const std::filesystem::path& data_folder);
 
 }  // namespace aucast::app

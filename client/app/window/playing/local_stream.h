@@ -15,8 +15,8 @@ namespace aucast::app {
 /// end.
 class LocalStream final : public PlayingStream {
  public:
-  /// `step_fps`: a step by frame is 1 / step_fps s; nullopt: a picture of the source if that has a
-  /// steady rate, else one of the window's videos. `notices` must outlive this object.
+  /// `step_fps`: a step by frame is 1 / step_fps s; nullopt: as long as a picture of the source if
+  /// that has a steady rate, else of the window's videos. `notices` must outlive this object.
   LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name,
               std::optional<int> step_fps, Notices& notices);
 
@@ -25,7 +25,7 @@ class LocalStream final : public PlayingStream {
   [[nodiscard]] std::unique_ptr<playback::Playback> hand_out() override {
     return std::move(playback_);
   }
-  /// Pauses at the beginning: what is there whole can be played again.
+  /// Goes to the beginning and pauses there, so that the stream can be played again.
   void stop(Instant now) override;
   bool resume(Instant now) override;
   bool apply(const gui::LocalCommand& command, Instant now) override;

@@ -17,17 +17,17 @@ namespace aucast::app {
 /// The window's camera, and what the panels show of it. Thread: the player's.
 class MirrorSession {
  public:
-  /// Opens a camera. Unreadable if au-transmitter is not installed.
+  /// Opens a camera. Fails with Unreadable if au-transmitter is not installed.
   using Start = std::function<Result<std::unique_ptr<mirror::OwnCamera>>(
       const mirror::MirrorOptions& options)>;
   /// `options`: what the window begins with. No camera is opened yet.
   explicit MirrorSession(mirror::MirrorOptions options, Start start = start_mirror);
 
   void apply(const gui::MirrorCommand& command);
-  /// Sets what Start opens next time.
+  /// Sets the camera or film that the button Start opens next time.
   void set_source(std::string source) { view_.source = std::move(source); }
-  /// Updates view() with what the camera reports. Returns, once, where its stream can be played,
-  /// when that is known.
+  /// Updates view() with what the camera reports. Returns, once, the endpoint where the camera's
+  /// stream can be played, as soon as that is known.
   [[nodiscard]] std::optional<protocol::Endpoint> advance();
   [[nodiscard]] const gui::MirrorView& view() const { return view_; }
   [[nodiscard]] bool running() const { return mirror_ != nullptr; }

@@ -24,8 +24,8 @@ namespace aucast::app {
 /// constructor's arguments must outlive it. Thread: the player's.
 class PlaybackSession {
  public:
-  /// `shown`: the activations of the face in the window, whichever session they come from. A new
-  /// stream begins from there.
+  /// `shown`: the activations of the face in the window, whichever session they come from. The face
+  /// of a new stream starts from them.
   PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
                   PlayerStats& stats, Notices& notices, const std::vector<float>& shown);
 
@@ -35,8 +35,8 @@ class PlaybackSession {
   /// Plays the stream of the user's own camera, with the lowest delay and without voice. Its
   /// address is not remembered.
   void watch_own(const net::Endpoint& endpoint, Instant now);
-  /// Says that what plays was read from this file. If there are a sound file and captions beside
-  /// it, they are used.
+  /// Call it when what plays was read from this file. Uses the sound file and the captions beside
+  /// it, if there are any.
   void play_beside(const std::filesystem::path& file, Instant now);
   /// Sound and captions of what plays.
   [[nodiscard]] SoundSession& sound() { return sound_; }
@@ -57,12 +57,13 @@ class PlaybackSession {
   /// The server that the user wants.
   [[nodiscard]] ServerChoice& servers() { return servers_; }
   [[nodiscard]] const ServerChoice& servers() const { return servers_; }
-  /// As ServerChoice's, for the present sound device: one may have been plugged in since the start.
+  /// As ServerChoice::server_of(), for the present sound device. It may have been plugged in since
+  /// the start.
   [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const {
     return servers_.server_of(settings, sound_.has_device());
   }
 
-  /// The face; with sound, the one that belongs to what is heard.
+  /// The face of this session; if there is sound, the face for what is heard now.
   [[nodiscard]] const std::vector<float>& activations() { return player_.activations(); }
   /// Call it when that face is on the display.
   void face_shown() { player_.sound().face_shown(); }
@@ -81,7 +82,7 @@ class PlaybackSession {
   /// How long the window may wait before it calls advance() again.
   [[nodiscard]] Duration idle_time(Instant now) const;
   [[nodiscard]] std::string title() const;
-  /// `stale` and `eased` hold for the face of this session: another face in the window is neither.
+  /// `stale` and `eased` are about the face of this session; another face in the window is neither.
   [[nodiscard]] gui::PlayingView playing_view() const;
   [[nodiscard]] gui::LocalView local_view() const {
     return stream_ == nullptr ? gui::LocalView() : stream_->local_view();

@@ -61,15 +61,15 @@ class PlayingStream {
   [[nodiscard]] virtual bool stands() const = 0;
   /// How long the window may wait while no position is due.
   [[nodiscard]] virtual Duration idle_time() const { return kIdle; }
-  /// The window's title with what plays: "lecture.txt - AUcast". `over`: whether its sound has
-  /// ended too.
+  /// The window's title with what plays: "lecture.txt - AUcast". `over`: whether playing and its
+  /// sound have ended.
   [[nodiscard]] virtual std::string title(const std::string& program, bool over) const = 0;
   [[nodiscard]] virtual Played played() const = 0;
   /// Whether it comes from a server that the user chose.
   [[nodiscard]] virtual bool of_chosen_server() const { return false; }
-  /// Whether the server, one that the user chose, has ended the stream.
+  /// Whether the user chose the server, and the server has ended the stream.
   [[nodiscard]] virtual bool ended_by_server() const { return false; }
-  /// Adds what is peculiar to this kind.
+  /// Adds to `view` what only this kind of stream has.
   virtual void describe(gui::PlayingView& view) const = 0;
   [[nodiscard]] virtual gui::LocalView local_view() const { return {}; }
 };

@@ -16,7 +16,7 @@ class RemoteStream final : public PlayingStream {
     Chosen,     ///< by the user: remembered when it answers
     OwnCamera,  ///< the user's own child process: never remembered, and only the user ends it
   };
-  /// `buffers`: the source's.
+  /// `buffers`: those of the source.
   RemoteStream(std::unique_ptr<playback::Playback> playback, const playback::BufferOptions& buffers,
                Server server);
 

@@ -15,12 +15,12 @@ namespace aucast::app {
 class ServerChoice {
  public:
   explicit ServerChoice(const PlaybackOptions& options) : options_(options) {}
-  explicit ServerChoice(PlaybackOptions&& options) = delete;  // it would be gone
+  explicit ServerChoice(PlaybackOptions&& options) = delete;  // a temporary would be gone
 
   /// Begins with what the window remembered.
   void set(const gui::RemoteSettings& settings, std::vector<std::string> recent);
-  /// The options for connecting to the server in a form. `voice`: whether there is a device for its
-  /// voice. Fails if a file with a certificate or token cannot be used.
+  /// The options for connecting to the server that a form names. `voice`: whether there is a device
+  /// for its voice. Fails if a file with a certificate or token cannot be used.
   [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings,
                                                      bool voice) const;
   /// Call it when this server is dialled.

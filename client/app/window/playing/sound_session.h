@@ -28,12 +28,12 @@ class SoundSession {
 
   /// Call it when the player plays something else.
   void begin_again();
-  /// Says that what plays was read from this file. If there are a sound file and captions beside
-  /// it, they are used.
+  /// Call it when what plays was read from this file. Uses the sound file and the captions beside
+  /// it, if there are any.
   void play_beside(const std::filesystem::path& file, Instant now);
   /// Plays this sound file with what plays, in place of its own sound, and shows a notice.
-  /// `stream`: the name of what plays. Errors are those of the file, or Failed if there is no
-  /// device.
+  /// `stream`: the name of what plays. Errors are those of reading the file, or Failed if there is
+  /// no device.
   [[nodiscard]] Result<void> play_file(const std::filesystem::path& sound,
                                        const std::string& stream, Instant now);
   /// Call it when the player has been advanced to `now`.
@@ -41,13 +41,13 @@ class SoundSession {
 
   /// Sets the device; null: none.
   void set_out(std::unique_ptr<sound::SoundOut> out);
-  /// As SoundPlayer's.
+  /// See SoundPlayer::set_tap().
   void set_tap(sound::SoundPlayer::Tap tap) { player_.sound().set_tap(std::move(tap)); }
   /// Whether there is a device.
   [[nodiscard]] bool has_device() const { return has_device_; }
 
   void apply(const gui::SoundCommand& command, Instant now);
-  /// Sets the volume, in percent, without a word.
+  /// Sets the volume, in percent, without a notice.
   void set_volume(int percent);
   [[nodiscard]] int volume() const { return volume_; }
   /// Changes the volume by `by` percent.

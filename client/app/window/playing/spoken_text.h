@@ -19,8 +19,8 @@ class SpokenText {
  public:
   /// Call it when something else plays: forgets everything.
   void begin_again() { *this = {}; }
-  /// Says that what plays was read from this stream file. Reads the .vtt file beside it, if there
-  /// is one; errors are that file's.
+  /// Call it when what plays was read from this stream file. Reads the .vtt file beside it, if
+  /// there is one; errors are those of reading the .vtt file.
   [[nodiscard]] Result<void> read_beside(const std::filesystem::path& file);
   /// Takes the captions that have come, and goes to this place of the stream.
   void move_to(playback::Playback& playback, Duration place);

@@ -25,8 +25,8 @@ class StreamLister {
 
   static constexpr Milliseconds kTimeMax{3'000};
 
-  /// Asks this server. If a question is not answered yet, this one is asked after it; only the last
-  /// one counts.
+  /// Asks this server. If an earlier question is not answered yet, this one waits for that answer;
+  /// of several that wait, only the last is asked.
   void ask(net::RemoteOptions server);
   /// Waits until the server that is being asked has answered.
   void wait() const { asking_.wait(); }

@@ -15,17 +15,17 @@ namespace aucast::app {
 /// What a picture shows.
 struct FaceShown {
   std::uint64_t keyframe = 0;  ///< the one under way, from 1; 0: nothing plays
-  std::uint64_t reached = 0;   ///< the last one whose face was reached; 0: none. Not read if
-                               ///< nothing plays
+  std::uint64_t reached = 0;   ///< the last one whose face was reached; 0: none. Ignored if nothing
+                               ///< plays
   std::optional<AuFrame> aus;  ///< nullopt: the face is made of muscles
 };
 
 /// Logs when each face was on the display, for experiments: a table with a row for each picture in
-/// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds after the picture was
-/// handed to the display; keyframe, as in FaceShown; aus, those shown, as in a packet; reached, in
-/// the first picture after the end of a keyframe the number of that keyframe ("3-5" if several have
-/// ended since the picture before), else empty. The file appears with finish(); until then the
-/// rows are in a temporary file beside it.
+/// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds, read after the
+/// picture was handed to the display; keyframe, as in FaceShown; aus, those shown, as in a packet;
+/// reached, the number of the keyframe that has ended since the row before ("3-5" if several have),
+/// else empty. The file appears with finish(); until then the rows are in a temporary file beside
+/// it.
 class OnsetLog {
  public:
   [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
@@ -44,7 +44,7 @@ class OnsetLog {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream rows_;
-  std::optional<std::uint64_t> reached_;  ///< in the last row while something played
+  std::optional<std::uint64_t> reached_;  ///< of the last row while something played
   bool finished_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace aucast::app {
 /// The table of onsets (OnsetLog) that the window writes, if it writes one. Thread: the player's.
 class OnsetSession {
  public:
-  /// Logs what is shown from now on in this file. Finishes the previous one first.
+  /// From now on, logs in this file what is shown. Finishes the previous file first.
   [[nodiscard]] Result<void> begin(const std::filesystem::path& file);
   /// Adds a face that had moved, as OnsetLog::add(); does nothing if no table is written.
   void add(Instant shown, const FaceShown& face);

@@ -14,11 +14,11 @@
 
 namespace aucast::app {
 
-/// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures: a
-/// window is drawn irregularly, but the pictures of a video are equally spaced in time.
+/// How many pictures are missing in a video that began `elapsed` ago and has `written` pictures.
+/// They are missing because a window is drawn irregularly, but a video has equally spaced pictures.
 [[nodiscard]] std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written);
 
-/// A video of what the window shows while it happens, with the sound that is heard.
+/// A video of what the window shows, with the sound that is heard, made in real time.
 class SessionVideo {
  public:
   static constexpr int kFps = 25;
@@ -31,7 +31,7 @@ class SessionVideo {
   [[nodiscard]] int height() const { return height_; }
   /// Whether the video lacks a picture at `now`.
   [[nodiscard]] bool due(Instant now);
-  /// Adds the picture as many times as pictures are missing at `now`: not at all unless due(), and
+  /// Adds the picture again and again until none is missing at `now`: not at all unless due(), and
   /// after a stall for at most VideoTime::kGapMax.
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
   /// See VideoSound::add().

@@ -12,11 +12,11 @@
 namespace aucast::app {
 
 /// The sound of a SessionVideo, in step with its pictures. Sound is handed over a little before it
-/// is heard, in pieces and with pauses; each piece is put where it is heard.
+/// is heard, in pieces and with pauses; each piece is put at the time at which it is heard.
 class VideoSound {
  public:
-  /// Readings of a device's clock leap by less than this: a piece that is off by less follows the
-  /// previous one directly.
+  /// The readings of a device's clock are off by less than this. A piece that seems to be off by
+  /// less therefore follows the previous one directly.
   static constexpr Milliseconds kSlack{40};
 
   /// The video begins at `begin` and is written to `video`. The sound is in a file beside it as

@@ -8,8 +8,8 @@
 
 namespace aucast::app {
 
-/// The plain background (sRGB, 0xRRGGBB) that these settings mean; nullopt: the studio. `studio`:
-/// the colour that --background puts in the studio's place.
+/// The plain background (sRGB, 0xRRGGBB) that `ground` means; nullopt: the studio. `studio`: the
+/// colour that --background puts in the studio's place.
 [[nodiscard]] std::optional<std::uint32_t> plain_ground(gui::Ground ground,
                                                         std::optional<std::uint32_t> studio);
 

@@ -17,7 +17,7 @@ namespace aucast::app {
 
 /// Small pictures of neutral faces, each drawn once off screen and kept as a texture. The context
 /// must be current whenever this is used. Thread: the player's. Faces are read on another thread,
-/// so that the window goes on meanwhile; the destructor waits for it.
+/// so that the window goes on meanwhile; the destructor waits for that thread.
 class FaceThumbnails {
  public:
   /// `width` and `height` of the pictures, in pixels.
@@ -28,8 +28,8 @@ class FaceThumbnails {
 
   /// Forgets the pictures of faces that are not listed any more: another face may get their name.
   void keep_listed(const std::vector<gui::FaceEntry>& faces, gui::Thumbnails& pictures);
-  /// Goes on making pictures of the faces that are seen, named by their folders, one after the
-  /// other. Returns true if there is something new to see; another framebuffer may be bound then.
+  /// Goes on making pictures, one after the other, of the faces in `pictures.seen`, named by their
+  /// folders. Returns true if there is something new to see; another framebuffer may be bound then.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures);
   /// Whether a face is being read.
   [[nodiscard]] bool busy() const { return reading_.running(); }
