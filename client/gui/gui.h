@@ -27,16 +27,16 @@ class Gui {
   /// true if so: the font's texture must then be made anew before the backends begin their frame.
   [[nodiscard]] bool prepare(const DisplayView& display);
 
-  /// Tells of the model that the next frames show, before their input is taken: a dialog has the
-  /// keys from the frame in which it comes.
+  /// Call it with the model of the next frames before their input is taken, because a dialog has
+  /// the keys from its first frame on.
   void expect(const GuiModel& model);
 
   /// Makes one frame, after the backends have begun theirs; the result is ImGui's draw data. What
   /// the user asks for is appended to `commands`.
   void draw(const GuiModel& model, GuiCommands& commands);
 
-  /// Whether rows of the panel have moved under the pointer in the last frame; the next one has
-  /// them in their place again, so that one should not be seen.
+  /// Whether rows of the panel have moved under the pointer in the last frame. Do not show that
+  /// frame: in the next one the rows are in their place again.
   [[nodiscard]] bool rows_moved() const;
 
   /// Sets the texture that has the picture of `mirror.seen`, as ImGui's texture ID; 0: none.
@@ -50,15 +50,15 @@ class Gui {
   void toggle_panel();
   /// Shows only the face, or panel and bar again.
   void toggle_bare();
-  /// Shows panel and bar again; returns whether that is seen.
+  /// Shows panel and bar again; returns whether that makes a visible difference.
   bool end_bare();
-  /// Shows the panel again; returns whether that is seen.
+  /// Shows the panel again; returns whether that makes a visible difference.
   bool show_panel();
   /// Hides panel, bar and pointer for now, or shows them again.
   void set_hidden(bool hidden);
   /// Whether the keyboard focus is shown: arrows, Space and the like are for the item that has it.
   [[nodiscard]] bool focus_shown() const;
-  /// Hides it; returns whether it was shown.
+  /// Hides the keyboard focus; returns whether it was shown.
   bool hide_focus();
   void toggle_keys();
   /// Hides the list of keys; returns whether it was shown.
@@ -68,7 +68,8 @@ class Gui {
   /// The width that the panel takes at the window's right, in ImGui's units; 0 if it is hidden. The
   /// face is drawn in what is left, in full screen too.
   [[nodiscard]] float covered_width() const;
-  /// Whether a text is being typed or a question asked, so that keys are not for the player.
+  /// Whether a text is being typed or a question asked, so that keys are not commands of the
+  /// player.
   [[nodiscard]] bool wants_keys() const;
   /// Whether the pointer is over a panel or drags something in it.
   [[nodiscard]] bool wants_pointer() const;

@@ -37,7 +37,7 @@ class Composer {
   [[nodiscard]] const std::string& file() const { return history_.now().file; }
   /// The title of the stream that was loaded; empty: none.
   [[nodiscard]] const std::string& title() const { return history_.now().title; }
-  /// Whether the stream has changes to be saved. A new keyframe belongs to it once it was added.
+  /// Whether the stream has changes to be saved. A new keyframe counts once it has been added.
   [[nodiscard]] bool unsaved() const;
   /// Whether a new keyframe was begun and has not been added.
   [[nodiscard]] bool begun() const { return history_.now().fresh_touched; }
@@ -46,14 +46,14 @@ class Composer {
   /// A number that grows with every change.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-  /// Sets the intensity of an AU on both sides, in percent, 0 if it is absent. `continued`: the
+  /// Sets the intensity of an AU on both sides, in percent; 0: the AU is absent. `continued`: the
   /// change belongs to the previous step, like the many values of one drag.
   void set_au(int number, int left_percent, int right_percent, bool continued);
   void set_aus(const AuFrame& aus, bool continued);
   /// Sets the time of the current keyframe, limited to kMsMax.
   void set_time(std::optional<std::uint32_t> ms, bool continued);
-  /// Appends the new keyframe. If one is chosen, inserts a copy after it instead, which is then the
-  /// chosen one.
+  /// Appends the new keyframe. If a keyframe is chosen, inserts a copy of it after it instead, and
+  /// chooses the copy.
   void add();
   /// Chooses a keyframe; nullopt: a new one, which begins as a copy of the current one.
   void choose(std::optional<std::size_t> keyframe);

@@ -43,8 +43,8 @@ class ExpressionEditor {
   void revert();
   /// Call it when the activations have been saved as `au`.
   void saved(int au);
-  /// Call it when recordings have changed or been removed. Loads that of `au`. Undoing this brings
-  /// the earlier activations back as an unsaved change.
+  /// Call it when recordings have changed or been removed. Loads the recording of `au`. Undoing
+  /// this brings the earlier activations back as an unsaved change.
   void recorded_anew(int au);
   /// Call it when the face has been replaced. `before`: the names of the channels of the previous
   /// one. In every step, unsaved activations are kept for channels of the same name, and the rest

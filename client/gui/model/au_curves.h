@@ -30,7 +30,7 @@ using AuCurves = std::vector<AuCurve>;
 [[nodiscard]] float value_at(const AuCurve& curve, const std::vector<Duration>& ends,
                              Duration place);
 
-/// The curve as drawn in `columns` columns of equal width (at least 2): the largest value in each,
+/// The curve as drawn in `columns` (at least 2) columns of equal width: the largest value in each,
 /// so that no peak is lost.
 [[nodiscard]] std::vector<float> outline_of(const AuCurve& curve, const std::vector<Duration>& ends,
                                             std::size_t columns);

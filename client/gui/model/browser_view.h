@@ -40,7 +40,8 @@ struct BrowserView {
   std::string folder;
   std::vector<FileEntry> entries;
   std::string name;      ///< the name for a new file
-  std::string problem;   ///< why the folder cannot be shown or the file not be used; empty: it can
+  std::string problem;   ///< why the folder cannot be shown or the file cannot be used; empty: no
+                         ///< problem
   std::string replaces;  ///< an existing file about which the user is asked; empty: none
   friend bool operator==(const BrowserView&, const BrowserView&) = default;
 };

@@ -38,7 +38,7 @@ struct ComposerView {
   std::vector<ComposedAu> aus;                           ///< of the keyframe being composed
   int ms = -1;                                           ///< -1: no time of its own
   std::string file;
-  bool unsaved = false;  ///< the stream, without a new keyframe
+  bool unsaved = false;  ///< of the stream; a new keyframe does not count
   bool begun = false;    ///< there is a new keyframe that was not added
   bool can_undo = false;
   bool can_redo = false;
@@ -55,7 +55,7 @@ struct ComposeAu {
   int right_percent = 0;
   bool continued = false;
 };
-/// Takes the face of a place on the emotion pad, pad_face().
+/// Takes the face for a place on the emotion pad; see pad_face().
 struct ComposeMood {
   float x = 0;
   float y = 0;

@@ -43,12 +43,13 @@ struct GalleryView {
   bool open = false;  ///< the dialog
   GallerySettings settings;
   std::size_t planned = 0;  ///< how many pictures would be made
-  std::string complaint;    ///< why none can be made, as a sentence; empty: they can
+  std::string complaint;    ///< why no pictures can be made, as a sentence; empty: they can
   bool running = false;
   bool ending = false;  ///< it was cancelled but has not ended yet
   std::size_t drawn = 0;
   std::size_t total = 0;         ///< 0: unknown so far
-  std::optional<long> left_s{};  ///< how long the rest will take, about; nullopt: unknown so far
+  std::optional<long> left_s{};  ///< about how many seconds the rest will take; nullopt: unknown so
+                                 ///< far
   std::string outcome;  ///< how the last gallery ended, as a sentence; empty: there was none
   bool failed = false;
   bool stopped = false;  ///< by the user, before it was complete
@@ -70,9 +71,9 @@ using GalleryCommand =
 
 /// The names of the sections that are wanted.
 [[nodiscard]] std::vector<std::string> wanted_sections(const GallerySettings& settings);
-/// The sweeps that are wanted; empty if the section of sweeps is not.
+/// The sweeps that are wanted; empty if the section of sweeps is not wanted.
 [[nodiscard]] std::vector<std::string> wanted_sweeps(const GallerySettings& settings);
-/// "3 of 10 pictures, about 2 min left": how far a gallery is that is being made.
+/// "3 of 10 pictures, about 2 min left": how far the making of a gallery is.
 [[nodiscard]] std::string progress_text(const GalleryView& view);
 /// Why no gallery can be made with these settings, as a sentence; empty: one can.
 [[nodiscard]] std::string problem(const GallerySettings& settings);

@@ -9,7 +9,7 @@
 
 namespace aucast::gui {
 
-// What the panels ask for, as plain data. The owner of the player carries it out.
+// What the panels ask for, as plain data. The owner of the player carries the commands out.
 
 struct Connect {
   RemoteSettings settings;
@@ -113,7 +113,7 @@ struct ChangeTable {
 struct ShowFace {
   std::string folder;
 };
-/// Makes a face of the user's own of the one in this folder, and shows it.
+/// Copies the face in this folder to a new one of the user's own, and shows the copy.
 struct CopyFace {
   std::string folder;
   std::string name;
@@ -123,8 +123,8 @@ struct RenameFace {
   std::string folder;
   std::string name;
 };
-/// Deletes a face of the user's own. If it is shown, the shipped face of which it was made is shown
-/// instead.
+/// Deletes a face of the user's own. If it is shown, the shipped face from which it was copied is
+/// shown instead.
 struct DeleteFace {
   std::string folder;
 };

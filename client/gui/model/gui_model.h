@@ -51,7 +51,7 @@ struct AuRow {
   int received_percent = 0;   ///< 0: not received: a rule added it, or it is fading
   int shown_percent = 0;      ///< 0: a rule removed it, or it does not show yet
   std::string why;            ///< the rule that changed it; empty: none did
-  bool room_for_why = false;  ///< the row is as tall without one
+  bool room_for_why = false;  ///< the row has room for a reason even if there is none
   friend bool operator==(const AuRow&, const AuRow&) = default;
 };
 
@@ -71,8 +71,8 @@ struct PlayingView {
   std::string detail;        ///< why it ended, as a sentence; empty unless something went wrong
   bool tries_again = false;  ///< the server was lost and will be tried again
   int again_s = 0;           ///< seconds until the next attempt; 0: now
-  std::string stream;        ///< the name of the stream, as the server says; empty: it does not, or
-                             ///< nothing plays
+  std::string stream;        ///< the name of the stream, as the server says; empty: the server
+                             ///< names none, or nothing plays
   std::string ended_by;  ///< "host:port" of the server that has ended the stream; empty: none has
   bool stale = false;    ///< the face shown is the last of a lost connection
   bool eased = false;    ///< nothing came for a long time, and the face has gone to neutral
@@ -88,7 +88,7 @@ struct PlayingView {
   std::string protocol;                 ///< "level 2", "classic"
   std::string delay;                    ///< "42 ms (at most 57, wanted 41)"; empty: not live
   std::string keyframe;                 ///< "keyframe 3"; empty before the first
-  std::vector<AuRow> aus;               ///< of the face that is shown, whoever made it
+  std::vector<AuRow> aus;               ///< of the face that is shown, whichever session made it
   friend bool operator==(const PlayingView&, const PlayingView&) = default;
 };
 
@@ -120,7 +120,8 @@ struct ChannelGroup {
 struct EditorView {
   bool active = false;  ///< the face shows what is edited
   bool aside = false;   ///< something is being edited, but the face shows something else
-  std::vector<ChannelGroup> groups;  ///< what is edited; if nothing is, the face that is shown
+  std::vector<ChannelGroup> groups;  ///< the channels of what is edited or, if nothing is, of the
+                                     ///< face that is shown
   bool linked = true;
   int au = -1;  ///< the AU being edited; -1: none
   bool unsaved = false;
@@ -154,7 +155,7 @@ struct ExpressionButton {
   std::string aus;  ///< as in a packet; "0" for muscles alone
   ExpressionKind kind = ExpressionKind::Main;
   std::string source{};  ///< who describes it in this way, in words
-  std::string name{};    ///< by which the command line knows it; unlike the label, its own
+  std::string name{};    ///< its name on the command line; unlike the label, no other has it
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
 };
 
@@ -182,11 +183,11 @@ struct TransitionSettings {
 enum class Ground : std::uint8_t { Studio, Black, Grey, White, None };
 enum class Facing : std::uint8_t { Front, ThreeQuarter, Profile };
 
-/// To either side, and up and down.
+/// How far the light can be turned to either side, and up and down.
 inline constexpr int kLightYawMaxDeg = 180;
 inline constexpr int kLightPitchMaxDeg = 80;
 inline constexpr int kLightPercentMax = 200;
-/// Of a random seed, which may be larger.
+/// The largest seed that is shown; a random seed may be larger.
 inline constexpr int kSeedShownMax = 999'999;
 [[nodiscard]] constexpr int shown_seed(std::uint64_t seed) {
   return seed < kSeedShownMax ? static_cast<int>(seed) : kSeedShownMax;
@@ -230,7 +231,7 @@ struct SoundView {
   int volume = 100;     ///< percent
   bool muted = false;
   int peak_percent = 0;  ///< level of the sound before volume and mute; 100: the maximum, 0: 48 dB
-                         ///< below it
+                         ///< below the maximum
   std::string device;    ///< the chosen one; empty: the default one
   std::vector<std::string> devices;  ///< those to choose from
   friend bool operator==(const SoundView&, const SoundView&) = default;
@@ -263,7 +264,7 @@ struct FaceEntry {
   std::string name;
   std::string folder;
   FaceKind kind = FaceKind::Shipped;
-  std::string target{};  ///< where the folder leads, if it is a link; empty: it is none
+  std::string target{};  ///< where the folder leads if it is a link; empty: it is no link
   friend bool operator==(const FaceEntry&, const FaceEntry&) = default;
 };
 
@@ -287,7 +288,7 @@ struct DisplayView {
   friend bool operator==(const DisplayView&, const DisplayView&) = default;
 };
 
-/// Names of files.
+/// The files of videos that are being made.
 struct VideoView {
   std::string recording;   ///< the one being recorded; empty: none
   std::string completing;  ///< the one recorded before, whose file is being completed; empty: none
@@ -297,8 +298,8 @@ struct VideoView {
 /// A file for other programs that is being written in the background.
 struct ExportView {
   std::string file;     ///< empty: none
-  int percent = 0;      ///< how much of its movement is done
-  bool ending = false;  ///< it was cancelled and is not over yet
+  int percent = 0;      ///< how much of the movement has been written
+  bool ending = false;  ///< the writing was cancelled, but has not ended yet
   friend bool operator==(const ExportView&, const ExportView&) = default;
 };
 
@@ -317,7 +318,7 @@ struct GuiModel {
   FacesView faces;
   GalleryView gallery;
   PictureSettings pictures;
-  std::string picture_folder;  ///< the whole path of that in `pictures`
+  std::string picture_folder;  ///< the full path of the folder in `pictures`
   BrowserView browser;
   CredentialFiles credentials;
   Notice notice;

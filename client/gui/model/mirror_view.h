@@ -22,9 +22,10 @@ struct MirrorView {
     Ending,
   };
   Phase phase = Phase::Off;
-  bool wanted = false;    ///< --mirror: the window began with it
+  bool wanted = false;    ///< --mirror: the window began with the camera
   std::string source;     ///< camera, camera:DEVICE or a film in its place
-  std::string trouble;    ///< why it is off or could not go live, as a sentence; empty: all is well
+  std::string trouble;    ///< why the camera is off or could not go live, as a sentence; empty: all
+                          ///< is well
   bool expected = false;  ///< `trouble` is only the end of a film: nothing is wrong
   std::string live;       ///< ADDR:PORT for guests; empty: it is not live
   std::size_t watching = 0;                   ///< how many guests watch
@@ -64,15 +65,15 @@ struct AuBar {
   friend bool operator==(const AuBar&, const AuBar&) = default;
 };
 
-/// The bars for the AUs of a face, one per AU. Turns of head and eyes come in pairs, left before
-/// right and up before down.
+/// The bars for the AUs of a face: one per AU, but one per pair for turns of head and eyes. In a
+/// pair, left comes before right and up before down.
 [[nodiscard]] std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus);
 
 /// A sentence that says who sees the face: "Only you see this face.", "Live at 10.0.0.7:4650, 2
 /// watch."
 [[nodiscard]] std::string audience_text(const MirrorView& view);
 
-/// What guests need in order to see it, in a sentence or two.
+/// What guests need in order to see the face, in a sentence or two.
 [[nodiscard]] std::string admission_text(const MirrorView& view);
 
 }  // namespace aucast::gui

@@ -29,9 +29,9 @@ struct PictureWords {
   std::string date;      ///< {date}
 };
 
-/// The file name for a pattern, without its ending. Characters that a name cannot have become '-',
-/// and a word that stands for nothing becomes "none". Usage error for an unknown word, and for a
-/// pattern that is empty or has a '/'.
+/// The file name for a pattern, without its ending. A character that names may not have is replaced
+/// by '-', and a word that stands for nothing by "none". Fails with Usage for an unknown word, and
+/// for a pattern that is empty or has a '/'.
 [[nodiscard]] Result<std::string> picture_name(std::string_view pattern, const PictureWords& words,
                                                int number);
 

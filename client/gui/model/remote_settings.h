@@ -21,7 +21,7 @@ enum class Behind : std::uint8_t {
   Time,  ///< by `behind_ms`
 };
 
-/// What is filled in in the remote player's form.
+/// The contents of the remote player's form.
 struct RemoteSettings {
   static constexpr int kPortMax = 65535;
   static constexpr int kSetsMax = playback::BufferOptions::kSetsMax;
@@ -31,14 +31,14 @@ struct RemoteSettings {
   std::string address = "127.0.0.1";  ///< a host
   int port = protocol::kDefaultPort;
   int buffer = 100;  ///< sets, 1 to kSetsMax
-  int playout = 30;  ///< the same, at most `buffer`
+  int playout = 30;  ///< sets, 1 to `buffer`
   int threshold_percent = 40;
   int speed_ms = 0;        ///< 1 to kSpeedMsMax; 0: the server's own time
   bool reconnect = false;  ///< try again when the server is lost
   std::string stream{};    ///< empty: the server's first
   bool tls = false;
   std::string authorities_file{};            ///< of TLS; empty: as the command line says
-  std::string token_file{};                  ///< the same
+  std::string token_file{};                  ///< of the token; empty: as the command line says
   std::vector<protocol::Endpoint> others{};  ///< other servers of the stream, tried in turn
   Behind behind = Behind::Sets;
   int behind_ms = 300;  ///< 0 to kBehindMsMax, of Behind::Time
@@ -57,9 +57,9 @@ struct RemoteSettings {
 [[nodiscard]] std::string server_text(const RemoteSettings& settings);
 /// `settings` with the server of `other`: its addresses, its protection and its stream.
 [[nodiscard]] RemoteSettings with_server_of(RemoteSettings settings, const RemoteSettings& other);
-/// Reads what address_text() writes, and HOST[:PORT]/STREAM, into address, port, others, stream and
-/// tls. Returns nullopt, or, if the text is wrong, a sentence that says why; then nothing is
-/// changed.
+/// Reads `text`, as address_text() writes it or as HOST[:PORT]/STREAM, into address, port, others,
+/// stream and tls of `settings`. If `text` is wrong, changes nothing and returns a sentence that
+/// says why; else returns nullopt.
 [[nodiscard]] std::optional<std::string> take_address(std::string_view text,
                                                       RemoteSettings& settings);
 

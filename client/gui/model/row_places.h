@@ -10,9 +10,9 @@ struct RowPlace {
   float y = 0;
 };
 
-/// How far the row at the height `at` has moved down from one frame to the next, as the nearest row
-/// above it tells that is there in both. Rows whose ID is there more than once do not count. 0: not
-/// at all, or no row tells. Pure.
+/// How far the row at the height `at` has moved down from one frame to the next. This is measured
+/// at the nearest row above it that is in both frames; rows with the same ID as another one do not
+/// count. 0: it has not moved, or there is no row to measure at. Pure.
 [[nodiscard]] float moved_down(const std::vector<RowPlace>& before,
                                const std::vector<RowPlace>& now, float at);
 

@@ -8,11 +8,11 @@
 namespace aucast::gui {
 
 /// The rows of AUs of a stream that plays, so that they stay where they are: an AU that the stream
-/// has had keeps its row, and a row that a rule has changed keeps the room for saying so.
+/// has had keeps its row, and a row that a rule has changed keeps room for naming the rule.
 class SteadyRows {
  public:
-  /// The rows to be drawn for `rows`, in the order of au_rows(). `stream`: whose they are; for
-  /// another one the rows begin anew.
+  /// The rows to be drawn for `rows`, in the order of au_rows(). `stream`: the stream that they
+  /// belong to; when it changes, all earlier rows are forgotten.
   const std::vector<AuRow>& with(const std::vector<AuRow>& rows, const std::string& stream);
 
  private:

@@ -49,7 +49,7 @@ struct SetSpeed {
   int percent = 100;
 };
 struct ChangeSpeed {
-  int direction = 1;  ///< to the next of LocalPlayback::kSpeeds; -1: down
+  int direction = 1;  ///< 1: to the next of LocalPlayback::kSpeeds; -1: to the one before
 };
 struct MarkLoop {};
 /// Turns the repetition of the whole stream on or off.

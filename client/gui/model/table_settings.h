@@ -17,13 +17,13 @@ struct TableSettings {
   int fps = 0;           ///< pictures a second, up to kTableFpsMax; 0: as the table's own times say
   int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
   int gain_percent = 0;  ///< gain for all AUs, up to kTableGainPercentMax; 0: none
-  int neutral_s = 0;     ///< for how many seconds, up to kTableNeutralMax, the face is neutral at
-                         ///< first; that face is subtracted; 0: it is not
+  int neutral_s = 0;     ///< how many seconds of neutral face, up to kTableNeutralMax, the table
+                         ///< begins with; that face is subtracted; 0: none is
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 
-/// A table for which settings were made. They are remembered by file, as one recording's gain does
-/// not suit another.
+/// A table for which settings were made. They are remembered by file, because one recording's gain
+/// does not suit another.
 struct KnownTable {
   std::string file;
   TableSettings settings;

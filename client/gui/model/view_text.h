@@ -45,7 +45,7 @@ namespace aucast::gui {
 /// the server does not say.
 [[nodiscard]] std::string stream_in_words(const protocol::ListedStream& stream);
 
-/// "30 keyframes/s, gain 150 %": what of a table is not read as it is; empty: nothing.
+/// "30 keyframes/s, gain 150 %": the settings that change how a table is read; empty: none does.
 [[nodiscard]] std::string table_in_words(const TableSettings& settings);
 
 /// "0 B", "999 B", "1.2 kB", "3.4 MB".
@@ -54,7 +54,7 @@ namespace aucast::gui {
 /// "320 bit/s", "1.2 kbit/s".
 [[nodiscard]] std::string bit_rate_text(double bytes_a_second);
 
-/// In hundredths, with the point of the language in use: "1.25".
+/// With two decimals and the decimal point of the language in use: "1.25".
 [[nodiscard]] std::string seconds_text(double seconds);
 
 /// "893 B, 1.2 kbit/s"; if `rate` is 0, with the mean since the beginning: "893 B, mean 310 bit/s".

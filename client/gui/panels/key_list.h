@@ -4,8 +4,8 @@
 
 namespace aucast::gui {
 
-/// Lists over the face what each key does. `width`: what the side panel leaves free. `shown`
-/// becomes false when the user closes it.
+/// Shows over the face a list of what each key does. `width`: what the side panel leaves free.
+/// `shown` becomes false when the user closes it.
 void key_list(const Look& look, float width, bool& shown);
 
 }  // namespace aucast::gui

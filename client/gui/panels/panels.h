@@ -18,11 +18,11 @@ namespace aucast::gui {
 
 // Each panel is a function from the model to commands, called inside an open ImGui window. The
 // state of its widgets (half-typed text, a list's selection) is handed in as its form. Members
-// described as "of the model" remember what the form last took from there.
+// described as "of the model" remember what the form last took from the model.
 
 /// The curves as they are drawn.
 struct CurvesForm {
-  /// Of the model: when others come, the part is folded or not by how many they are.
+  /// Of the model. When other curves come, the part opens if they are few, and folds if many.
   std::shared_ptr<const AuCurves> shown;
   std::shared_ptr<const AuCurves> of;        ///< those that `outlines` was made of ...
   std::size_t columns = 0;                   ///< ... for so many columns of pixels
@@ -46,14 +46,14 @@ struct RemoteForm {
   std::array<char, 512> address{};
   std::array<char, 4096> authorities_file{};  // as long as a path may be
   std::array<char, 4096> token_file{};
-  CredentialFiles chosen;            ///< those that were put into the two last
+  CredentialFiles chosen;            ///< the files that were put into the two fields above last
   std::optional<std::string> wrong;  ///< what is wrong with the text of the address; nullopt:
                                      ///< nothing
   bool filled = false;               ///< the form has been filled from the model
   bool renamed = false;              ///< the address has been changed in this frame
   RecordForm record;
-  bool large_chart = false;   ///< of the strongest AUs
-  bool large_buffer = false;  ///< the chart of the receiver's fill
+  bool large_chart = false;   ///< the chart of the strongest AUs is large
+  bool large_buffer = false;  ///< the chart of the receiver's fill is large
   SteadyRows aus;
   bool to_aus = false;  ///< scroll to the table of AUs
   CurvesForm curves;
@@ -66,7 +66,7 @@ void remote_panel(const Look& look, const GuiModel& model, RemoteForm& form, Gui
 struct ExpressionForm {
   std::array<char, 512> aus{};    ///< AUs to be shown together
   std::string taken;              ///< the expression's AUs that were put into `aus` last
-  int chosen = -1;                ///< the expression whose AUs they are
+  int chosen = -1;                ///< the expression that has the AUs in `taken`
   std::array<char, 64> search{};  ///< looked for among the expressions without a button
 };
 
@@ -81,8 +81,8 @@ struct EditorForm {
   int named = -1;               ///< the AU whose name is in `name`
   std::string name_taken;       ///< of the model
   bool to_name = false;         ///< give the focus to the name
-  int opened_for = -1;          ///< the AU for which the groups of its muscles were opened
-  bool comes = false;           ///< its tab was chosen in this frame
+  int opened_for = -1;          ///< the AU whose groups of muscles were opened
+  bool comes = false;           ///< the editor's tab was chosen in this frame
 };
 
 /// The expression editor: one AU and its muscles.
@@ -92,11 +92,11 @@ void editor_panel(const Look& look, const GuiModel& model, EditorForm& form, Gui
 struct ComposerForm {
   bool linked = true;   ///< one slider for both sides
   Thumbnails pictures;  ///< of keyframes, by their AUs as in a packet
-  int rows = 0;  ///< number of rows in the timeline in the last frame; `chosen`: the one chosen
-  int chosen = -1;
+  int rows = 0;         ///< number of rows in the timeline in the last frame
+  int chosen = -1;      ///< the keyframe chosen in the last frame; -1: none
 };
 
-/// Puts faces made of AUs in a row, as a stream.
+/// The composer: makes a stream from faces that are made of AUs.
 void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
                     GuiCommands& commands);
 
@@ -104,13 +104,13 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
 void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 
 /// The height of transport_bar(); 0: it is not shown, because no stream that is available whole
-/// plays. In little width it has a second line.
+/// plays. If `width` is small, it has a second line.
 [[nodiscard]] float transport_height(const Look& look, const GuiModel& model, float width);
 /// The bar under the face that controls a stream that is available whole. `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
-/// The part for pictures, video, gallery and stream files of what is played, and where they are
-/// saved.
+/// The part for saving what is shown and played: pictures, video, gallery and stream files, and
+/// where they go.
 void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiCommands& commands);
 
 /// What is being typed in the gallery's dialog.
@@ -127,8 +127,8 @@ void gallery_dialog(const Look& look, const GuiModel& model, float width, Galler
 /// The part of the remote player's panel about sound: volume, level, device. Draws nothing if there
 /// is no device.
 void sound_part(const Look& look, const GuiModel& model, GuiCommands& commands);
-/// Draws the stream's title and the caption over the face, at its top and its bottom. `taken`: the
-/// height that the transport bar and notices() take there.
+/// Draws the stream's title over the top of the face, and the caption over its bottom. `taken`: the
+/// height that the transport bar and notices() take at the bottom.
 void captions(const Look& look, const GuiModel& model, float width, float taken);
 
 /// The notice about the connection.
@@ -139,8 +139,8 @@ struct NoticeForm {
 };
 
 /// Shows over the face what is wrong with the connection and, for a while, what was just done.
-/// `bar`: the height that the transport bar takes at the bottom. Returns the height that is taken
-/// there now.
+/// `bar`: the height that the transport bar takes at the bottom. Returns the height that bar and
+/// notices take there together.
 float notices(const Look& look, const GuiModel& model, float width, float bar, NoticeForm& form,
               GuiCommands& commands);
 
@@ -150,13 +150,13 @@ struct FileForm {
   std::array<char, 256> name{};
   std::string shown_folder;  ///< the folder that was taken from the model
   std::string shown_name;
-  std::string tried;            ///< the choice that was refused, if one was
+  std::string tried;            ///< the choice that was refused; empty: none was
   bool entered = false;         ///< the field of the folder was active in the previous frame
   bool named = false;           ///< a new file was named in the previous frame
   bool to_first = false;        ///< give the focus to the first entry
   bool to_name = false;         ///< give the focus to the name
-  bool waits = false;           ///< the focus has not arrived there yet
-  std::vector<unsigned> typed;  ///< characters typed until it arrives
+  bool waits = false;           ///< the focus has not arrived at the entry or the name yet
+  std::vector<unsigned> typed;  ///< characters typed until the focus arrives
 };
 
 /// The file dialog, while the model has one open.
@@ -182,16 +182,16 @@ struct FaceForm {
   enum class Asks : std::uint8_t { Nothing, Copy, Rename, Delete };
 
   Thumbnails pictures;          ///< by the faces' folders
-  Asks asks = Asks::Nothing;    ///< what face_dialog() is about
-  std::string folder;           ///< of the face that it is about
-  std::array<char, 64> name{};  ///< typed there
+  Asks asks = Asks::Nothing;    ///< what face_dialog() asks
+  std::string folder;           ///< of the face that the question is about
+  std::array<char, 64> name{};  ///< the name typed in the dialog
 };
-/// The faces to choose from, and what is done with one's own.
+/// The faces to choose from, and what can be done with the user's own.
 void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
 /// The question for a name, or whether to delete a face, while the form asks it.
 void face_dialog(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
 
-/// The View tab: the face, what of it is drawn, and how the window looks.
+/// The View tab: which face is shown, which parts of it are drawn, and how the window looks.
 void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
                      GuiCommands& commands);
 

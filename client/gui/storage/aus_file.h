@@ -27,14 +27,14 @@ using Drive = std::vector<std::pair<std::string, float>>;
 [[nodiscard]] std::string aus_text(int number, const Drive& drive, const std::string& note);
 
 /// `text` with the drive of AU `number` replaced, or, if it has no such AU, with a new [[au]] at
-/// its end. `note` becomes the AU's note; empty: the note stays. BadData "file:line:column: ..." if
-/// the text is not an AU file, or if it spreads that drive over several lines: those are not
-/// rewritten, lest a comment is lost.
+/// its end. `note` becomes the AU's note; empty: the note stays. Fails with BadData
+/// "file:line:column: ..." if the text is not an AU file, or if it spreads that drive over several
+/// lines; these are not rewritten, because comments between them would be lost.
 [[nodiscard]] Result<std::string> with_au(std::string_view text, std::string_view file, int number,
                                           const Drive& drive, const std::string& note = {});
 
-/// `text` without the [[au]] of AU `number`, if it has one. BadData if the text is not an AU file,
-/// or writes its AUs as values of one array.
+/// `text` without the [[au]] of AU `number`, if it has one. Fails with BadData if the text is not
+/// an AU file, or writes its AUs as values of one array.
 [[nodiscard]] Result<std::string> without_au(std::string_view text, std::string_view file,
                                              int number);
 

@@ -7,11 +7,11 @@
 
 namespace aucast::gui {
 
-/// The file in a copy that has its AUs as they were when it was copied.
+/// The file of a copy with its AUs as they were when it was copied.
 inline constexpr const char* kOriginalAusFile = "original_aus.toml";
 
 // Edited faces are copies in the user's own data folder (user_face.h), so that the shipped ones
-// stay unchanged. A copy appears, is renamed and goes whole or not at all.
+// stay unchanged. A copy is made, renamed and deleted completely or not at all.
 
 /// Where faces are.
 struct FaceFolders {
@@ -19,19 +19,20 @@ struct FaceFolders {
   std::filesystem::path own;
 };
 
-/// The face from which this one was copied, as its face.toml says: the name of a shipped one, the
-/// folder of one from elsewhere. Without it the name of its own folder: a copy that was made for an
-/// edited face has the name of that face.
+/// The face from which this one was copied, as its face.toml says: the name of a shipped face, or
+/// the folder of any other. If face.toml does not say, the name of this face's folder, because the
+/// copy of a face that was edited has the name of that face.
 [[nodiscard]] std::string origin_of(const std::filesystem::path& face_folder);
 
 /// The folder of the shipped face from which this one was copied; empty if there is none.
 [[nodiscard]] std::filesystem::path shipped_origin(const std::filesystem::path& own_face,
                                                    const std::filesystem::path& shipped_faces);
 
-/// The folder to write to for the face in `face_folder`: that folder if it is one of the user's
-/// own, or a classic one, of which save_aus() says that it has no AUs; else faces.own/NAME. That is
-/// copied now if it does not exist; if a copy of another face or a link to elsewhere has that name,
-/// the next free one is taken.
+/// The folder to write to for the face in `face_folder`. For a face of the user's own it is the
+/// same folder. For a classic face too, although save_aus() then fails, because such a face has no
+/// AUs of its own. For any other face it is the copy faces.own/NAME, which is made now if it does
+/// not exist. If a copy of another face or a link to elsewhere has that name, the next free name is
+/// taken.
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const FaceFolders& faces);
 
@@ -41,12 +42,13 @@ struct FaceFolders {
                                                       const FaceFolders& faces,
                                                       const std::string& name);
 
-/// Renames a face of the user's own, its folder and in its face.toml, and returns the new folder.
-/// Of a link only the link is renamed. Fails if there is anything of that name.
+/// Renames a face of the user's own, both its folder and in its face.toml, and returns the new
+/// folder. If the folder is a link, only the link is renamed. Fails if there is anything of that
+/// name.
 [[nodiscard]] Result<std::filesystem::path> rename_face(const std::filesystem::path& own_face,
                                                         const std::string& name);
 
-/// Deletes a face of the user's own. Of a link only the link is deleted.
+/// Deletes a face of the user's own. If its folder is a link, only the link is deleted.
 [[nodiscard]] Result<void> delete_face(const std::filesystem::path& own_face);
 
 }  // namespace aucast::gui

@@ -16,7 +16,7 @@ struct KeptSettings {
   std::vector<std::string> recent;  ///< addresses, the newest first
   std::string face;                 ///< folder of the face to begin with; empty: the default face
   std::vector<std::string> recent_files;  ///< files that were played, the newest first
-  std::string own_folder;          ///< in which a file was saved or exported last; empty: none was
+  std::string own_folder;          ///< where a file was saved or exported last; empty: none was
   std::vector<KnownTable> tables;  ///< how tables are read, the newest first
   AnimationSettings animation;
   TransitionSettings transition;
@@ -36,8 +36,8 @@ inline constexpr std::size_t kRecentMax = 8;
 [[nodiscard]] Result<std::filesystem::path> settings_file(const char* xdg_config_home,
                                                           const char* home);
 
-/// Reads settings. What is missing gets its default. BadData "file:line:column: ..." for the first
-/// error.
+/// Reads settings. What is missing gets its default. Fails with BadData for the first error, as
+/// "file:line:column: ...".
 [[nodiscard]] Result<KeptSettings> parse_settings(std::string_view text, const std::string& file);
 /// The settings as a commented TOML file, from which parse_settings() gets the same settings.
 [[nodiscard]] std::string format_settings(const KeptSettings& settings);

@@ -11,13 +11,14 @@ namespace aucast::gui {
 
 struct LoadedLanguage {
   Language language;
-  /// "file:line:column: ..." of the texts that are missing or unknown, or whose places to be filled
-  /// in differ from those of the English text, which stays there; the first kReportedErrorsMax.
+  /// The texts of the file that are not used, each as "file:line:column: ...", at most
+  /// kReportedErrorsMax: a text is missing or unknown, or differs from the English text in the
+  /// places to be filled in. Such a text stays English.
   std::vector<std::string> left_out;
 };
 
-/// Reads a file of data/languages. BadData "file:line:column: ..." if it is not TOML, or the name
-/// of the language or a section is missing.
+/// Reads a file of data/languages. Fails with BadData "file:line:column: ..." if it is not TOML, or
+/// the name of the language or a section is missing.
 [[nodiscard]] Result<LoadedLanguage> load_language(const std::filesystem::path& file);
 
 }  // namespace aucast::gui

@@ -10,11 +10,11 @@
 
 namespace aucast::gui {
 
-/// Where a place of a TOML file is among its bytes; nullopt: the file has not so many lines.
+/// The byte of a TOML file that a line and column mean; nullopt: the file has too few lines.
 [[nodiscard]] std::optional<std::size_t> byte_at(std::string_view toml, LinePosition place);
 
-/// Replaces a text of the file, all else stays as it is. `old`: the value to replace, as it was
-/// read from this `toml`. Bad data if it is no text.
+/// Replaces a text of the file; all else stays as it is. `old`: the value to replace, as it was
+/// read from this `toml`. Fails with BadData if `old` is not a text.
 [[nodiscard]] Result<void> put_text(std::string& toml, std::string_view file, const TomlValue& old,
                                     const std::string& text);
 

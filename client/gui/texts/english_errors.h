@@ -6,9 +6,9 @@
 
 namespace aucast::gui {
 
-/// What comes up in English from the network and from what is written, and is put into the language
-/// in use by in_used_language(): the texts are those of the code that says them, which
-/// scripts/tidy.py checks.
+/// Messages that other code makes in English, about the network and about files, and that
+/// in_used_language() translates. Each text must be worded as the message is; scripts/tidy.py
+/// checks that.
 inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"net.cannot_reach", "cannot reach {server}: {why}"},
     {"net.unreachable", "cannot be reached: {why}"},

@@ -16,8 +16,8 @@ namespace aucast::gui {
 /// comes first.
 [[nodiscard]] std::string error_in_used_language(const Error& error);
 
-/// What `english` has at the places of this row of english_errors.h, in their order; empty: it says
-/// something else.
+/// The values that `english` has at the places of this row of english_errors.h, in their order;
+/// empty: it is another message.
 [[nodiscard]] std::vector<std::string> places_said(TextKey row, const std::string& english);
 
 }  // namespace aucast::gui

@@ -58,8 +58,8 @@ struct Language {
   std::vector<std::string> texts;       ///< one for each row of kEnglish
   std::map<int, std::string> au_names;  ///< FACS names by AU number
   std::map<int, std::string> au_looks;
-  std::map<std::string, std::string> words;  ///< words of the data files by the English word, such
-                                             ///< as "Happiness"
+  std::map<std::string, std::string> words;  ///< translations of words of the data files, by the
+                                             ///< English word, such as "Happiness"
 
   bool operator==(const Language&) const = default;
 };

@@ -7,9 +7,9 @@
 
 namespace aucast::gui {
 
-/// Keeps what the pointer is on in its place while rows above it come and go: a panel that has been
-/// scrolled is scrolled by as much as they take. Where the pointer is elsewhere, what is at the
-/// panel's upper edge keeps its place.
+/// Keeps the row under the pointer in its place while rows above it come and go: a panel that has
+/// been scrolled is scrolled by the height of those rows. If the pointer is elsewhere, the row at
+/// the panel's upper edge keeps its place.
 class KeptPlace {
  public:
   /// Call it in the window that scrolls, before its first row.
@@ -23,8 +23,8 @@ class KeptPlace {
   std::vector<RowPlace> rows_;
 };
 
-/// Notes that a row begins here, for the KeptPlace whose window this is; elsewhere it does nothing.
-/// `name`: tells it from others of the window.
+/// Call it where a row begins. Notes the row for the KeptPlace of this window; in a window without
+/// one it does nothing. `name`: tells the row from others of the window.
 void mark_row(std::string_view name);
 
 }  // namespace aucast::gui

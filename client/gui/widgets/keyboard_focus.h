@@ -13,8 +13,8 @@ class TypeAhead {
   /// Takes what was typed since the last frame. `listens`: whether a list is open and no text is
   /// edited. `now`: in seconds.
   void take(bool listens, double now);
-  /// Call it for each entry in turn. True for the first one that begins with what was typed, or
-  /// does so after its number: both "12" and "lip" find "12 Lip Corner Puller".
+  /// Call it for each entry in turn. True for the first one that has what was typed at its
+  /// beginning or right after its number: both "12" and "lip" find "12 Lip Corner Puller".
   [[nodiscard]] bool finds(std::string_view label);
 
  private:
@@ -23,7 +23,7 @@ class TypeAhead {
   bool looks_ = false;  ///< no entry has matched yet
 };
 
-/// The one for the list that is open.
+/// The TypeAhead of the list that is open.
 [[nodiscard]] TypeAhead& type_ahead();
 
 /// The keyboard focus in the panels. Tab shows it and moves it through everything that can be used,
@@ -50,13 +50,14 @@ class KeyboardFocus {
   bool enters_ = false;      ///< no item in this window had the focus
   bool alive_ = false;       ///< the item with the focus was there in the previous frame
   bool moves_ = false;       ///< an item was found in the previous frame
-  bool to_slider_ = false;   ///< the item found is a slider, so a number is not to be typed at once
+  bool to_slider_ = false;   ///< the item found is a slider, so the focus must not begin to type a
+                             ///< number
   int direction_ = 0;        ///< -1: back
   std::string next_window_;  ///< the window in which to go on looking; empty: none
 };
 
-/// Marks the items made while it lives as sliders: the focus comes to them without beginning to
-/// type a number.
+/// While it lives, the items that are made count as sliders: the focus comes to them without
+/// beginning to type a number.
 class SliderScope {
  public:
   SliderScope();
@@ -73,19 +74,20 @@ struct ArrowSteps {
   bool continued = false;  ///< not the first step since then
 };
 
-/// For the previous item, a button; `pressed`: what the button returned. Space and Enter take hold
-/// of it and let it go, Esc and Tab let it go, as with a slider.
+/// For the previous item, a button; `pressed`: what the button returned. As with a slider, Space
+/// and Enter take hold of the item and let it go; Esc and Tab let it go.
 [[nodiscard]] ArrowSteps arrows_of_item(bool pressed);
 /// Whether the mouse holds the previous item.
 [[nodiscard]] bool held_by_mouse();
 
-/// Call it after a text field in which one tries one thing after another. When Enter has ended it,
-/// the field stays active with all its text selected until Esc, Tab or a click, because what is
-/// typed next is still meant for it and is no shortcut. (In a field that keeps a setting, such as a
-/// path, that would lose the setting.)
+/// Call it after a text field in which the user tries one text after another. When Enter has ended
+/// it, the field stays active with all its text selected until Esc, Tab or a click, because what is
+/// typed next is still meant for the field and is no shortcut. Do not call it after a field that
+/// keeps a setting, such as a path: the next key would replace the setting.
 void stay_in_field();
 
-/// The items made while it lives are for the mouse only: there are other keys for what they do.
+/// While it lives, the items that are made are for the mouse only, because keys can do the same in
+/// another way.
 class MouseOnly {
  public:
   MouseOnly();
@@ -101,9 +103,9 @@ void focus_here(bool shows);
 [[nodiscard]] bool focus_is_here();
 /// Whether Enter was pressed where no item takes it: the focus is not shown, nothing is typed in.
 [[nodiscard]] bool entered_nowhere();
-/// Whether what was just pressed was pressed without the mouse.
+/// Whether the item that was just pressed was pressed by a key.
 [[nodiscard]] bool used_by_keys();
-/// Draws the focus around the previous item if it has it. For items that draw themselves.
+/// Draws the focus around the previous item if that has the focus. For items that draw themselves.
 void mark_focus();
 
 }  // namespace aucast::gui

@@ -6,8 +6,8 @@
 
 namespace aucast::gui {
 
-/// The width of a scroll bar: half of the panel's margin, which is all of it that ImGui lets items
-/// use.
+/// The width of a scroll bar: half of the panel's margin, because ImGui does not let items use more
+/// of the margin.
 inline constexpr float kScrollBar = 8;
 
 /// The fonts of ImGui's context. The context must exist when they are loaded and end before this

@@ -7,7 +7,8 @@ namespace aucast::gui {
 // Tooltips. They appear beside the window or dialog that their item is in, so that they hide none
 // of its controls.
 
-/// Shows a tooltip for the previous item while the pointer or the focus is on it, until it is used.
+/// Shows a tooltip for the previous item while the pointer or focus is on it, until the item is
+/// used.
 void tip(const std::string& text, bool also_disabled = false);
 /// Shows a tooltip for the previous item, wherever the pointer is.
 void tip_of_last(const std::string& text);

@@ -55,24 +55,25 @@ void heading(const Look& look, const std::string& text, const char* help = "");
 /// `colour` 0: the normal one.
 void fitted_text(const std::string& text, float right, unsigned colour = 0);
 /// Writes a label at the left. The next item is placed in the panel's column for values, or below
-/// the label if that has too little room, and fills the rest. `help`: its tooltip.
+/// the label if the column has too little room. It fills the rest of its line. `help`: the label's
+/// tooltip.
 void label(const Look& look, const char* text, const char* help);
 void quiet_text(const std::string& text);
 /// Whether the pointer is on the previous item. Unlike ImGui's hovering, the keyboard focus does
 /// not count.
 [[nodiscard]] bool pointed_at();
-/// The text for a widget whose identity is `id` in every language.
+/// The text for a widget, which then has the identity `id` in every language.
 [[nodiscard]] std::string with_id(const char* text, const char* id);
 /// An entry of a list, which can be found by typing its beginning. `flags`: of ImGui's Selectable.
 [[nodiscard]] bool list_item(const std::string& text, bool chosen, int flags = 0);
 /// Whether an item of this width fits on the line of the previous item.
 [[nodiscard]] bool has_room_beside(float width);
 /// A button that takes `share` of `shares` equal parts of the line; disabled unless `enabled`. If
-/// its text needs more, it gets wider, and goes to the next line if there is no room.
+/// its text needs more, the button gets wider, and goes to the next line if there is no room.
 [[nodiscard]] bool wide_button(const char* text, int share, int shares, bool enabled,
                                bool important = false);
-/// Whether a change of the previous item continues a drag. The press of the mouse begins a step of
-/// undo; changes while the button is held belong to it.
+/// Whether a change of the previous item continues a drag. A step of undo begins when the mouse is
+/// pressed; changes while the button is held belong to that step.
 [[nodiscard]] bool belongs_to_drag();
 /// The headings of two columns that share the line, placed as one sees a face: the subject's right
 /// at the left.
@@ -93,13 +94,13 @@ struct Steps {
   int least = 0;
   int most = 1'000'000;
   const char* zero = nullptr;  ///< what is shown instead of 0; null: 0
-  int first = 0;               ///< the first step up from such a 0; 0: the usual step
+  int first = 0;               ///< the first step up from a 0 shown as `zero`; 0: the usual step
   bool buttons = true;         ///< - and + beside the number, if there is room
 };
 /// The least width of a number_field() that has its buttons.
 [[nodiscard]] float number_field_width();
 /// A whole number that is typed or stepped, by its buttons or by Up and Down. Returns whether it
-/// changed `value`. A number beyond the limits is clamped, and while it is typed this is said.
+/// changed `value`. A number beyond the limits is clamped; while it is typed, a text says so.
 /// `when_entered`: typing takes effect only with Enter.
 [[nodiscard]] bool number_field(const char* id, int& value, const Steps& steps,
                                 bool when_entered = false);
@@ -114,23 +115,24 @@ struct PlotLine {
   std::string label{};  ///< written beside its end; empty: none
   int marker = -1;      ///< the sign drawn along it, as in line_name(); -1: none
 };
-/// The next item, a field, leaves room at its right for choose_button().
+/// Makes the next item, a field, leave room at its right for choose_button().
 void leave_room_to_choose(const Look& look);
-/// The button behind such a field that opens the file dialog. Returns whether it was pressed.
+/// The button at the right of that field; it opens the file dialog. Returns whether it was pressed.
 [[nodiscard]] bool choose_button(const Look& look);
 
 /// What is written at a plot's edges; empty: nothing.
 struct PlotScale {
   float mark = 0;           ///< a level to reach, in [0,1]; 0: none
-  std::string mark_text{};  ///< above its line
+  std::string mark_text{};  ///< above the line of `mark`
   std::string top{};        ///< what a value of 1 is
-  std::string begin{};      ///< when the half minute begins, and ends
-  std::string end{};
+  std::string begin{};      ///< at the left end, where the half minute begins
+  std::string end{};        ///< at the right end, where it ends
 };
 /// Draws lines over the last half minute, the newest values at the right, across the whole width.
 /// Returns whether it was clicked.
 bool plot(const Look& look, std::span<const PlotLine> lines, float height, const PlotScale& scale);
-/// Writes the name of a line in its colour, after its sign: colours alone do not tell lines apart.
+/// Writes the name of a line in its colour, after its sign, because colours alone do not tell lines
+/// apart.
 void line_name(const Look& look, int marker, const std::string& name);
 /// The colour of a line in a plot of several.
 [[nodiscard]] unsigned colour_of_line(std::size_t index);
