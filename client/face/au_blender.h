@@ -20,18 +20,19 @@ struct RuleFired {
   Intensities before{};    ///< what the rule read
 };
 
-/// Applies the rules to intensities in [0,1], each side by itself. With x the source, y the target
-/// and a prime for the result:
+/// Applies the rules to intensities in [0,1], each side by itself. x is the intensity of the source
+/// and y that of the target; a prime marks the result. An opposition has two sources, x and y.
 ///   opposition    x' = max(0, x - y), y' = max(0, y - x)
-///   alternative   the larger stays; on a tie, the one listed first
+///   alternative   the largest stays, the others become 0; on a tie, the first one listed stays
 ///   exclusion     y' = y clamp((2e - x)/e, 0, 1), e = 0.2
 ///   cap           y' = min(y, cap)
-///   substitution  s = min(sources), y' = max(y, s), each source' = source - s
+///   substitution  s = min(sources), y' = max(y, s), source' = source - s unless keep_sources
 ///   dominance     y' = y (1 - x)
-/// x of several sources is the largest (the smallest, where all are needed). Where two rules of one
-/// group lower an AU, the lower value counts. Appends the rules that changed something to `fired`
-/// when it is given: the left side's, then the right side's, each group by group. The rules must
-/// outlive it. Allocates nothing but what `fired` needs to grow.
+/// If there are several sources, x is the largest of them (the smallest if all_needed). Where two
+/// rules of one group lower an AU, the lower value counts. If `fired` is given, the rules that
+/// changed something are appended to it: first those of the left side, then those of the right,
+/// each in the order of the groups. `rules` must outlive `fired`. Allocates nothing but what
+/// `fired` needs to grow.
 [[nodiscard]] AuFrame blend(const RuleSet& rules, const AuFrame& frame,
                             std::vector<RuleFired>* fired = nullptr);
 
@@ -42,15 +43,16 @@ struct AuShare {
   friend bool operator==(const AuShare&, const AuShare&) = default;
 };
 
-/// A rule that fired, for people.
+/// A rule that fired, in the form in which people are shown it.
 struct RuleExplained {
   const Rule* rule = nullptr;
-  Side side = Side::Both;       ///< Both when it changed both sides alike
-  std::vector<AuShare> before;  ///< those of its AUs that were there
-  std::vector<AuShare> after;   ///< those that it changed; 0: gone
+  Side side = Side::Both;       ///< Both if it did the same on both sides
+  std::vector<AuShare> before;  ///< its AUs that were present
+  std::vector<AuShare> after;   ///< the AUs that it changed; 0: gone
 };
 
-/// What the rules of one blend() did, left side first; alike on both sides is said once.
+/// What the rules of one blend() did, left side first. A rule that did the same on both sides is
+/// listed once.
 [[nodiscard]] std::vector<RuleExplained> explain(std::span<const RuleFired> fired);
 
 }  // namespace aucast::face

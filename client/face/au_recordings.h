@@ -17,9 +17,9 @@ using ChannelFinder = std::function<std::vector<std::size_t>(std::string_view na
 
 /// Reads the [[au]] tables of an AU file (data/faces/FORMAT.md) for the channels of `face`. A name
 /// that means fewer channels wins over one that means more: left_X over X. Errors are added to
-/// `problems`; a name for which `finder` finds no channel is one, and its message suggests the
-/// nearest of `names`. If the file is for many faces, pass `unknown`: then names in `names` need no
-/// channel, and each AU that drives nothing in this face is added to `unknown`.
+/// `problems`; it is an error if `finder` finds no channel for a name, and the message suggests the
+/// nearest of `names`. If the file is for many faces, pass `unknown`: then a name that is in
+/// `names` needs no channel, and each AU that drives nothing in this face is added to `unknown`.
 [[nodiscard]] std::map<int, AuRecording> read_recordings(TableReader& document, const Face& face,
                                                          const ChannelFinder& finder,
                                                          const std::vector<std::string>& names,

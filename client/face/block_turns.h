@@ -5,10 +5,10 @@
 namespace aucast::face {
 
 // Turns of eight vertices, each by its own angle (radians, at most a quarter turn), about an axis
-// parallel to a coordinate axis. They add a difference that is exactly zero for the angle zero, so
-// that what does not turn stays where it is to the last bit. Sine and cosine are Taylor series up
-// to x^12 in plain arithmetic, four lanes at a time. At a quarter turn they leave out 6e-8; with
-// rounding the error is 2e-7.
+// parallel to a coordinate axis. The difference that a turn adds is exactly zero at the angle zero,
+// so a vertex that does not turn keeps its place to the last bit. Sine and cosine are Taylor series
+// up to x^12 in plain arithmetic, four lanes at a time. At a quarter turn the terms left out come
+// to 6e-8; with rounding the error is 2e-7.
 
 [[nodiscard]] inline Four turn_sine(Four x) {
   const Four q = x * x;
@@ -25,8 +25,8 @@ namespace aucast::face {
                                                                        q * (1.0F / 479001600))))));
 }
 
-/// Turns the coordinates `u` and `v` about (u0, v0), each vertex by `angle` times its weight;
-/// positive angles take v to u.
+/// Turns the coordinates `u` and `v` about (u0, v0), each vertex by `angle` times its weight; a
+/// positive angle turns the v axis towards the u axis.
 inline void turn_plane(Lanes& u, Lanes& v, const Lanes& weights, float angle, float u0, float v0) {
   for (std::size_t i = 0; i < kLanes; i += 4) {
     const Four angles = four_at(weights, i) * angle;

@@ -9,8 +9,8 @@
 namespace aucast::face {
 
 /// Reads the words and numbers of Waters' text files one after the other; blanks and line ends
-/// separate them. Errors are added to the problems with their position, and 0 or an empty word is
-/// returned. The text and the problems must outlive it.
+/// separate them. An error is added to the problems with its position; the function then returns 0
+/// or an empty word. The text and the problems must outlive the scanner.
 class ClassicScanner {
  public:
   ClassicScanner(std::string_view text, Problems& problems) : text_(text), problems_(problems) {}

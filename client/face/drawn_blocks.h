@@ -16,8 +16,8 @@ namespace aucast::face {
 /// The blocks with a vertex that belongs to no crease.
 [[nodiscard]] BlockSet always_drawn(const FaceMesh& mesh);
 
-/// Which blocks of vertices are drawn: all but those that have only creases of depth 0, as most
-/// creases of an expression are. Blocks that are not drawn need not move.
+/// Which blocks of vertices are drawn: all but those that consist of creases of depth 0. In most
+/// expressions, most creases have that depth. Blocks that are not drawn need not move.
 class DrawnBlocks {
  public:
   /// Begins with no crease drawn.
@@ -26,8 +26,8 @@ class DrawnBlocks {
   /// Updates which creases are drawn. `activations`: one per channel.
   void take(std::span<const float> activations);
 
-  /// Removes from `moved` the blocks that are not drawn, and adds those that have been drawn only
-  /// since the last take(): they were not moved before.
+  /// Removes from `moved` the blocks that are not drawn, and adds those that the last take() began
+  /// to draw, because they were not moved before.
   void narrow(BlockSet& moved) const;
 
   /// The blocks that the last take() stopped drawing.
@@ -46,7 +46,7 @@ class DrawnBlocks {
   std::vector<float> depths_;  ///< one per crease
   BlockSet always_;
   BlockSet drawn_;
-  BlockSet appeared_;  ///< drawn since the last take()
+  BlockSet appeared_;  ///< the blocks that the last take() began to draw
   BlockSet vanished_;
 };
 

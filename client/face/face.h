@@ -28,8 +28,8 @@ struct Channel {
   std::string name;
   Side side = Side::Both;
   float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, all others 1
-  /// True for closing a lid: the largest demand counts, whatever the mixer. Otherwise a blink
-  /// during a smile would leave the eyes half closed.
+  /// True for channels that close a lid: the largest demand counts, whichever mixer is chosen.
+  /// Otherwise a blink during a smile would leave the eyes half closed.
   bool takes_largest = false;
 };
 
@@ -48,8 +48,8 @@ struct Lids {
   float raise_max = 0.2F;
 
   /// The share of the closing angle by which an activation of lid_raise lifts the lid. It rises
-  /// steeply at first so that even AU 5B, as in surprise, shows: a tenth of a millimetre of lid
-  /// changes a look.
+  /// steeply at first, so that even a slight AU 5 (5B, as in surprise) is visible: a tenth of a
+  /// millimetre of lid changes how a face looks.
   [[nodiscard]] float raised(float activation) const {
     return raise_max * activation * (1.8F - 0.8F * activation);
   }
@@ -62,8 +62,8 @@ struct Eye {
   float pitch_deg = 22;  ///< gaze up or down at 100 %
 };
 
-/// The head turns about `pivot`, a vertex by its weight in the map "head". The angles are those at
-/// 100 %.
+/// The head turns about `pivot`, each vertex by its weight in the map "head". The angles are those
+/// at 100 %.
 struct HeadPose {
   glm::vec3 pivot{0};
   float turn_deg = 35;
@@ -109,8 +109,8 @@ struct Face {
 };
 
 /// Reads a face folder: our format (face.toml inside) or Waters' classic one (faceline.dat inside).
-/// `data_folder` holds the AU table for classic folders. BadData with file:line:column, Unreadable
-/// when a file is missing.
+/// `data_folder` holds the AU table for classic folders. Fails with BadData and file:line:column,
+/// or with Unreadable if a file is missing.
 [[nodiscard]] Result<Face> load_face(const std::filesystem::path& folder,
                                      const std::filesystem::path& data_folder);
 

@@ -24,18 +24,18 @@ struct DeformedFace {
   std::vector<float> creases;          ///< depth in [0,1], one per part that is a crease, in order
 };
 
-/// The neutral face, without the cost of making a deformer: what deform() gives for activations of
-/// 0, except that normals may differ in their last digits.
+/// The neutral face, without the cost of making a deformer. It equals what deform() gives for
+/// activations of 0, except that normals may differ in their last digits.
 [[nodiscard]] DeformedFace neutral_face(const Face& face);
 
 /// Turns activations into positions. Muscles displace vertices from the neutral face, and their
 /// displacements are summed, so that their order does not matter; then lids, jaw, eyes and head
 /// turn, in that order. Displacements per unit of activation are computed once, when the deformer
 /// is made; deform() computes only the vertices that a changed activation reaches. A crease of
-/// depth 0 is not drawn and its vertices stay at rest, except where vertices are computed in blocks
-/// (vertex_block.h) and something drawn is in the same block. The result depends on the activations
-/// alone, to the last bit, not on earlier calls. The face must outlive the deformer. Thread: one
-/// deformer per thread.
+/// depth 0 is not drawn. Its vertices stay at rest, except those that share a block
+/// (vertex_block.h) with something that is drawn. The result depends on the activations alone, to
+/// the last bit, not on earlier calls. The face must outlive the deformer. Thread: one deformer per
+/// thread.
 class FaceDeformer {
  public:
   explicit FaceDeformer(const Face& face);
@@ -45,8 +45,8 @@ class FaceDeformer {
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
   /// `activations`: one per channel, clamped to [0, activation_max]; one that is not finite is
-  /// taken as 0. All zero gives the positions of the face's own mesh bit for bit. The result is
-  /// valid until the next call. Nothing is allocated after the first call.
+  /// taken as 0. If all are 0, the positions are those of the face's own mesh bit for bit. The
+  /// result is valid until the next call. Nothing is allocated after the first call.
   const DeformedFace& deform(std::span<const float> activations);
 
  private:

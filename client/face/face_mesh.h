@@ -66,7 +66,7 @@ struct FaceMesh {
   std::map<std::string, std::vector<float>> maps;
 };
 
-/// The weights of that name; null if the mesh has none.
+/// The map of that name; null if the mesh has none.
 [[nodiscard]] inline const std::vector<float>* find_map(const FaceMesh& mesh,
                                                         const std::string& name) {
   const auto found = mesh.maps.find(name);

@@ -33,10 +33,11 @@ class HeadMover {
   /// Whether the head is turned or shifted at all.
   [[nodiscard]] bool turned() const { return pose_ != Pose{}; }
 
-  /// Sets `to` to where the head carries the block `block`, which lies at `from` without it.
+  /// Sets `to` to the place to which the head carries the block number `block`. `from` is the place
+  /// of the block while the head is not turned.
   void apply(std::size_t block, const VertexBlock& from, VertexBlock& to) const;
 
-  /// Moves a point and a direction with the head, by `share` in [0,1] of its turn.
+  /// Moves a point and a direction with the head, by `share` in [0,1] of the head's own motion.
   void carry(float share, glm::vec3& point, glm::vec3& direction) const;
 
  private:

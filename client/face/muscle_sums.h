@@ -13,8 +13,8 @@ namespace aucast::face {
 
 /// The neutral face plus the displacements of all muscles. Displacements per unit of activation are
 /// computed once and stored by block, so that a block is summed in one pass. Most muscles pull all
-/// their vertices in one direction (their "way") and differ only in how far: those store one number
-/// per vertex instead of three.
+/// their vertices in one direction (their "way") and differ only in how far they pull each. For
+/// these muscles one number per vertex is stored instead of three.
 class MuscleSums {
  public:
   explicit MuscleSums(const Face& face);
@@ -27,8 +27,8 @@ class MuscleSums {
   /// Prepares at() for these blocks, until the next take().
   void list(const BlockSet& blocks);
 
-  /// Sets `place` to a listed block with all muscles' displacements. The order of the sum is always
-  /// the same.
+  /// Sets `place` to a listed block as all muscles displace it. The displacements are always added
+  /// in the same order.
   void at(std::size_t block, VertexBlock& place) const;
 
   [[nodiscard]] const std::vector<VertexBlock>& rest() const { return rest_; }
@@ -54,11 +54,12 @@ class MuscleSums {
   std::vector<Reach> reaches_;       ///< one per muscle
   std::vector<float> activations_;   ///< capped, one per muscle
   std::vector<std::uint32_t> acts_;  ///< 1 for a muscle that is active, else 0
-  bool others_act_ = false;          ///< other muscles are active than when blocks were last listed
+  bool others_act_ = false;          ///< which muscles are active has changed since blocks were
+                                     ///< last listed
   BlockSet listed_;                  ///< the blocks for which at() may be called
   std::vector<Factors> factors_;     ///< one per muscle
   PullTable<Lanes> along_;           ///< the pulls of muscles with a way, as shares of it
-  PullTable<VertexBlock> free_;      ///< those of all others, per unit of activation
+  PullTable<VertexBlock> free_;      ///< the pulls of all other muscles, per unit of activation
 };
 
 /// MuscleSums in portions of about a millisecond. The face must outlive it.

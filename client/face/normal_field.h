@@ -14,10 +14,11 @@
 
 namespace aucast::face {
 
-/// Vertex normals, weighted by the triangles' areas; creases take no light and have none. Only
-/// normals near moved vertices are computed again. The triangles round a vertex make up a polygon,
-/// whose area vector (along its normal) does not depend on how the polygon is cut up. It is cut
-/// into quadrangles rather than triangles: each takes one cross product.
+/// Vertex normals, weighted by the triangles' areas; creases take no light and have no normals.
+/// Only normals near moved vertices are computed again. The triangles round a vertex make up a
+/// polygon, whose area vector (along its normal) does not depend on how the polygon is cut up. So
+/// it is cut into quadrangles, which are half as many as triangles: either kind takes one cross
+/// product each.
 /// Thread: one field per thread.
 class NormalField {
  public:
@@ -25,15 +26,15 @@ class NormalField {
   explicit NormalField(const FaceMesh& mesh);
   class Making;
 
-  /// Puts the vertices of a block somewhere else. Normals follow with update().
+  /// Puts the vertices of a block at `at`. Their normals change only with update().
   void place(std::size_t block, const std::array<Four, kLanes>& at) {
     Four* const points = &points_[block * kLanes];
     for (std::size_t i = 0; i < kLanes; ++i) points[i] = at[i];
   }
 
   /// Writes the `normals` that may have changed and leaves all others alone. `moved`: the blocks
-  /// that were placed anew since the last update. Normals have unit length; a vertex none of whose
-  /// triangles has an area gets +z. Normals of creases are left alone or set to +z.
+  /// that were placed anew since the last update. Normals have unit length; a vertex gets +z if
+  /// none of its triangles has an area. Normals of creases are left alone or set to +z.
   void update(const BlockSet& moved, std::span<glm::vec3> normals);
 
  private:
@@ -45,7 +46,7 @@ class NormalField {
     std::uint64_t bits = 0;
   };
 
-  /// Sets touched_ to the blocks whose normals change when these have moved.
+  /// Sets touched_ to the blocks whose normals change when the blocks in `moved` have moved.
   void touch(const BlockSet& moved);
   void update_some(std::span<const std::size_t> blocks, std::span<glm::vec3> normals) const;
   void add_areas(std::size_t half, Four* sums) const;
@@ -53,17 +54,17 @@ class NormalField {
   std::vector<Four> points_;
   /// The corners of the polygons round the four vertices of half block h are corners_begin_[h] to
   /// corners_begin_[h + 1]. They come in pairs: the first pair of each vertex, then the second pair
-  /// of each, and so on for as many as the vertex with the most pairs has; the others are filled up
-  /// with pairs that add no area. Each pair after the first makes a quadrangle with its vertex's
-  /// first corner and the corner before the pair. Corners are distances in bytes from the first
-  /// point, which saves a shift each.
+  /// of each, and so on. All four vertices have equally many: those with fewer are filled up with
+  /// pairs that add no area. Each pair after the first makes a quadrangle with its vertex's first
+  /// corner and the corner before the pair. A corner is stored as its distance in bytes from the
+  /// first point, which saves a shift.
   std::vector<std::uint32_t> corners_;
   std::vector<std::uint32_t> corners_begin_{0};
-  /// Likewise by block: the blocks that share a triangle with it, and itself; none if it has only
-  /// creases.
+  /// Likewise for each block: the block itself and those that share a triangle with it; none if it
+  /// has only creases.
   std::vector<Neighbours> neighbours_;
   std::vector<std::uint32_t> neighbours_begin_{0};
-  BlockSet moved_;    ///< by the last touch()
+  BlockSet moved_;    ///< the argument of the last touch()
   BlockSet touched_;  ///< the blocks whose normals may change when moved_ have moved
 };
 

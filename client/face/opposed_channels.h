@@ -20,14 +20,15 @@ inline constexpr OpposedNames kHeadTurn{"head_turn_left", "head_turn_right"};
 inline constexpr OpposedNames kHeadPitch{"head_up", "head_down"};
 inline constexpr OpposedNames kHeadTilt{"head_tilt_left", "head_tilt_right"};
 inline constexpr OpposedNames kHeadShift{"head_forward", "head_back"};
-/// For each eye; "left_" or "right_" goes in front.
+/// Each eye has these two; "left_" or "right_" goes in front of the names.
 inline constexpr OpposedNames kGazeYaw{"gaze_left", "gaze_right"};
 inline constexpr OpposedNames kGazePitch{"gaze_up", "gaze_down"};
 
 inline constexpr std::array kOpposedNames{kGazeYaw,   kGazePitch, kHeadTurn,
                                           kHeadPitch, kHeadTilt,  kHeadShift};
 
-/// Two channels of a face that pull opposite ways; nullopt if the face does not have it.
+/// Two channels of a face that pull opposite ways; a channel is nullopt if the face does not have
+/// it.
 struct OpposedChannels {
   std::optional<std::size_t> plus;
   std::optional<std::size_t> minus;

@@ -28,13 +28,14 @@ inline constexpr std::size_t kPlyPartsMax = 64;
 /// Reads the bytes of a mesh.ply (data/faces/FORMAT.md). Quads become two triangles along the
 /// diagonal from their first corner; triangles are sorted by part and otherwise keep the file's
 /// order. `maps` gets the file's maps; `occlusion` and `gloss` are filled with 1 if the file has
-/// none. BadData naming `file` and the header's line, or the vertex or polygon (both count from 0).
+/// none. Fails with BadData, naming `file` and the header's line, the vertex or the polygon (both
+/// count from 0).
 [[nodiscard]] Result<FaceMesh> parse_ply(std::string_view bytes, std::string_view file);
 
-/// The bytes of a mesh.ply that parse_ply() reads back: colours to the nearest of 256 sRGB steps,
-/// all else bit for bit. `polygons` are written in place of mesh.triangles, which are ignored. The
-/// mesh must be sound: every array of one entry per vertex (occlusion and gloss may be empty),
-/// parts covering the vertices in order.
+/// The bytes of a mesh.ply. parse_ply() reads the same mesh back: colours to the nearest of 256
+/// sRGB steps, all else bit for bit. `polygons` are written in place of mesh.triangles, which are
+/// ignored. The mesh must be sound: every array must have one entry per vertex (occlusion and gloss
+/// may be empty), and the parts must cover the vertices in order.
 [[nodiscard]] std::string format_ply(const FaceMesh& mesh, std::span<const Polygon> polygons);
 
 }  // namespace aucast::face

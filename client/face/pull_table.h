@@ -11,8 +11,8 @@
 namespace aucast::face {
 
 /// The pulls of muscles on blocks of vertices, sorted by block and then by muscle, and a list of
-/// those whose muscle is active. Most expressions use few muscles, and testing all others for each
-/// block would take longer than the sums.
+/// the pulls whose muscle is active. Most expressions use few muscles; to test all the others for
+/// each block would take longer than the sums.
 template <typename Pull>
 class PullTable {
  public:
@@ -22,8 +22,8 @@ class PullTable {
     Pull pull{};
   };
 
-  /// A pull of an active muscle: its byte position in the table of pulls, and its muscle's in the
-  /// caller's table of muscles. Bytes rather than indices save multiplications.
+  /// A pull of an active muscle: its byte position in the table of pulls, and that of its muscle in
+  /// the caller's table of muscles. Bytes rather than indices save multiplications.
   struct Acting {
     std::uint32_t pull = 0;
     std::uint32_t muscle = 0;
@@ -45,9 +45,9 @@ class PullTable {
     begin_.resize(block_count + 1, static_cast<std::uint32_t>(pulls_.size()));
   }
 
-  /// Lists the pulls of active muscles on `blocks`, in this order, for acting(). `acts`: 1 for each
+  /// Lists the pulls of active muscles for acting(), in the order of `blocks`. `acts`: 1 for each
   /// active muscle, else 0. `muscle_bytes`: the size of an element of the caller's table of
-  /// muscles. Without branches, which no processor could predict here.
+  /// muscles. It has no branches, because no processor could predict them here.
   void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes,
                    const BlockSet& blocks) {
     std::uint32_t count = 0;
@@ -68,8 +68,8 @@ class PullTable {
     return {acting_.data() + acting_in_[block].begin, acting_.data() + acting_in_[block].end};
   }
 
-  /// The pull that `acting` refers to. Prefetches a later one: they lie too far apart for the
-  /// processor to do so on its own.
+  /// The pull that `acting` refers to. Also prefetches a later pull: pulls lie too far apart for
+  /// the processor to do so on its own.
   [[nodiscard]] const Pull& fetch(const Acting& acting) const {
     const Pull& later = at_distance(pulls_.data(), (&acting)[kAhead].pull);
     __builtin_prefetch(&later);

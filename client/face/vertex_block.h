@@ -24,7 +24,7 @@ using Lanes = std::array<float, kLanes>;
 /// x, y, z and one unused number.
 using Four = float __attribute__((vector_size(16)));
 
-/// Eight vertices that follow each other in the mesh; lanes past its end are zero.
+/// Eight vertices that follow each other in the mesh; lanes past the mesh's end are zero.
 struct alignas(32) VertexBlock {
   Lanes x{};
   Lanes y{};
@@ -41,7 +41,7 @@ template <typename Element>
   return Four{value, value, value, value};
 }
 
-/// Four lanes, from lane `begin` on: 0 or 4.
+/// Four lanes, from lane `begin` (0 or 4) on.
 [[nodiscard]] inline Four four_at(const Lanes& lanes, std::size_t begin) {
   Four four;
   std::memcpy(&four, &lanes[begin], sizeof four);
@@ -83,7 +83,7 @@ template <typename Points>
   return points;
 }
 
-/// Calls `write` with room for the points of a whole block. Those beyond the end of `out` are
+/// Calls `write` with room for the points of a whole block. Points beyond the end of `out` are
 /// dropped.
 template <typename Write>
 void write_block(std::span<glm::vec3> out, Write write) {
@@ -96,7 +96,7 @@ void write_block(std::span<glm::vec3> out, Write write) {
 /// mesh.
 inline void write_points(const std::array<Four, kLanes>& points, std::span<glm::vec3> out) {
   write_block(out, [&points](glm::vec3* block) {
-    // Whole registers: the next point overwrites the unused fourth number.
+    // Stores whole registers: the next point overwrites the unused fourth number.
     float* to = &block->x;
     for (std::size_t i = 0; i + 1 < kLanes; ++i, to += 3) std::memcpy(to, &points[i], sizeof(Four));
     std::memcpy(to, &points[kLanes - 1], sizeof(glm::vec3));
