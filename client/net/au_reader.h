@@ -21,10 +21,10 @@
 namespace aucast::net {
 
 struct AuReaderOptions {
-  std::string peer;                                 ///< HOST:PORT, as messages call the server
+  std::string peer;                                 ///< HOST:PORT, the server's name in messages
   bool classic = false;                             ///< never send a hello
   std::string stream;                               ///< empty: the server's first
-  Duration silence_max = std::chrono::seconds(10);  ///< for the first packet
+  Duration silence_max = std::chrono::seconds(10);  ///< how long the first packet may take
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed{};  ///< --speed: the time of keyframes that have none of their
                                         ///< own; nullopt: what the server's hello says
@@ -42,7 +42,7 @@ struct Reaction {
     GoOn,
     Reconnect,       ///< drop this connection and make a new one, then call connected() again
     ReconnectLater,  ///< the same after `retry_after`
-    Close,           ///< nothing more will come from the server
+    Close,           ///< close the connection: nothing more will come from the server
   };
   std::string send;
   Next next = Next::GoOn;
@@ -50,26 +50,28 @@ struct Reaction {
   Milliseconds retry_after{0};
 };
 
-/// The AU Reader of the thesis (5.4.4.2) without its socket: what comes from the server goes into
-/// the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and the server is told
-/// to pause while they are full. No clock: the current time goes in.
+/// The AU Reader of the thesis (5.4.4.2) without its socket. It puts what comes from the server
+/// into the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and asks the
+/// server to pause while they are full. It has no clock: the current time is handed in.
 ///
-/// Room: every keyframe answered by `1` and not yet taken is in the buffers, in `kept_` (under way
-/// when the buffers became full, at most the window) or in `first_`. A server that does not wait
-/// for answers is read no faster than the player makes room.
+/// Room: every keyframe answered by `1` and not yet taken is in the buffers, in `kept_` or in
+/// `first_`. `kept_` has those that were under way when the buffers became full, at most the
+/// window. A server that does not wait for answers is read no faster than the player makes room.
 ///
-/// Classic: when a server answers our hello with a keyframe, that one is answered, but waits in
-/// `first_` until a second one or {-2} comes. If the server closes before that, the stream begins
-/// again on a new connection, and nothing may be played twice.
+/// Classic: when the first thing that follows our hello is a keyframe, the reader answers that
+/// keyframe, but keeps it in `first_` until a second one or {-2} comes. If the server closes the
+/// connection before that, the stream begins again on a new connection; the kept keyframe is then
+/// dropped, so that it is not played twice.
 ///
-/// Loss: with `reconnect` the face holds, and the stream of the next connection follows what has
-/// been received: a recorded stream from where it was cut off, if the server can do that, a live
-/// one from the present.
+/// Loss: with `reconnect` the face holds until there is a new connection. A recorded stream then
+/// goes on from where it was cut off, if the server can do that; a live one goes on from the
+/// present.
 ///
-/// Low delay: with BufferOptions::low_delay the stream is asked for without answers (window=0). If
-/// it is a recorded one, the reader connects once more with a window.
+/// Low delay: with BufferOptions::low_delay the reader asks for a stream that needs no answers
+/// (window=0). If the stream proves to be recorded, the reader connects once more and asks for a
+/// window.
 ///
-/// Thread: none of its own; the owner guards it.
+/// Thread: none of its own; the owner serialises the calls.
 class AuReader {
  public:
   explicit AuReader(AuReaderOptions options);
@@ -83,21 +85,21 @@ class AuReader {
   /// as a clause).
   [[nodiscard]] Reaction closed(Instant now, std::string_view broke = {});
   [[nodiscard]] Reaction time(Instant now);
-  /// When time() wants to be called; nullopt: no timer is running.
+  /// When time() is to be called; nullopt: not at all.
   [[nodiscard]] std::optional<Instant> deadline() const;
   /// No connection could be made; `reason` is a sentence for the user.
   Reaction unreachable(std::string reason);
   /// The connection cannot be used, and another attempt would fail in the same way.
   Reaction refused(playback::EndReason why, const std::string& reason);
-  /// Call after take() or set_paused(): tells the server what follows from it, and works on the
-  /// bytes that had to wait.
+  /// Call after take() or set_paused(): returns the codes that are now due to the server, and works
+  /// on the bytes that had to wait.
   [[nodiscard]] Reaction speak(Instant now);
   /// The user leaves: returns the last bytes, to be sent if there is a connection.
   [[nodiscard]] std::string farewell();
-  /// Bytes of the protocol went out, without what a layer such as TLS adds.
+  /// Counts bytes of the protocol that went out, without what a layer such as TLS adds.
   void note_sent(std::size_t bytes) { status_.bytes_sent += bytes; }
-  /// False while received bytes wait for room: read no more, so that flow control holds the server
-  /// back.
+  /// False while received bytes wait for room: then read nothing, so that flow control holds the
+  /// server back.
   [[nodiscard]] bool wants_bytes() const;
 
   // === The player's side.
@@ -110,8 +112,8 @@ class AuReader {
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
   [[nodiscard]] bool has_words() const;
-  /// Asked by the player after it has taken something: whether speak() is to be called. That is so
-  /// while has_words(), once between two calls of speak().
+  /// Whether to call speak(); the player asks this after it has taken something. True if
+  /// has_words(), but only once between two calls of speak().
   [[nodiscard]] bool calls_for_speak();
   void set_paused(bool paused);
   /// The user leaves: take() returns nullopt from now on.
@@ -121,15 +123,16 @@ class AuReader {
  private:
   /// How the next connection is begun.
   struct Manner {
-    bool hello = true;    ///< in classic there is none
+    bool hello = true;    ///< it sends a hello; in classic it sends none
     bool answers = true;  ///< it asks for a window
   };
 
   /// What came of the attempts to reach a server.
   struct Attempts {
     bool granted = false;           ///< at least one hello has been answered
-    std::size_t failures = 0;       ///< before a server was reached
-    std::size_t busy_in_a_row = 0;  ///< hosts that were full, or did not have the stream yet
+    std::size_t failures = 0;       ///< attempts that failed before a server was reached
+    std::size_t busy_in_a_row = 0;  ///< how many hosts in a row were full or did not have the
+                                    ///< stream yet
     BackOff back_off;
   };
 
@@ -172,20 +175,22 @@ class AuReader {
   protocol::ClientSession session_;
   playback::KeyframeBuffers buffers_;
   std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
-  std::deque<playback::Keyframe> kept_;      ///< those of case A of KeyframeBuffers::store()
+  std::deque<playback::Keyframe> kept_;      ///< the keyframes of case A of
+                                             ///< KeyframeBuffers::store()
   std::string waiting_;                      ///< received bytes that wait for room in kept_
   AnswerLedger ledger_;
   bool called_for_speak_ = false;
   bool user_paused_ = false;
   playback::SourceStatus status_;  ///< what status() does not get from the other members
   Instant connected_at_{};
-  Instant now_{};  ///< of the call that is being worked on
+  Instant now_{};  ///< the time that came with the current call
   LiveTiming timing_;
-  Milliseconds clock_{0};        ///< the times of all keyframes received, over all connections
-  Milliseconds clock_shift_{0};  ///< from a place of this connection to that on clock_
+  Milliseconds clock_{0};        ///< the sum of the times of all keyframes received, over all
+                                 ///< connections
+  Milliseconds clock_shift_{0};  ///< a place of this connection plus this is the place on clock_
   SpokenQueue spoken_;           ///< its places are on clock_
   Attempts attempts_;
-  Received lost_;  ///< of earlier connections that were lost
+  Received lost_;  ///< over earlier connections, which were lost
 };
 
 }  // namespace aucast::net

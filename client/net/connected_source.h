@@ -8,8 +8,8 @@
 namespace aucast::net {
 
 /// The keyframes of a server: a ServerConnection feeds them into the reader, and this class takes
-/// them out for the player. The class that runs the connection derives from it.
-/// Thread: the player's; only the reader is touched by the connection's too.
+/// them out for the player. Classes that run the connection derive from this one.
+/// Thread: the player's; the connection's thread uses only the reader.
 class ConnectedSource : public playback::KeyframeSource {
  public:
   [[nodiscard]] std::optional<playback::Keyframe> take() final;

@@ -10,9 +10,10 @@
 namespace aucast::net {
 
 /// Decides from the arrivals of a live stream's keyframes when to play them. With
-/// BufferOptions::adapt the stream is delayed by as much as its jitter needs; until that is known,
-/// by a multiple of the round trip, as a lost packet takes at least one to be sent again. With
-/// BufferOptions::low_delay each keyframe gets a time at which it is due instead.
+/// BufferOptions::adapt the stream is delayed by as much as its jitter needs; until the jitter is
+/// known, by a multiple of the round trip, because it takes at least one round trip to send a lost
+/// packet again. With BufferOptions::low_delay each keyframe instead gets a time at which it is
+/// due.
 /// Thread: none of its own.
 class LiveTiming {
  public:
@@ -20,8 +21,8 @@ class LiveTiming {
 
   /// `round_trip`: of the connection that begins; zero if unknown.
   void connected(Duration round_trip);
-  /// Call it for a new connection or when the user has paused: the next keyframe may come at any
-  /// time.
+  /// Call it for a new connection or when the user has paused: the next keyframe may then come at
+  /// any time.
   void begin_again();
   /// A keyframe has come, at `keyframe.arrived`. With low_delay, sets when it is due; with adapt,
   /// returns how much is to be buffered from now on (nullopt: as before). `untimed`: the time of a

@@ -27,15 +27,15 @@ struct RemoteOptions {
   std::vector<Endpoint> others{};  ///< with `reconnect`: other servers of the stream, tried in turn
   bool classic = false;            ///< --protocol classic
   std::string stream;              ///< --stream; empty: the first
-  /// How long the server may take to be looked up and reached, and again as long for its first
-  /// packet.
+  /// How long it may take to look up and reach the server. Its first packet may then take as long
+  /// again.
   Duration connect_timeout = std::chrono::seconds(10);
   playback::BufferOptions buffers;
   std::optional<Milliseconds> speed{};  ///< --speed
   /// --reconnect: a connection that is lost or cannot be made is tried again after 1, 2, 4 ... 30
   /// s, until stop().
   bool reconnect = false;
-  /// With `reconnect`: until one of the servers was reached, each is tried only once.
+  /// With `reconnect`: until one of the servers has been reached, each is tried only once.
   bool one_round = false;
   Security security{};
   bool voice = false;     ///< ask for the stream's voice
@@ -46,8 +46,8 @@ struct RemoteOptions {
 };
 
 /// The keyframes of a server. A thread of its own, the network thread, dials and runs a
-/// ServerConnection. This and the player's thread share the AuReader, behind a lock; what the
-/// player asks of the network thread is posted to it. A failure shows in status(): Unreachable,
+/// ServerConnection. The network thread and the player's share the AuReader, behind a lock; what
+/// the player asks of the network thread is posted to it. A failure shows in status(): Unreachable,
 /// ConnectionLost, ProtocolError or Refused, with a sentence for the user. Keyframes received
 /// before are still returned.
 class RemoteSource final : public ConnectedSource {
@@ -64,7 +64,7 @@ class RemoteSource final : public ConnectedSource {
   void speak() override;
   void leave() override;
 
-  std::unique_ptr<Network> network_;  ///< null: the system had nothing left for it
+  std::unique_ptr<Network> network_;  ///< null: the system lacked the resources for it
 };
 
 }  // namespace aucast::net

@@ -13,11 +13,11 @@
 
 namespace aucast::net {
 
-/// What the player's and the network thread both use.
+/// What the player's thread and the network thread share.
 using SharedReader = Shared<AuReader>;
 
-/// Carries out what an AuReader decides, on a link; when a connection is lost, on the next link.
-/// The owner makes the links, and waits before the next one.
+/// Carries out on a link what an AuReader decides; after a loss it goes on with the next link. The
+/// owner makes the links, and waits before it makes the next one.
 /// Thread: that of the links; the player's thread uses the reader too.
 class ServerConnection final : public link::LinkUser {
  public:
@@ -61,7 +61,7 @@ class ServerConnection final : public link::LinkUser {
   std::shared_ptr<link::Link> link_;  ///< null: there is none
   bool open_ = false;
   bool link_over_ = false;   ///< it has closed; bytes that came before may still wait for room
-  bool peer_ended_ = false;  ///< the peer has ended, and the reader has not been told yet
+  bool peer_ended_ = false;  ///< the peer has closed its side, and the reader does not know yet
   std::string broke_;        ///< why the connection broke; empty: the peer closed its side
   bool leaving_ = false;
   bool over_ = false;

@@ -10,9 +10,9 @@
 
 namespace aucast::net {
 
-/// Voice and captions that have come and wait to be taken: at most playback::kVoiceBytesMax and
-/// kVoicePacketsMax of the one, kCaptionsMax of the other. What comes when there is no room is left
-/// out and counted. Thread: none of its own.
+/// Voice and captions that have come and wait to be taken: at most playback::kVoiceBytesMax bytes
+/// and kVoicePacketsMax packets of voice, and kCaptionsMax captions. Whatever comes while there is
+/// no room is left out and counted. Thread: none of its own.
 class SpokenQueue {
  public:
   static constexpr std::size_t kCaptionsMax = 10'000;

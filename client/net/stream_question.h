@@ -14,7 +14,8 @@
 namespace aucast::net {
 
 /// Asks a server which streams it has, with all that it says of them: one question over one link.
-/// `answered` is called once, and never from within this object's own calls, except abandon().
+/// `answered` is called once, and never from within a call of this object's functions, except
+/// abandon().
 /// Thread: that of the link.
 class StreamQuestion final : public link::LinkUser {
  public:

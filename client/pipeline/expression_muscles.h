@@ -9,7 +9,8 @@
 namespace aucast::pipeline {
 
 /// Sets an expression's muscles on top of `activations` (one per channel of the face): the larger
-/// value counts, limited to the channel's maximum. BadData when the face has no such muscle.
+/// value counts, limited to the channel's maximum. Fails with BadData if the face lacks one of the
+/// muscles.
 [[nodiscard]] Result<void> apply_muscles(const face::Face& face, const Expression& expression,
                                          std::span<float> activations);
 

@@ -7,17 +7,17 @@
 
 namespace aucast::pipeline {
 
-/// Keeps recent faces, so that one can be shown later than it was made, with its sound.
+/// Keeps recent faces, so that a face can be shown later than it was made, together with its sound.
 /// Thread: none of its own.
 class FaceDelay {
  public:
-  /// The face of `at`, one activation per channel. The times must not go back.
+  /// Adds the face of the time `at`, one activation per channel. The times must not go back.
   void add(Instant at, const std::vector<float>& activations);
-  /// at() will not be asked for anything earlier any more.
+  /// From now on at() will not be asked for any time before `at`.
   void forget_before(Instant at);
-  /// The face at `at`, interpolated between its neighbours; before all faces the first, after all
-  /// the last. Earlier faces are forgotten. At least one must have been added. Valid until the next
-  /// call.
+  /// The face at `at`, interpolated between its neighbours; before the first face the first, after
+  /// the last one the last. Earlier faces are forgotten. At least one face must have been added.
+  /// Valid until the next call.
   [[nodiscard]] const std::vector<float>& at(Instant at);
   [[nodiscard]] bool empty() const { return faces_.empty(); }
   void clear() { faces_.clear(); }

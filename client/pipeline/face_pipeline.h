@@ -17,9 +17,9 @@ struct FaceState {
 /// Turns a set of AUs into activations: blends (rules), mixes, then interpolates between start and
 /// end frame. Only this class decides that order. The caller deforms, with a FaceDeformer, because
 /// not every position is drawn. The mapping must outlive it; a change to the mapping takes effect
-/// at the next keyframe or remake(). After construction only neutral() and change_face() allocate,
-/// and begin_keyframe() and remake() if the mapping has been given more rules since. Thread: the
-/// player's.
+/// at the next keyframe or remake(). After construction memory is allocated only by neutral() and
+/// change_face(), and by begin_keyframe() and remake() when the mapping has been given more rules.
+/// Thread: the player's.
 class FacePipeline {
  public:
   FacePipeline(const AuMapping& mapping, playback::Interpolation interpolation);
@@ -31,7 +31,7 @@ class FacePipeline {
   /// Makes both frames again from their AUs. Call it when the mapping has a new face.
   void change_face();
   /// The face at fraction `mu` in [0,1] of the current keyframe: exactly `start` at 0 and the end
-  /// frame at 1; neutral before the first. `state` must be as large as neutral().
+  /// frame at 1; neutral before the first keyframe. `state` must be as large as neutral().
   void at(double mu, FaceState& state) const;
   [[nodiscard]] FaceState neutral() const;
 

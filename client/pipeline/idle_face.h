@@ -13,14 +13,14 @@
 
 namespace aucast::pipeline {
 
-/// What an idle face does; nullopt: not at all.
+/// What an idle face does; nullopt: it does not do that.
 struct IdleOptions {
   std::optional<std::uint64_t> seed{};            ///< gaze and breath (playback/idle_life.h)
   std::optional<playback::BlinkOptions> blink{};  ///< playback/blinking.h
 };
 
-/// Adds what an idle face does to the activations that are shown. Movements for which the face has
-/// no channel are left out. The face must outlive it.
+/// Adds the movements of an idle face to the activations that are shown. Movements for which the
+/// face has no channel are left out. The face must outlive it.
 class IdleFace {
  public:
   explicit IdleFace(const face::Face& face);
@@ -31,8 +31,8 @@ class IdleFace {
   /// Closes both lids by at least `closure`, in [0,1].
   void blink(float closure, std::span<float> activations) const;
 
-  /// Turns the eyes from where they look, and lifts the head with the breath: by half a degree of
-  /// nodding and 0.7 mm forward.
+  /// Turns the eyes away from where they look. With the breath it nods the head upwards by half a
+  /// degree and moves it 0.7 mm forward.
   void move(const playback::IdleMotion& motion, std::span<float> activations) const;
 
  private:

@@ -22,8 +22,8 @@ struct BlinkOptions {
 
 /// Blinking as a pure function of time: the same options blink at the same moments. One blink
 /// begins in every interval, at a random moment of it, and takes 3 x closing_ms: the lids close in
-/// closing_ms, stay closed for half of it and open in one and a half of it. Returns the closure of
-/// both lids in [0,1] at `seconds` >= 0.
+/// closing_ms, stay closed for half that time and open in one and a half times that time. Returns
+/// the closure of both lids in [0,1] at `seconds` >= 0.
 [[nodiscard]] float blink_closure(const BlinkOptions& options, double seconds);
 
 /// The same with the default interval and closing time.

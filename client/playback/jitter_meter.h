@@ -29,8 +29,8 @@ class JitterMeter {
     Duration lateness;
   };
 
-  std::deque<Arrival> highest_;  ///< falling; the first is the latest of the window
-  std::deque<Arrival> lowest_;   ///< rising; the first is the least late of the window
+  std::deque<Arrival> highest_;  ///< with falling lateness; the first has the highest of the window
+  std::deque<Arrival> lowest_;   ///< with rising lateness; the first has the lowest of the window
   std::optional<Instant> begin_;
   Instant last_{};
   Milliseconds media_{0};

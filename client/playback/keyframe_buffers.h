@@ -15,8 +15,8 @@ struct BufferOptions {
 
   std::size_t receiver_capacity = 100;  ///< sets, 1 to kSetsMax
   std::size_t playout_capacity = 30;    ///< sets, 1 to kSetsMax, at most receiver_capacity
-  int threshold_percent = 40;           ///< of the receiver buffer, 1-100; for the first fill and
-                                        ///< after a stall
+  int threshold_percent = 40;           ///< how full the Receiver buffer must be to start, 1-100,
+                                        ///< at first and after a stall
   Milliseconds live_delay{300};         ///< live streams wait for this instead, 0 to kDelayMax
   bool by_time = false;                 ///< --buffer auto or Nms: recorded streams wait for
                                         ///< `live_delay` too, and not for the threshold
@@ -25,8 +25,8 @@ struct BufferOptions {
                                         ///< and is reached at its own Keyframe::due
 };
 
-/// The Receiver buffer of --buffer auto and --buffer Nms, in sets: for kDelayMax at 30 a second,
-/// and some more.
+/// The capacity in sets of the Receiver buffer with --buffer auto and --buffer Nms: enough for
+/// kDelayMax at 30 sets a second, and some more.
 inline constexpr std::size_t kReceiverSetsByTime = 2000;
 
 /// How many sets must be in the Receiver buffer before the Playout buffer is filled:
@@ -45,20 +45,22 @@ inline constexpr std::size_t kReceiverSetsByTime = 2000;
 ///
 /// A live stream is buffered by time. At first and after a stall, playing starts when two keyframes
 /// and `live_delay` are buffered, or the receiver is full. A keyframe is played in 95 % of its time
-/// if more than `live_delay` plus that time is buffered after it; with `adapt`, in 105 % if less
-/// than `live_delay` minus twice that time is. store() always takes a live keyframe. When the
-/// receiver overflows, the oldest is dropped. While playback is waiting and more than `live_delay`
-/// + kLiveLagMax is buffered, the oldest are dropped until `live_delay` is left.
+/// if more than `live_delay` plus that time is buffered after it. With `adapt`, it takes 105 % of
+/// its time if less than `live_delay` minus twice that time is buffered after it. store() always
+/// takes a live keyframe. When the receiver overflows, the oldest is dropped. While playback is
+/// waiting and more than `live_delay` + kLiveLagMax is buffered, the oldest are dropped until
+/// `live_delay` is left.
 ///
 /// With `low_delay`, playing of a live stream starts with one keyframe, and pace_percent stays 100.
-/// While playback is waiting, there is a limit: the time from the newest keyframe's arrival until
-/// it is due (its own time if it has no due time). Once more than that + kStandingLagMax is
-/// buffered, the oldest are dropped down to the limit.
+/// While playback is waiting, the limit is the time from the newest keyframe's arrival until it is
+/// due (its own time if it has no due time). Once more than the limit + kStandingLagMax is
+/// buffered, the oldest are dropped until the limit is left.
 ///
 /// With `by_time`, a recorded stream waits for two keyframes and `live_delay` too; with `adapt` as
-/// well, each stall doubles `live_delay`, up to 10 s; one that is longer stays as it is.
+/// well, each stall doubles `live_delay`, up to 10 s. A delay that is longer than that from the
+/// beginning is not changed.
 ///
-/// Thread: none of its own; the owner guards it.
+/// Thread: none of its own; the owner serialises the calls.
 class KeyframeBuffers {
  public:
   /// The options must be in their ranges.

@@ -13,8 +13,8 @@
 namespace aucast::playback {
 
 /// One set of AUs with the time to reach it, on its way from the wire to the face (its wire form is
-/// protocol::Keyframe). Places of keyframes, voice and captions are here all on one clock: that of
-/// the client (PROTOCOL.md, Voice) or of the file. It is not that of the places on the wire.
+/// protocol::Keyframe). Here the places of keyframes, voice and captions are all on one clock: the
+/// client's (PROTOCOL.md, Voice) or the file's. Places on the wire are on another clock.
 struct Keyframe {
   AuFrame aus;
   std::optional<Milliseconds> time;     ///< the packet's own time, if it had one
@@ -22,15 +22,16 @@ struct Keyframe {
   std::optional<Instant> arrived{};     ///< live: when it came
   std::optional<Instant> due{};         ///< --live: when the face should have reached it
   std::optional<Milliseconds> place{};  ///< where it is reached
-  Milliseconds span{0};                 ///< its length on that clock, whatever --speed says
-  bool spoken = false;                  ///< live: a voice is heard meanwhile, so that the pace used
-                                        ///< stays within 99.5-100.5 %, whatever pace_percent is
+  Milliseconds span{0};                 ///< its length on the clock of places, whatever --speed
+                                        ///< says
+  bool spoken = false;                  ///< live: a voice is heard meanwhile, so the pace stays
+                                        ///< within 99.5-100.5 %, whatever pace_percent says
 };
 
-/// Bytes of voice that wait to be taken, at most: an hour at 24 kbit/s.
+/// The most bytes of voice that wait to be taken: an hour at 24 kbit/s.
 inline constexpr std::size_t kVoiceBytesMax = std::size_t{11} << 20U;
-/// The same in packets: an hour of the shortest, 10 ms. Each takes memory beside its bytes, however
-/// few these are.
+/// The most packets of voice that wait: an hour of the shortest, 10 ms each. They have a limit of
+/// their own because even a packet of few bytes takes memory.
 inline constexpr std::size_t kVoicePacketsMax = 360'000;
 
 /// One Opus packet of a source's voice.
@@ -48,7 +49,7 @@ struct Caption {
 /// Why a source has nothing more to give.
 enum class EndReason : std::uint8_t {
   NotEnded,
-  EndOfStream,  ///< {-2} came, or the file is through
+  EndOfStream,  ///< {-2} came, or the file has no more keyframes
   Stopped,      ///< stop() was called
   ConnectionLost,
   ProtocolError,
@@ -64,7 +65,7 @@ struct SourceStatus {
   bool connected = false;
   EndReason end = EndReason::NotEnded;  ///< set as soon as nothing more will arrive
   std::string detail;                   ///< a sentence about the end, for the user
-  std::string reason;                   ///< why it will be tried again: the cause alone
+  std::string reason;                   ///< why a connection will be tried again: the cause alone
   Milliseconds retry_after{0};          ///< from the loss to the next attempt
   std::optional<int> refusal;           ///< Refused: the server's code
   std::size_t receiver_fill = 0;
@@ -74,13 +75,13 @@ struct SourceStatus {
   bool live = false;                    ///< the server has one clock for all
   bool voice = false;                   ///< a voice comes with the stream
   bool captions = false;                ///< captions come with it
-  std::string stream;                   ///< its name, as the server says; empty: it does not
+  std::string stream;                   ///< its name as the server gives it; empty: it gives none
   std::string title;                    ///< of the stream; empty: none
   std::uint64_t keyframes_dropped = 0;  ///< live: to catch up
   std::uint64_t voice_left_out = 0;     ///< packets dropped because their queue was full
   std::uint64_t captions_left_out = 0;  ///< likewise
   Milliseconds delay{0};         ///< how much is to be buffered (live, --buffer auto or Nms);
-                                 ///< --live: from arrival until the face is there
+                                 ///< --live: the time from arrival until the face is there
   Milliseconds buffered{0};      ///< how much is buffered now, in the stream's own time
   std::uint64_t reconnects = 0;  ///< attempts after a loss (--reconnect)
   bool paused = false;           ///< by the user, or by -1 because the buffers are full
@@ -108,12 +109,12 @@ class KeyframeSource {
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
   /// The same for captions.
   [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
-  /// True when take() would give one, or nothing will ever come again.
+  /// True when take() would give a keyframe, or nothing will ever come again.
   [[nodiscard]] virtual bool ready() const = 0;
   /// Waits until ready() or until `until`, whichever is first; returns ready().
   virtual bool wait_until(Instant until) = 0;
   [[nodiscard]] virtual SourceStatus status() const = 0;
-  /// The user leaves: -4 to a server. Returns at once; nothing more is given, and status().end
+  /// The user leaves: a server is sent -4. Returns at once; nothing more is given, and status().end
   /// becomes Stopped unless everything had been given already.
   virtual void stop() = 0;
   /// The user pauses or resumes: a server is asked to do the same. Keyframes already returned are

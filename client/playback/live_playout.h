@@ -10,12 +10,12 @@
 namespace aucast::playback {
 
 /// Decides when the keyframes of a live stream are due, with the lowest delay that the jitter
-/// allows (--live). The face can begin to move to a keyframe only when that has come. So the face
-/// is delayed by as much as keyframes come late, compared with the stream's own clock, and by no
-/// more: each keyframe is due when it would have come with the lateness that is to be expected,
-/// plus its own time.
+/// allows (--live). The face can begin to move to a keyframe only when the keyframe has come. So
+/// the face is delayed by the lateness of keyframes, compared with the stream's own clock, and by
+/// no more: a keyframe is due when it would come if it had the expected lateness, plus its own
+/// time.
 ///
-/// To be expected is the largest lateness of the last 30 seconds without the two worst seconds, so
+/// The expected lateness is the largest of the last 30 seconds without the two worst seconds, so
 /// that a delay that happens once or twice in half a minute does not delay everything after it. If
 /// the stream's clock has stepped (the source was silent, or moments were left out), what was known
 /// before is forgotten after a second.

@@ -26,7 +26,7 @@ class LocalPlayback {
   static constexpr int kSpeedMin = 10;  ///< percent
   static constexpr int kSpeedMax = 1000;
   /// The speeds that are offered, in percent, ascending. One step faster or slower leads to the
-  /// next.
+  /// next of them.
   static constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 
   /// `times`: the time of each keyframe, at least one, none negative. It begins paused, at position
@@ -40,8 +40,8 @@ class LocalPlayback {
   [[nodiscard]] Duration position(Instant now) const;
   /// The keyframe under way at a position; where one ends and the next begins, the one that ends.
   [[nodiscard]] StreamPlace place(Duration position) const;
-  /// The time of one picture of a source that has a steady rate of 10 a second or more, such as a
-  /// camera, even if some are missing; nullopt: the keyframes are no pictures of a film.
+  /// If the keyframes are pictures at a steady rate of 10 a second or more, as of a camera, the
+  /// time of one picture. Some may be missing. Nullopt: the keyframes are no pictures of a film.
   [[nodiscard]] std::optional<Duration> picture_time() const { return picture_time_; }
   /// Whether the clock runs. Stays true at the end until pause().
   [[nodiscard]] bool playing() const { return playing_; }
@@ -55,19 +55,19 @@ class LocalPlayback {
   /// Plays on; at the end, from the beginning.
   void play(Instant now);
   void pause(Instant now);
-  /// Goes to a position, clamped to the stream, and keeps playing or stays paused as before. If it
-  /// had played to its end, it is paused from now on; if it only was sought to the end, as in a
-  /// drag, it plays on after seeking back.
+  /// Goes to a position, clamped to the stream, and keeps playing or stays paused as before. If the
+  /// stream had played to its end, it is paused from now on. If the end was only reached by
+  /// seeking, as in a drag, it plays on once it is sought back.
   void seek(Duration position, Instant now);
   /// Goes to the next keyframe's end (+1) or the previous one's (-1), and stays there.
   void step_keyframe(int direction, Instant now);
-  /// The same by the pictures of a film of the stream, `fps` a second from its beginning. The
-  /// stream's end counts as the last picture.
+  /// Steps likewise by the pictures that a film of the stream would have, `fps` a second from the
+  /// stream's beginning. The stream's end counts as the last picture.
   void step_at_rate(int direction, int fps, Instant now);
-  /// The same by the pictures of the source, which must have a picture_time(): each keyframe is
-  /// one, and where some are missing steps are as long as elsewhere.
+  /// Steps likewise by the pictures of the source; there must be a picture_time(). Each keyframe is
+  /// a picture; where pictures are missing, steps are as long as elsewhere.
   void step_picture(int direction, Instant now);
-  /// Clamped to the limits.
+  /// Clamped to kSpeedMin and kSpeedMax.
   void set_speed(int percent, Instant now);
   /// Goes to the next of kSpeeds, up (+1) or down (-1).
   void change_speed(int direction, Instant now);
@@ -100,7 +100,7 @@ class LocalPlayback {
   /// The next place to step to, and the one before, for step_picture().
   [[nodiscard]] Duration picture_after(Duration position) const;
   [[nodiscard]] Duration picture_before(Duration position) const;
-  /// From here on the position is counted from `position` at `now`.
+  /// From now on the position is counted from `position` at `now`.
   void anchor(Duration position, Instant now);
 
   std::vector<Duration> ends_;

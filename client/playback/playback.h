@@ -14,9 +14,9 @@ namespace aucast::playback {
 class SeekablePlayback;
 
 /// Decides which keyframe the face is on its way to, and how far it has come. Time is handed in and
-/// must not go back; where there is sound, it is sound::SoundPlayer's. Two kinds: SourcePlayback
-/// plays what a source gives as it comes, SeekablePlayback plays a stream that is available whole,
-/// at any place and speed.
+/// must not go back; where there is sound, sound::SoundPlayer gives the time. Two kinds:
+/// SourcePlayback plays what a source gives as it comes, SeekablePlayback plays a stream that is
+/// available whole, at any place and speed.
 /// Thread: none of its own.
 class Playback {
  public:
@@ -45,14 +45,14 @@ class Playback {
   /// When to call advance() next for a face that has moved visibly; nullopt if the face does not
   /// move.
   [[nodiscard]] virtual std::optional<Instant> next_position_at() const = 0;
-  /// Where playing is, as of the last advance(). After the end it goes on, for sound that lasts
-  /// longer than the face. Nullopt if no places are known.
+  /// Where playing is, as of the last advance(). After the end the place goes on, for sound that
+  /// lasts longer than the face. Nullopt if no places are known.
   [[nodiscard]] virtual std::optional<Passing> passing() const = 0;
   /// As KeyframeSource's.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
   [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
-  /// Says that the times handed in from now on are `ahead` of the steady clock, and that the face
-  /// for a time is shown `lead` after that time is handed in. Both are zero before the first call.
+  /// Says that the times handed in from now on are `ahead` of the steady clock, and that a face is
+  /// shown `lead` after its time was handed in. Both are zero before the first call.
   virtual void set_clock(Duration /*ahead*/, Duration /*lead*/) {}
   /// How many keyframes were played to their end, as of the last advance().
   [[nodiscard]] virtual std::uint64_t keyframes_played() const = 0;
@@ -61,7 +61,7 @@ class Playback {
   [[nodiscard]] virtual std::uint64_t stalls() const { return 0; }
   /// How long live keyframes took from their arrival until they were reached.
   [[nodiscard]] virtual const DelayMeter& delays() const;
-  /// The same delays as they were intended, for keyframes that had a due time.
+  /// How long live keyframes with a due time were meant to take until they were reached.
   [[nodiscard]] virtual const DelayMeter& delays_meant() const;
   /// Blocks until advance() may find a keyframe, or until `until`. Returns true in the first case.
   virtual bool wait_until(Instant /*until*/) { return true; }

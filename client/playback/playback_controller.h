@@ -20,10 +20,10 @@ enum class PlaybackState : std::uint8_t {
   Stalled,  ///< both buffers ran empty before the end: the clock waits, the face holds
   Stale,    ///< a stall lasted too long: the face eases to neutral and waits there
   Paused,   ///< by the user
-  Ended,    ///< the last keyframe's position 50 is reached and the stream had ended
+  Ended,    ///< the stream has ended, and position 50 of its last keyframe is reached
   Stopped,  ///< the user left
-  Lost,  ///< everything received is played and the stream was cut short: connection lost, protocol
-         ///< error, server unreachable or refusing; the face holds and eases as in Stale
+  Lost,     ///< all that came is played, and the stream was cut short: connection lost, protocol
+            ///< error, server unreachable or refusing; the face holds and eases as in Stale
 };
 
 [[nodiscard]] std::string_view name(PlaybackState state);
@@ -48,13 +48,13 @@ struct PlaybackProgress {
   double mu = 0;     ///< exact fraction in [0,1] of the current keyframe
 };
 
-/// The playback controller of the thesis (figure 5.15) on a given clock. The face at the end
-/// of one keyframe is where the next begins, exactly when the last one ended, so that nothing
+/// The playback controller of the thesis (figure 5.15), on a clock that is handed in. Each keyframe
+/// begins with the face and at the exact time at which the previous one ended, so that nothing
 /// drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A
 /// keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due time takes
 /// until then, but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while a
-/// voice is heard); after a stall it begins when it arrived, but not before the previous call of
-/// advance(). The times handed in must not go back. Thread: the player's.
+/// voice is heard). After a stall, such a keyframe begins when it arrived, but not before the
+/// previous call of advance(). The times handed in must not go back. Thread: the player's.
 class PlaybackController {
  public:
   /// The longest time that --speed gives a keyframe.
@@ -153,7 +153,7 @@ class PlaybackController {
   Instant ease_begin_{};
   Instant paused_since_{};
   std::optional<Instant> stood_at_;  ///< since when a keyframe has been held half played; nullopt:
-                                     ///< none is
+                                     ///< none is held
   PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;

@@ -31,7 +31,8 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] SourceStatus status() const override;
   [[nodiscard]] SeekablePlayback* seekable() override { return this; }
 
-  /// The position, for seeking, steps, speed and loop. If it was untouched, playing begins.
+  /// The position, for seeking, steps, speed and loop. If nothing was played, paused or sought
+  /// before, playing begins.
   [[nodiscard]] LocalPlayback& playhead(Instant now);
   [[nodiscard]] const LocalPlayback& playhead() const { return playhead_; }
   /// As of the last advance().
@@ -39,8 +40,8 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   /// When each keyframe is reached, ascending.
   [[nodiscard]] const std::shared_ptr<const std::vector<Duration>>& ends() const { return ends_; }
-  /// The keyframe under way, to be begun once more from the face before it because something else
-  /// has changed.
+  /// The keyframe under way, for a caller that must begin it once more, from the face before it,
+  /// because the mapping has changed.
   [[nodiscard]] KeyframeBegun under_way() const;
 
  private:

@@ -12,11 +12,11 @@
 
 namespace aucast::sound {
 
-/// A sound file as the track of a stream that is available whole. It is read to its end: 115 MB for
-/// an hour. Thread: none of its own.
+/// A sound file as the track of a stream that is available whole. All of it is in memory: 115 MB
+/// for an hour. Thread: none of its own.
 class FileTrack final : public SoundTrack {
  public:
-  /// Unreadable or BadData as voice::SoundFile.
+  /// Fails with Unreadable or BadData, as voice::SoundFile does.
   [[nodiscard]] static Result<std::unique_ptr<FileTrack>> open(const std::filesystem::path& path);
   /// Samples at voice::kEncoderRate, in [-1,1].
   explicit FileTrack(const std::vector<float>& samples);

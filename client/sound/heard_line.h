@@ -9,7 +9,7 @@ namespace aucast::sound {
 
 /// Makes an even clock out of a sound device. Devices report how much of their sound has been
 /// heard, but in leaps, some 30 ms too early or too late; a line through the reports of the last
-/// second runs evenly. It never goes back.
+/// second runs evenly. The clock never goes back.
 /// Thread: none of its own.
 class HeardLine {
  public:
@@ -37,9 +37,9 @@ class HeardLine {
   Duration stood_{0};
   Instant begin_{};  ///< what `ahead` is counted from
   Instant last_at_{};
-  Duration ahead_{0};                  ///< the same, on the line
+  Duration ahead_{0};                  ///< how far the line is ahead of the steady clock, likewise
   Duration last_{0};                   ///< what at() returned last
-  std::optional<Reading> drift_from_;  ///< a point of the line from when it had settled
+  std::optional<Reading> drift_from_;  ///< a point of the line after it had settled
 };
 
 }  // namespace aucast::sound

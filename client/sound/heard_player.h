@@ -14,8 +14,8 @@
 namespace aucast::sound {
 
 /// A face that plays with its sound. The player of the face is advanced by the SoundPlayer's clock,
-/// which is ahead of what is heard; activations() are of the face that belongs to what is heard
-/// now. Without sound there is no difference. The mapping and what is opened must outlive it.
+/// which is ahead of what is heard; activations() are those of the face that belongs to what is
+/// heard now. Without sound the two are the same. The mapping and what is opened must outlive it.
 /// Thread: the player's.
 class HeardPlayer {
  public:
@@ -23,7 +23,7 @@ class HeardPlayer {
       : face_(mapping, interpolation) {}
 
   /// Opens what plays from the next advance() on; the face begins from the activations `from`. If
-  /// `playback` is null, nothing plays and the face stays there.
+  /// `playback` is null, nothing plays and the face stays as it begins.
   void open(playback::Playback* playback, std::span<const float> from);
   [[nodiscard]] playback::Playback* playback() const { return face_.playback(); }
 

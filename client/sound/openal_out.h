@@ -9,9 +9,9 @@
 
 namespace aucast::sound {
 
-/// Opens a device of OpenAL by name; empty: the default device. Failed, with a sentence for the
-/// user that names the available devices, if there is none of that name or it cannot be opened.
-/// Only one may be open at a time.
+/// Opens a device of OpenAL by name; empty: the default device. If there is no device of that name
+/// or it cannot be opened, fails with ErrorKind::Failed and a sentence for the user that names the
+/// available devices. Only one may be open at a time.
 [[nodiscard]] Result<std::unique_ptr<SoundOut>> open_sound_device(const std::string& name);
 
 /// The names of the devices that can be opened.

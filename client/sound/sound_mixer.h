@@ -13,8 +13,8 @@ namespace aucast::sound {
 /// Makes one continuous run of samples while a stream plays, pauses, is sought or changes speed. It
 /// never clicks: where the sound leaps, it glides to its new value within 5 ms. At speed 1 samples
 /// are copied as they are; at other speeds from kSpeedMin to kSpeedMax they are resampled, which
-/// changes the pitch; at all others there is silence. The track must outlive it. Thread: none of
-/// its own.
+/// changes the pitch; beyond these limits there is silence. The track must outlive it. Thread: none
+/// of its own.
 class SoundMixer {
  public:
   static constexpr double kSpeedMin = 0.5;

@@ -16,7 +16,7 @@ class SoundOut {
 
   /// Plays these samples after those that were written before. Never blocks.
   virtual void write(std::span<const float> samples) = 0;
-  /// How many of the written samples have been heard by now, as well as the device knows.
+  /// How many of the written samples have been heard by now, as far as the device knows.
   [[nodiscard]] virtual std::int64_t heard() = 0;
   /// Whether the device is gone.
   [[nodiscard]] virtual bool lost() = 0;

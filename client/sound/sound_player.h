@@ -47,12 +47,13 @@ class SoundPlayer {
 
   /// Changes the device from the next now() on; null: none.
   void set_out(std::unique_ptr<SoundOut> out);
-  /// Sets a tap, which also gets all samples that are written from now on, with the time by the
-  /// steady clock at which the first of them will be heard. Empty: none.
+  /// Sets a tap, which also gets all samples that are written from now on, with the steady clock's
+  /// time at which the first of them will be heard. Empty: none.
   using Tap = std::function<void(Instant heard_at, std::span<const float> samples)>;
   void set_tap(Tap tap) { tap_ = std::move(tap); }
-  /// Makes something else play from now on. `track` is its sound; if it is null, the voice that
-  /// `playback` gives is. Both must live until the next open() or the end of this object.
+  /// Makes something else play from now on. `track` is its sound; if `track` is null, its sound is
+  /// the voice that `playback` gives. Both must live until the next open() or the end of this
+  /// object.
   void open(playback::Playback* playback, SoundTrack* track = nullptr);
   /// The time to which playback is to be advanced at `steady`. The times must not go back.
   [[nodiscard]] Instant now(Instant steady);
@@ -109,7 +110,8 @@ class SoundPlayer {
   Duration lead_ = kLeadMin;
   Instant now_{};
   Instant shown_{};
-  Instant sound_until_{};            ///< up to here what was written is not all silence
+  Instant sound_until_{};            ///< until this time written sound may be heard; after it there
+                                     ///< is silence
   std::optional<Instant> steady_;    ///< the steady clock's time of the last now()
   std::optional<Instant> heard_at_;  ///< when the device last reported that more had been heard
   std::optional<Duration> ahead_;  ///< how far now_ is ahead of the steady clock while there is no

@@ -11,11 +11,11 @@
 
 namespace aucast::sound {
 
-/// The voice of a stream, from Opus packets that come in the order of their places and in time: a
-/// stretch that is read before its packet has come is silent. Where no packet follows, the voice
-/// fades out, and it fades in where it begins again. It can be read forwards, and up to kKept
-/// backwards. At most playback::kVoiceBytesMax and kVoicePacketsMax wait to be read; any more are
-/// left out.
+/// The voice of a stream, made from Opus packets. They must come in the order of their places, and
+/// in time: a stretch that is read before its packet has come is silent. Where no packet follows,
+/// the voice fades out, and it fades in where it begins again. It can be read forwards, and up to
+/// kKept backwards. At most playback::kVoiceBytesMax and kVoicePacketsMax wait to be read; further
+/// packets are left out.
 /// Thread: none of its own.
 class VoiceTrack final : public SoundTrack {
  public:
@@ -38,7 +38,8 @@ class VoiceTrack final : public SoundTrack {
   /// One Opus packet whose sound begins at `place`.
   void add(Milliseconds place, std::string opus);
 
-  /// Nothing before sample `begin` will be read any more, except what lies just before it.
+  /// Says that read() will not go back before sample `begin`, except by a few samples: earlier
+  /// packets may be dropped.
   void skip(std::int64_t begin);
   void read(std::int64_t begin, std::span<float> samples) override;
   [[nodiscard]] std::int64_t end() const override { return last_end_; }
