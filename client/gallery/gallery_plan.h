@@ -120,7 +120,7 @@ struct GalleryInput {
   std::vector<std::string> sweeps;  ///< each a set of AUs, the name of an expression, or "all"
 };
 
-/// Lists the pictures. Usage error for a sweep that is neither a set of AUs nor an expression.
+/// Lists the pictures. A sweep that is neither a set of AUs nor an expression is a Usage error.
 [[nodiscard]] Result<GalleryPlan> plan_gallery(const GalleryInput& input);
 
 /// Whether FACS scores this AU on each side separately and the face can show that.
@@ -129,7 +129,8 @@ struct GalleryInput {
 /// The AUs of the thesis' appendix C (tables 1 and 2), and any others that the face has.
 [[nodiscard]] std::vector<Coverage> coverage_of(const face::Face& face);
 
-/// A set as part of a file's name, made of letters, digits, '.', '-' and '_': au06_au12-80_auR14.
+/// A set of AUs as part of a file's name, made of letters, digits, '.', '-' and '_':
+/// au06_au12-80_auR14.
 [[nodiscard]] std::string file_stem(const AuFrame& aus);
 
 }  // namespace aucast::gallery

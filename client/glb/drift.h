@@ -11,8 +11,9 @@
 
 namespace aucast::glb {
 
-/// Measures how far the exported face, which moves by targets and joints, is from our own: for each
-/// pose that is added, the largest distance between a drawn vertex and where the deformer puts it.
+/// Measures how far the exported face, which targets and joints move, is from our own. For each
+/// pose that is added, it keeps the largest distance between a drawn vertex and the place where the
+/// deformer puts that vertex.
 class Drift {
  public:
   /// The arguments must outlive it.

@@ -14,7 +14,7 @@ namespace aucast::glb {
 struct About {
   std::string licence;         ///< of the face; empty: unknown
   std::string sound;           ///< name of the sound file that goes with the animation; empty: none
-  sources::ArkitTable curves;  ///< ARKit's names, as far as they fit
+  sources::ArkitTable curves;  ///< ARKit's names of curves and the AUs that they stand for
 };
 
 /// The contents of the file's `extras`, which viewers show and programs may read: units, what

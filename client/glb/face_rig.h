@@ -44,7 +44,7 @@ struct Carried {
 /// its girth. The face must outlive it.
 class FaceRig {
  public:
-  /// Without `with_jaw` the jaw is no joint: a morph target opens the mouth.
+  /// If `with_jaw` is false, the jaw is no joint, and a morph target opens the mouth.
   FaceRig(const face::Face& face, bool with_jaw);
 
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
@@ -52,8 +52,8 @@ class FaceRig {
   [[nodiscard]] glm::vec3 from_parent(std::size_t joint) const;
   /// Whether a joint follows this channel.
   [[nodiscard]] bool takes(std::size_t channel) const;
-  /// The channel that the jaw follows; nullopt if the jaw is no joint. The joint moves skin between
-  /// jaw and head by a mean of both; a morph target adds the rest.
+  /// The channel that the jaw follows; nullopt if the jaw is no joint. Skin between jaw and head
+  /// moves by a mean of the two joints; a morph target adds the rest.
   [[nodiscard]] std::optional<std::size_t> jaw_channel() const { return jaw_channel_; }
   [[nodiscard]] Carried carried(std::size_t vertex) const;
 
@@ -82,7 +82,7 @@ class FaceRig {
 
   const face::Face& face_;
   std::vector<Joint> joints_;
-  std::vector<std::size_t> taken_;   ///< channels
+  std::vector<std::size_t> taken_;   ///< the channels that joints follow
   std::optional<std::size_t> head_;  ///< the neck is the joint before it
   std::optional<std::size_t> jaw_;
   std::optional<std::size_t> jaw_channel_;

@@ -42,7 +42,7 @@ class GlbFile {
   [[nodiscard]] int colours(std::span<const glm::vec4> colours);
   [[nodiscard]] int texture_places(std::span<const glm::vec2> places);
   [[nodiscard]] int joints(std::span<const std::array<std::uint8_t, 4>> joints);
-  /// Shares that sum to 1 for each vertex, also after rounding to 16 bits.
+  /// For each vertex the shares sum to 1, and still do so when rounded to 16 bits.
   [[nodiscard]] int shares(std::span<const std::array<float, 4>> shares);
   [[nodiscard]] int triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
                               std::size_t vertex_count);

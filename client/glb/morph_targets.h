@@ -22,7 +22,7 @@ struct Target {
   int au = 0;               ///< 0: the target is a channel's
   Side side = Side::Both;   ///< of the AU
   /// True for a second target of a channel, which adds how vertices leave the straight line when a
-  /// lid turns or a muscle reaches its cap. Its weight is 4 w (1 - w), where w is that of the
+  /// lid turns or a muscle reaches its cap. Its weight is 4 w (1 - w), where w is the weight of the
   /// channel's first target.
   bool arc = false;
   std::vector<float> pose;  ///< activations at weight 1, one per channel of the face
@@ -37,7 +37,7 @@ struct Target {
 };
 
 /// A face's morph targets. They leave out what joints do (for the jaw, they add only what its joint
-/// does not do), and never move hair, clothes and eyeballs. With Basis::Aus each target of a side
+/// does not do), and never move hair, clothes or eyeballs. With Basis::Aus each target of a side
 /// has half of what the AU does to channels in the middle, so that both sides add up to the whole.
 class MorphTargets {
  public:
@@ -56,8 +56,8 @@ class MorphTargets {
 };
 
 /// The activations that one side of an AU asks for at full intensity. Channels in the middle get
-/// half, so that both sides together do what the AU does; they get all if the AU is one that shows
-/// on one side only.
+/// half, so that both sides together do what the AU does; they get all of it if the AU is one that
+/// shows on one side only.
 [[nodiscard]] std::vector<float> side_of_au(const face::Face& face, int number, Side side);
 
 }  // namespace aucast::glb

@@ -42,8 +42,8 @@ struct Surface {
 /// For each of the surface's vertices, how dark its crease is at depth 1.
 [[nodiscard]] std::vector<float> darkness_of(const face::Face& face, const Surface& surface);
 
-/// Where its vertices lie at rest. Brows and creases are lifted a little off the skin, whose mesh
-/// is coarser and would cover them.
+/// Where the surface's vertices lie at rest. Brows and creases are lifted a little off the skin,
+/// whose mesh is coarser and would cover them.
 [[nodiscard]] std::vector<glm::vec3> places_of(const face::Face& face, const Surface& surface);
 
 /// Vertex normals of unit length: the mean over the vertex's triangles, weighted by area.

@@ -15,12 +15,13 @@
 
 namespace aucast::mirror {
 
-/// Shows the face that a camera sees before anybody else can see it. It runs au-transmitter as a
-/// child process.
-/// Thread: one of its own; the functions here are called from one other thread.
+/// Shows the face that the user's camera sees, before anybody else can see that face. It runs
+/// au-transmitter as a child process.
+/// Thread: it has one of its own; its public functions are called from one other thread.
 class Mirror final : public OwnCamera {
  public:
-  /// Unreadable if au-transmitter is not installed, Failed if it cannot be started.
+  /// Fails with Unreadable if au-transmitter is not installed, with ErrorKind::Failed if it cannot
+  /// be started.
   [[nodiscard]] static Result<std::unique_ptr<Mirror>> start(const MirrorOptions& options);
   /// Calls end(), and kills the child if it has not ended within kPatience.
   ~Mirror() override;
@@ -40,8 +41,8 @@ class Mirror final : public OwnCamera {
   struct Course {
     MirrorState state;
     bool asked_to_end = false;
-    bool reading = true;  ///< the child's output has not ended: it may still be given orders, or
-                          ///< killed
+    bool reading = true;  ///< the child's output has not ended, so it may still be given orders, or
+                          ///< be killed
   };
 
   std::unique_ptr<Child> child_;

@@ -47,7 +47,7 @@ class OwnCamera {
 
   /// Gives the child an order. The result shows in state().
   virtual void order(const preview::Order& order) = 0;
-  /// Asks the child to end; it tells its guests before.
+  /// Asks the child to end; before it does, it tells its guests.
   virtual void end() = 0;
   [[nodiscard]] virtual MirrorState state() const = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace aucast::render {
 
-/// Draws a face with OpenGL 3.3 core or OpenGL ES 3.0 into whatever framebuffer is bound, in the
-/// window and without one. Needs a current context from create() until it is destroyed. Thread: the
+/// Draws a face with OpenGL 3.3 core or OpenGL ES 3.0 into whatever framebuffer is bound, in a
+/// window or without one. Needs a current context from create() until it is destroyed. Thread: the
 /// one the context is current on.
 class FaceRenderer {
  public:
@@ -21,8 +21,8 @@ class FaceRenderer {
 
   /// Loads a face to draw from now on; pose() must follow before draw().
   void load(const view::StaticMesh& mesh);
-  /// Sets the pose that draw() shows. Until the next call, borrows those arrays of `mesh` that are
-  /// not per vertex.
+  /// Sets the pose that draw() shows. Until the next call, borrows the arrays of `mesh` that do not
+  /// have one entry per vertex.
   void pose(const view::MovingMesh& mesh);
   /// Clears and draws into the bound framebuffer; width and height in pixels.
   void draw(const view::Viewpoint& viewpoint, const view::Style& style, int width, int height);

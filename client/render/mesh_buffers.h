@@ -39,10 +39,10 @@ class MeshBuffers {
   void load(const view::StaticMesh& mesh);
   /// Sets where the vertices are.
   void place(const view::MovingMesh& mesh);
-  /// Binds the vertices; without `textured` all have one plain colour.
+  /// Binds the vertices; if `textured` is false, all have one plain colour.
   void bind(bool textured) const;
-  /// Draws the edges of plain() as lines. For OpenGL ES, which cannot draw triangles as outlines;
-  /// draws nothing in OpenGL. A program must be in use and the vertices bound.
+  /// Draws the edges of plain() as lines, but only in OpenGL ES, which cannot draw triangles as
+  /// outlines. A program must be in use and the vertices bound.
   void draw_edges() const;
 
   /// The opaque runs, outermost first.

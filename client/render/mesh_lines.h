@@ -5,7 +5,7 @@
 
 namespace aucast::render {
 
-/// Draws the edges and corners of `mesh`, not rounded, if the style's layers ask for them, with the
+/// If the style's layers ask for them, draws the edges and corners of `mesh`, not rounded, with the
 /// program `lines`. The vertices must be bound.
 void draw_mesh_lines(const Program& lines, const MeshBuffers& mesh, const view::Style& style);
 

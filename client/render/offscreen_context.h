@@ -13,7 +13,7 @@ enum class Api : std::uint8_t { OpenGl33Core, OpenGlEs30 };
 /// then the default display. It is current on the thread that made it.
 class OffscreenContext {
  public:
-  /// Fails if none of the three works, with the reason of each and what to install.
+  /// Fails if none of the three works; the error has the reason of each and what to install.
   [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create(
       Api api = Api::OpenGl33Core);
   ~OffscreenContext();

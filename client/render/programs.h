@@ -7,7 +7,7 @@
 namespace aucast::render {
 
 /// All shader programs. Each lit material has its own, so that no pixel pays for the code of
-/// another.
+/// another material.
 struct Programs {
   Program surface;
   Program hair;

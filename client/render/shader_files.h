@@ -9,12 +9,12 @@
 namespace aucast::render {
 
 /// The texts of shaders/*.glsl, which are compiled into the program. To work on them, name a folder
-/// in the environment variable AUCAST_SHADERS, which is then read instead.
+/// in the environment variable AUCAST_SHADERS: the files in it are then read instead.
 class ShaderFiles {
  public:
   ShaderFiles();
 
-  /// Unreadable if the folder lacks the file.
+  /// Fails with Unreadable if the folder lacks the file.
   [[nodiscard]] Result<std::string> text(std::string_view name) const;
 
   /// Whether a file in the folder was written since the last call. Always false without a folder.

@@ -10,8 +10,8 @@
 
 namespace aucast::render {
 
-/// A depth map of the face seen from the key light: what it does not see lies in shadow. Needs a
-/// current context as long as it lives.
+/// A depth map of the face seen from the key light: what the light does not see lies in shadow.
+/// Needs a current context as long as it lives.
 class ShadowMap {
  public:
   ShadowMap();

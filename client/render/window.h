@@ -54,8 +54,8 @@ enum class Key : int {
 struct InputEvent {
   enum class Kind : std::uint8_t { Key, Character, Button, Move, Leave, Scroll, Focus };
   Kind kind = Kind::Move;
-  int code = 0;  ///< key or button as in GLFW; the character; Focus: 1 if the window has got the
-                 ///< focus
+  int code = 0;  ///< Key, Button: as in GLFW; Character: the character; Focus: 1 if the window has
+                 ///< got the focus
   int scancode = 0;
   int action = 0;  ///< as in GLFW; 0: released
   int modifiers = 0;
@@ -63,7 +63,8 @@ struct InputEvent {
   double y = 0;
   Key meaning = Key::None;  ///< the command that the key gives, unless a text field has the focus
   bool text = false;        ///< the key only types a character
-  /// It came after the first and no later than the second: a window looks only between frames.
+  /// The event came after `after` and no later than `by`: a window looks for events only between
+  /// frames.
   Instant after{};
   Instant by{};
 };
@@ -82,7 +83,7 @@ class Window {
   /// Withdraws the user's request to close.
   void keep_open();
   /// Handles the events that have come. If there are none, waits for one for at most `wait_max`.
-  /// `clock`: for the times of the input.
+  /// `clock` gives the times of the input.
   void poll(Duration wait_max, Instant (*clock)());
   /// The path of the next file dropped on the window; empty: none.
   [[nodiscard]] std::string next_dropped();

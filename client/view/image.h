@@ -34,8 +34,8 @@ void paste(Image& to, const Image& from, int x, int y);
 /// four. stb_image_resize gives the same bytes, but takes eighty times as long.
 [[nodiscard]] Image halved(const Image& image);
 
-/// The picture with a transparent background, from the same picture on black and on white: alpha =
-/// 1 - (white - black), colour = black / alpha (Smith and Blinn 1996, two backings).
+/// The picture with a transparent background, made from the same picture on black and on white:
+/// alpha = 1 - (white - black), colour = black / alpha (Smith and Blinn 1996, two backings).
 [[nodiscard]] Image without_ground(const Image& on_black, const Image& on_white);
 
 /// Puts pictures of one size into rows of `columns`, each with a line of text under it, on a plain

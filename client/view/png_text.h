@@ -13,8 +13,8 @@ struct PngText {
   std::string text;     ///< UTF-8
 };
 
-/// The PNG with these texts in front of its pixels, each a tEXt chunk, which every program shows,
-/// or an iTXt chunk if Latin-1 lacks one of its letters (PNG, third edition, 11.3.3.2 and
+/// The PNG with these texts in front of its pixels. Each becomes a tEXt chunk, which every program
+/// shows, or an iTXt chunk if Latin-1 lacks one of its letters (PNG, third edition, 11.3.3.2 and
 /// 11.3.3.4). `png` must begin with the signature and the header, as every PNG does.
 [[nodiscard]] std::string with_texts(std::string_view png, std::span<const PngText> texts);
 

@@ -28,7 +28,8 @@ struct Material {
   float grain = 0;        ///< pores and blotches; 1 is skin
   float thinning = 0;     ///< 1: fades where it is seen at a grazing angle; 0: does not
   float grey = 0;         ///< hair: 1 has white hairs among dark ones
-  float enclosed = 0;  ///< 0 to 1: how far what blocks the key light blocks the ambient light too
+  float enclosed = 0;     ///< 0 to 1: how much of the ambient light is lost where the key light is
+                          ///< blocked
 
   [[nodiscard]] bool encloses() const { return order < 3; }
 };

@@ -44,8 +44,9 @@ inline constexpr std::array<LayerName, 8> kLayerNames{{{"polygons", &Layers::pol
                                                        {"jaw-tags", &Layers::jaw_tags},
                                                        {"eye-tags", &Layers::eye_tags}}};
 
-/// Reads a list such as "muscles,wireframe": exactly these are drawn, except that transparent
-/// without a surface means the textured surface. Usage error, naming all layers, for another word.
+/// Reads a list such as "muscles,wireframe": exactly these are drawn, except that "transparent"
+/// without a surface means the textured surface. Any other word is a Usage error, which names all
+/// layers.
 [[nodiscard]] Result<Layers> parse_layers(std::string_view text);
 /// The list that parse_layers() reads.
 [[nodiscard]] std::string format_layers(const Layers& layers);

@@ -13,15 +13,15 @@ inline constexpr int kVideoFpsMax = 240;
 
 /// A video file written by ffmpeg as a child process: .mp4 (H.264), .webm (VP9) or .gif by the
 /// name's ending. The file appears under its name when finish() succeeds; a file that was there
-/// before stays until then. Otherwise nothing is left behind. The same pictures give the same
-/// bytes. H.264 and VP9 store colour for pairs of pixels: an odd width or height grows by one,
-/// repeating the last column or row. A GIF has at most 50 pictures a second; ffmpeg keeps all its
-/// pictures in memory until the end to find one palette for them.
+/// before stays until then. If finish() does not succeed, nothing is left behind. The same pictures
+/// give the same bytes. H.264 and VP9 store colour for pairs of pixels: an odd width or height
+/// grows by one, repeating the last column or row. A GIF has at most 50 pictures a second; ffmpeg
+/// keeps all its pictures in memory until the end to find one palette for them.
 class VideoEncoder {
  public:
-  /// Failed when ffmpeg is missing (the message says what to install) or the place cannot be
-  /// written; Usage for an unknown ending, a side above kVideoSideMax or fps above kVideoFpsMax, or
-  /// either below 1.
+  /// Fails with ErrorKind::Failed if ffmpeg is missing (the message says what to install) or the
+  /// file cannot be written there; with Usage if the ending is unknown, a side is not 1 to
+  /// kVideoSideMax, or fps is not 1 to kVideoFpsMax.
   [[nodiscard]] static Result<std::unique_ptr<VideoEncoder>> open(const std::filesystem::path& path,
                                                                   int width, int height, int fps);
   ~VideoEncoder();

@@ -18,8 +18,8 @@ struct ViewMatrices {
   glm::vec3 eye{0};         ///< world
 };
 
-/// Sizes below 1 count as 1. A picture whose width is less than 0.87 of its height shows as much in
-/// width as one of 0.87, so that a face, even tilted, is never cut at its sides.
+/// Sizes below 1 count as 1. A picture narrower than 0.87 of its height shows as much from side to
+/// side as one that is 0.87 wide, so that a face, even tilted, is never cut at its sides.
 [[nodiscard]] ViewMatrices view_matrices(const Viewpoint& viewpoint, int width, int height);
 
 enum class ViewpointPreset : std::uint8_t { Front, ThreeQuarter, Profile };

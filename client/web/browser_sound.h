@@ -7,7 +7,8 @@
 
 namespace aucast::web {
 
-/// The sound device of the browser (browser.h), for while the page is allowed to play sound.
+/// The sound device of the browser (browser.h). It is in use while the page is allowed to play
+/// sound.
 /// Thread: the page's.
 class BrowserSound final : public sound::SoundOut {
  public:

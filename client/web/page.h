@@ -37,10 +37,10 @@ class Page {
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
-  /// Stops what plays and shows these AUs, written as on the command line: `6,12:80`. Usage error,
-  /// with the column, for anything else.
+  /// Stops what plays and shows these AUs, written as on the command line: `6,12:80`. Anything else
+  /// is a Usage error, which names the column.
   [[nodiscard]] Result<void> show(std::string_view aus);
-  /// Sets what is drawn of the face, as face-player's --show. Usage error for an unknown word.
+  /// Sets what is drawn of the face, as face-player's --show. An unknown word is a Usage error.
   [[nodiscard]] Result<void> set_layers(std::string_view layers);
 
   struct Wanted {
@@ -82,8 +82,8 @@ class Page {
   /// The face as `face-player pose --png` draws it; with the same graphics driver the bytes are the
   /// same. Afterwards the canvas's framebuffer is bound.
   [[nodiscard]] Result<view::Image> picture(int width, int height);
-  /// Call it after the canvas has lost its context and got a new one. Makes everything in it again;
-  /// as after create(), make_more() must follow.
+  /// Call it after the canvas has lost its context and got a new one. Makes everything in the
+  /// context again; as after create(), make_more() must follow.
   [[nodiscard]] Result<void> renew();
 
  private:

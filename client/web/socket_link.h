@@ -11,8 +11,8 @@
 namespace aucast::web {
 
 /// A link over a WebSocket of the browser, to the page's only server. The browser cannot be kept
-/// from reading a WebSocket: what comes while reading is off is kept, up to kHeldMax bytes, and so
-/// is the socket's end. Thread: the page's.
+/// from reading a WebSocket: what comes while reading is off is kept, up to kHeldMax bytes, beyond
+/// which the link ends; the socket's end is kept too. Thread: the page's.
 class SocketLink final : public link::Link, public std::enable_shared_from_this<SocketLink> {
  public:
   static constexpr std::size_t kHeldMax = std::size_t{1} << 20U;

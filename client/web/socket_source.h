@@ -7,7 +7,7 @@
 
 namespace aucast::web {
 
-/// The keyframes of the page's server: what net::RemoteSource is, over WebSockets and without a
+/// The keyframes of the page's server: like net::RemoteSource, but over WebSockets and without a
 /// thread. Connects at once, and again when the connection is lost. Thread: the page's.
 class SocketSource final : public net::ConnectedSource {
  public:
