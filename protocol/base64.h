@@ -10,7 +10,7 @@ namespace aucast::protocol {
 [[nodiscard]] std::string to_base64(std::string_view bytes);
 
 /// Decodes base64 without padding. nullopt for a character outside the alphabet, an impossible
-/// length, or unused bits that are not 0: each byte string has only one spelling.
+/// length, or unused bits that are not 0, so that each byte string has only one spelling.
 [[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace aucast::protocol

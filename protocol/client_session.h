@@ -24,20 +24,20 @@ struct ClientSessionOptions {
   Duration silence_max = std::chrono::seconds(10);
 };
 
-/// A keyframe has arrived, changes-only forms already resolved to the full face. The owner stores
-/// it and then calls answer_received() or pause().
+/// A keyframe has arrived; `aus` is the full face even if the packet was a changes-only one. The
+/// owner stores the keyframe and then calls answer_received() or pause().
 struct DeliverKeyframe {
   AuFrame aus;
-  std::optional<std::uint32_t> time_ms;  ///< the packet's own
+  std::optional<std::uint32_t> time_ms;  ///< as in the packet
   std::optional<std::uint64_t> place_ms;
   bool changes_only = false;  ///< the packet was a changes-only one
 };
-/// Voice has come. Its place is on the client's clock: the granted `from` (0 if none) plus the
-/// times of the keyframes received. It is heard while the face goes through that place.
+/// A voice packet has come. Its place is on the client's clock: the granted `from` (0 if none) plus
+/// the times of the keyframes received. It is heard when the face comes to that place.
 struct DeliverVoice {
   VoicePacket packet;
 };
-/// A caption has come, its place on the same clock.
+/// A caption has come. Its place is on the same clock.
 struct DeliverCaption {
   CaptionData caption;
 };
@@ -45,7 +45,7 @@ struct DeliverCaption {
 struct Granted {
   HelloGranted hello;
 };
-/// {-2}: everything has been sent. The owner closes when it likes; nothing answers it.
+/// {-2}: everything has been sent. It needs no answer; the owner closes when it likes.
 struct StreamEnded {};
 /// Drop this connection and everything that came over it, and connect once more with
 /// `negotiate = false`: the server took the hello for garbage.
@@ -59,7 +59,7 @@ struct SessionFailed {
   };
   Why why = Why::Lost;
   std::string reason;         ///< a sentence; peer text escaped
-  std::optional<int> code{};  ///< Refused: the server's
+  std::optional<int> code{};  ///< if Refused: the server's error code
 };
 using ClientEvent = std::variant<SendBytes, DeliverKeyframe, DeliverVoice, DeliverCaption, Granted,
                                  StreamEnded, ReconnectClassic, SessionFailed>;
@@ -76,7 +76,7 @@ class ClientSession {
 
   [[nodiscard]] std::vector<ClientEvent> on_connected(Instant now);
   /// Reads up to the end of the first packet in `bytes` and removes what it read from their front.
-  /// Call it again while some are left.
+  /// Call it again while bytes are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes);
   /// The server closed its side (`broke` is empty), or the connection broke (`broke` is the cause,
   /// as a clause).
@@ -96,13 +96,13 @@ class ClientSession {
   [[nodiscard]] std::string stop();
 
   [[nodiscard]] Level level() const;
-  /// How many keyframes the server may send before it waits for an answer, and for how many the
-  /// owner keeps room. 1 in classic. The owner holds back a server that sends more by not reading.
+  /// How many keyframes the server may send before it waits for an answer; the owner keeps room for
+  /// as many. 1 in classic. If the server sends more, the owner holds it back: it stops reading.
   [[nodiscard]] int window() const;
   [[nodiscard]] bool paused() const;
   [[nodiscard]] std::size_t unanswered() const;
   [[nodiscard]] std::uint64_t keyframes_received() const;
-  [[nodiscard]] std::uint64_t payload_bytes() const;  ///< their bytes as received
+  [[nodiscard]] std::uint64_t payload_bytes() const;  ///< of these keyframes, as received
 
  private:
   struct State;

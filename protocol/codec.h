@@ -12,7 +12,7 @@
 
 namespace aucast::protocol {
 
-// === Encoding. Canonical output: no spaces, numbers ascending, equal sides joined, 100 omitted.
+// === Encoding. Canonical output: no spaces, AUs ascending, equal sides joined, no `:100`.
 
 /// {1,6,12,14}: the form for a level-1 peer, without sides, intensities and timing. AUs whose
 /// larger side is below `percent_min` are left out; {0} when nothing is left. Not for changes-only
@@ -25,9 +25,9 @@ namespace aucast::protocol {
 [[nodiscard]] std::string encode(const HelloAsked& hello);
 [[nodiscard]] std::string encode(const HelloGranted& hello);
 [[nodiscard]] std::string encode(const ErrorReply& error);
-/// With all that is known of the streams, if that fits into one packet with all of them; else
-/// without the titles; else, as where nothing is known, the names alone, as many as fit. Streams
-/// whose name is none are left out.
+/// Lists all streams with their details if that fits into one packet; else with their details but
+/// without titles. If that does not fit either, or no details are known, lists as many bare names
+/// as fit. Streams without a valid name are left out.
 [[nodiscard]] std::string encode(const StreamList& list);
 [[nodiscard]] std::string encode(const StreamsAsked& asked);
 [[nodiscard]] std::string encode(const VoiceData& voice);
@@ -46,8 +46,8 @@ struct EncodedKeyframe {
   std::string classic;
   std::string full;     ///< level 2
   std::string changes;  ///< level 2, for a client that got the previous keyframe: the changes-only
-                        ///< form, or `full` where a full one is due or shorter
-  bool plain = false;   ///< numbers only: `classic` loses nothing except AUs below the minimum
+                        ///< form, or `full` where a full keyframe is due or that form saves nothing
+  bool plain = false;   ///< AU numbers only: `classic` leaves out nothing but AUs below the minimum
 };
 
 /// Encodes the keyframes of one stream in their order; none of them may be changes-only. `changes`
@@ -71,7 +71,7 @@ class KeyframeEncoder {
 
 // === Text forms shared by stream files and command lines.
 
-/// Which form of terms is read.
+/// The form in which terms are written.
 enum class TermSyntax : std::uint8_t {
   Wire,  ///< as in a packet: terms joined by ','
   Text,  ///< of stream files and command lines: also '+', blanks, and FACS letters without a colon
@@ -91,8 +91,8 @@ struct TextError {
                                                       Keyframe& out);
 
 /// Reads a set from a command line: `1,6,12`, `12:80,R14:50`, `{4C+9}`; FACS names may replace
-/// numbers: `Lip Corner Puller:80`. A Usage error names the column. Timing and the changes-only
-/// form are refused.
+/// numbers: `Lip Corner Puller:80`. Timing and the changes-only form are refused. Fails with a
+/// Usage error that names the column.
 [[nodiscard]] Result<AuFrame> parse_au_set(std::string_view typed);
 
 /// The set as `1,6,R12:80`: canonical terms joined by commas, as `face-player rules` prints them.

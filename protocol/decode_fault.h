@@ -24,7 +24,7 @@ enum class DecodeFault : std::uint8_t {
 struct ByteFault {
   DecodeFault fault = DecodeFault::IllegalByte;
   std::string reason;    ///< a sentence; the byte is escaped
-  std::size_t back = 0;  ///< how many bytes before the last one read the wrong byte is (BadField)
+  std::size_t back = 0;  ///< BadField: the wrong byte is this many before the last one read
 };
 
 /// IllegalByte: "expected <what>, found '<byte>'".

@@ -40,7 +40,7 @@ class PacketDecoder {
 
   /// A blank between two packets.
   [[nodiscard]] std::optional<ByteFault> blank();
-  /// Counts one more byte of the packet being read; a fault if these are more than `max`.
+  /// Counts one more byte of the packet being read; a fault if it has more than `max` bytes now.
   [[nodiscard]] std::optional<ByteFault> count(std::size_t max);
   void deliver(Packet packet);
   template <typename T>
@@ -82,8 +82,8 @@ class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
   KeyframeParser keyframe_{TermSyntax::Wire};
 };
 
-/// Decodes what a client sends: control codes, each complete with its digit, and before the first
-/// of them perhaps a hello or {streams}. Blanks before, between and after them are skipped.
+/// Decodes what a client sends: perhaps a hello or {streams}, then control codes, each of which
+/// ends with its digit. Blanks before, between and after them are skipped.
 /// Invariant: keeps at most kHelloBytesMax bytes.
 class ClientPacketDecoder final : public PacketDecoder<ClientPacket> {
  public:

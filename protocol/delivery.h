@@ -26,14 +26,14 @@ struct SentCounts {
   std::uint64_t spoken_bytes = 0;  ///< of voice packets and captions
 };
 
-/// Sends one stream to one client: knows what was sent and what may be sent now, by the window of
-/// section 6 of PROTOCOL.md, pauses, the merging of live moments, and the voice and captions that
-/// go with the keyframes. Classic until grant(). Appends bytes to the caller's string.
+/// Sends one stream, with its voice and captions, to one client. Knows what was sent and what may
+/// be sent now: follows the window of section 6 of PROTOCOL.md, stops while the client pauses, and
+/// merges live moments. Classic until grant(). Appends bytes to the caller's string.
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end. One that another server loops for us does
-  /// so whatever `loop` is.
+  /// `loop`: a recorded stream starts again at its end. A stream that another server loops for us
+  /// does so even without `loop`.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
   /// Changes the stream before anything was sent; answers and pauses received so far are kept.
@@ -42,11 +42,11 @@ class Delivery {
   /// into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
-  /// Appends everything that may be sent now. A recorded stream holds itself when `out` has
-  /// kOutputBytesMax: hold(false) and another call send more.
+  /// Appends everything that may be sent now. With a recorded stream it holds itself when `out` has
+  /// kOutputBytesMax; to send more, call hold(false) and then this again.
   void pump(std::string& out);
-  /// The same when a live channel has new moments: a client that keeps up gets each of them, even
-  /// if several began at once.
+  /// Like pump(), but for when a live channel has new moments: a client that keeps up gets each of
+  /// them, even if several began at once.
   void pump_latest(std::string& out);
   /// Whether {-2} is due: everything was sent and answered, nothing more will come, and the client
   /// has not paused.
@@ -56,8 +56,8 @@ class Delivery {
   /// no more will come.
   [[nodiscard]] bool broken_off() const;
 
-  /// Takes an answer: to the oldest keyframe in flight or, if none is, to the next one that is
-  /// sent.
+  /// Takes an answer: to the oldest keyframe in flight or, if none is in flight, to the next one
+  /// that is sent.
   void answer();
   void pause() { paused_ = true; }
   void resume();
@@ -131,8 +131,8 @@ class Delivery {
 
   // Live only.
   bool full_next_ = true;                     ///< the next packet must not be changes-only
-  std::optional<std::uint64_t> last_moment_;  ///< the number of the last one sent
-  Milliseconds shift_{0};  ///< from a place on the channel's clock to that on the client's
+  std::optional<std::uint64_t> last_moment_;  ///< the number of the last moment sent
+  Milliseconds shift_{0};  ///< added to a place on the channel's clock, gives the client's
 };
 
 }  // namespace aucast::protocol

@@ -31,7 +31,7 @@ enum class Extent : std::uint8_t {
 struct EncodedStream {
   PacketList classic;     ///< one packet per keyframe
   PacketList negotiated;  ///< the same keyframes, level 2
-  PacketList changes;     ///< for clients that ask for the changes-only form; empty: not granted
+  PacketList changes;     ///< for clients that ask for the changes-only form; empty: there is none
   std::vector<KeyframeTime> times;             ///< of each keyframe; the default for an untimed one
   std::optional<std::uint64_t> duration_ms{};  ///< the final sum of times, if a hello is to tell it
   Extent extent = Extent::Whole;
@@ -44,24 +44,24 @@ struct EncodedStream {
 /// The sum of the times of all keyframes so far.
 [[nodiscard]] Milliseconds length_of(const EncodedStream& stream);
 
-/// The memory, in bytes, that its packets and times take.
+/// The memory, in bytes, that the stream's packets and times take.
 [[nodiscard]] std::size_t held_bytes(const EncodedStream& stream);
 
 /// Where a client begins in a stream.
 struct Entry {
-  /// The index of its first keyframe; the number of keyframes if that is not there yet.
+  /// The index of the client's first keyframe; if we do not have that yet, how many we have.
   std::size_t keyframe = 0;
   std::uint64_t begin_ms = 0;
 };
 
-/// Where a client that asks for `from_ms` begins: at the first keyframe that ends later, or that
-/// takes no time and lies at `from_ms`. `loop`: `from_ms` grows from turn to turn and may be beyond
-/// the first.
+/// Where a client that asks for `from_ms` begins: at the first keyframe that ends after `from_ms`,
+/// or that takes no time and lies at `from_ms`. `loop`: `from_ms` counts on from turn to turn, so
+/// it may be beyond the first turn.
 [[nodiscard]] Entry entry_at(const EncodedStream& stream, std::uint64_t from_ms, bool loop);
 
 /// Encodes a recorded stream keyframe by keyframe and keeps only packets and times. An untimed
 /// keyframe takes `keyframe_ms`; `classic_min` is the `percent_min` of encode_classic(). A stream
-/// of plain numbers has no changes-only form, so that its packets stay those that the thesis
+/// of plain numbers gets no changes-only form, so that its packets are the ones that the thesis
 /// measured.
 class StreamEncoder {
  public:
@@ -89,8 +89,8 @@ class StreamEncoder {
                                           std::uint32_t keyframe_ms, int classic_min,
                                           const StopToken& stop = {});
 
-/// How long a classic client takes to play the stream: its packets carry no times, so it gives
-/// every keyframe the default time. nullopt when that is the stream's own length, or not known yet.
+/// How long a classic client takes to play the stream. Classic packets carry no times, so the
+/// client gives every keyframe the default time. nullopt: it is the stream's length, or not known.
 [[nodiscard]] std::optional<Milliseconds> classic_length(const EncodedStream& stream);
 
 }  // namespace aucast::protocol

@@ -13,8 +13,8 @@
 
 namespace aucast::protocol {
 
-/// A voice packet in the form that is sent to every client, without its place: whether and which
-/// place is sent depends on what the client was sent before (VoiceCursor).
+/// A voice packet as it is sent to every client, but without its place. Whether a place is sent,
+/// and which, depends on what the client was sent before (VoiceCursor).
 struct EncodedVoice {
   Milliseconds begin{0};  ///< of its sound, on the clock of the stream
   Milliseconds end{0};
@@ -30,10 +30,10 @@ class EncodedTrack {
  public:
   /// Adds the next packet, which begins at the end of the previous one or later.
   void add(const VoicePacket& packet);
-  /// The encoder says that everything that begins before this place has been added. The place never
-  /// decreases.
+  /// Called by the encoder when all packets that begin before `place` have been added. A smaller
+  /// place than before has no effect.
   void encoded_to(Milliseconds place) { encoded_to_ = std::max(encoded_to_, place); }
-  /// The encoder says that everything has been added.
+  /// Called by the encoder when all packets have been added.
   void finish() { encoded_to_ = Milliseconds::max(); }
 
   [[nodiscard]] std::span<const EncodedVoice> packets() const { return packets_; }

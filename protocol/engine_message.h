@@ -29,7 +29,7 @@ struct EngineMessage {
   std::string origin;  ///< the origin's ID
   std::uint64_t seq = 0;
   std::uint64_t place_ms = 0;  ///< on the publisher's clock: where the first keyframe begins
-  std::uint64_t after = 0;     ///< Since only: see there
+  std::uint64_t after = 0;     ///< only for Since: the last batch that the watcher has
   std::string packets;         ///< whole packets; may be empty
   friend bool operator==(const EngineMessage&, const EngineMessage&) = default;
 };
@@ -44,14 +44,14 @@ struct EngineJoin {
 [[nodiscard]] std::string encode(const EngineMessage& message);
 [[nodiscard]] std::string encode(const EngineJoin& join);
 
-/// Reads what encode() makes. BadData, with a clause that says what is wrong, for anything else. Of
-/// the packets only the first and the last byte are checked.
+/// Reads what encode() makes. For anything else fails with BadData and a clause that says what is
+/// wrong. Of the packets only the first and the last byte are checked.
 [[nodiscard]] Result<EngineMessage> parse_engine_message(std::string_view bytes);
 [[nodiscard]] Result<EngineJoin> parse_engine_join(std::string_view bytes);
 
 /// The packets with `by_ms` subtracted from the places of voice and captions, for a watcher whose
-/// clock began at `by_ms`. Voice that begins before it, or has no place, is left out; a caption
-/// that begins before it is shown from the beginning.
+/// clock began at `by_ms`. Voice that begins before `by_ms`, or has no place, is left out. Captions
+/// that begin before `by_ms` get the place 0.
 [[nodiscard]] std::string with_places_earlier(std::string_view packets, std::uint64_t by_ms);
 
 /// The first of these packets, with its braces; the whole text if it has no closing brace.

@@ -12,9 +12,9 @@
 
 namespace aucast::protocol {
 
-/// Decides whether a client is let in, and to what. Knows in which order its version, its token,
-/// its stream and the room for it are checked. Sends nothing. Thread: none of its own; one for each
-/// client.
+/// Decides whether a client is let in, and which stream it gets. Checks the client's version, token
+/// and stream, and the room for it, in the right order. Sends nothing. Thread: none of its own; one
+/// object for each client.
 class Joining {
  public:
   struct Refusal {

@@ -23,8 +23,8 @@ inline constexpr std::size_t kTitleBytesMax = 120;  ///< of a stream's title in 
 inline constexpr std::chrono::milliseconds kVoiceAheadMax{2000};
 inline constexpr std::size_t kBlankBytesMax = 1024;  ///< blanks in a row, between packets or codes
 inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers that come before their keyframes
-/// Spare codes (-1, -3 and, with window 0, 1) cost one credit each. A connection begins with this
-/// many credits, which is also the most that it can have, ...
+/// Spare codes (-1 and -3; also 1 if the window is 0) cost one credit each. A connection begins
+/// with this many credits, which is also the most that it can have, ...
 inline constexpr std::size_t kSpareCodesMax = 4096;
 inline constexpr std::size_t kSpareCodesPerSecond = 100;  ///< ... gains these every second ...
 inline constexpr std::size_t kSpareCodesPerPacket = 2;  ///< ... and these with every keyframe sent
@@ -45,8 +45,8 @@ inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};  ///< from its '
 /// How long the refusal of a wrong token is held back.
 inline constexpr std::chrono::milliseconds kWrongTokenWait{1000};
 inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
-/// Draining: the longest time in which nothing of the last packets can be sent, and then, when they
-/// are, in which the peer does not end; and how many of its bytes are read.
+/// Draining: the longest time without progress while the last packets are sent, and then the
+/// longest wait for the peer to close; and the most bytes that are read from the peer meanwhile.
 inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};
 inline constexpr std::size_t kDrainBytesMax = 65536;
 /// Changes-only form: the most keyframe time between the beginnings of two full keyframes.
@@ -67,8 +67,8 @@ inline constexpr std::chrono::milliseconds kUnansweredTimeMax{60'000};
 
 /// How many bytes are read from a client in its turn.
 inline constexpr std::size_t kReadBytesMax = 1024;
-/// While this many bytes or more wait to be sent to a client, nothing is read from it; and so much
-/// of a recorded stream is handed out at once.
+/// While this many bytes or more wait to be sent to a client, nothing is read from it. This is also
+/// about how much of a recorded stream is handed out at once.
 inline constexpr std::size_t kOutputBytesMax = 65536;
 /// The most wrong tokens from one address within kWrongTokensTime; then it must wait.
 inline constexpr std::size_t kWrongTokensMax = 8;

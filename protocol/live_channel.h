@@ -21,7 +21,7 @@ struct LiveMoment {
   std::string classic;
   std::string full;     ///< level 2
   std::string changes;  ///< level 2, for clients that got the previous moment
-  /// On the channel's clock, which is the sum of the times of all its moments.
+  /// On the channel's clock, which is the sum of the times of its moments so far.
   Milliseconds begin{0};
   Milliseconds time{0};
 };
@@ -48,11 +48,11 @@ class LiveChannel {
   [[nodiscard]] bool has_changes() const { return has_changes_; }
   /// The length of the whole stream; nullopt: it has no end, or that is not known.
   [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
-  /// Whether voice and captions will come, if any do.
+  /// Whether voice may come, and whether captions may.
   [[nodiscard]] bool has_voice() const { return spoken_.voice; }
   [[nodiscard]] bool has_captions() const { return spoken_.captions; }
-  /// What is heard now, and what was to be heard up to kLiveWindowTime before. Places are on the
-  /// channel's clock and never decrease.
+  /// The voice packets of the last kLiveWindowTime. Their places are on the channel's clock and
+  /// never decrease.
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
   /// The present caption and those that follow.
   [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }

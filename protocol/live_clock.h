@@ -13,12 +13,12 @@ namespace aucast::protocol {
 
 /// The clock of a recorded stream that is sent live. A moment begins when the face should begin to
 /// move to its keyframe, and lasts as long as the keyframe's time; after the last one the stream
-/// ends or starts again. If the clock was not asked for a long time (the computer slept), it skips
-/// moments that are more than kLiveLagMax late.
+/// ends or starts again. If advance() is not called for a long time (the computer slept), the clock
+/// skips moments that are more than kLiveLagMax late.
 /// Thread: none of its own.
 class LiveClock {
  public:
-  /// The longest delay that does not make it skip moments.
+  /// How late a moment may be without being skipped.
   static constexpr Milliseconds kLiveLagMax{1000};
 
   /// `number` counts the moments from 0 and goes on when the stream starts again.

@@ -19,8 +19,8 @@ class LiveFeed final : public LiveChannel {
   LiveFeed(std::uint32_t keyframe_ms, int classic_min, bool voice = false, bool captions = false,
            std::optional<std::uint64_t> duration_ms = std::nullopt);
 
-  /// Keyframes added between this call and the next came together: latest() has all of them. If it
-  /// is never called, latest() has only the newest.
+  /// Call it before adding keyframes that have come together: latest() then has all of them. If it
+  /// is never called, latest() has only the newest one.
   void begin_moments() {
     together_ = true;
     moments_told_ = true;

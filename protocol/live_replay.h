@@ -11,12 +11,13 @@
 
 namespace aucast::protocol {
 
-/// A live stream that is made from a recorded one, by its own clock.
+/// A recorded stream that is sent live, by a clock of its own.
 /// Thread: none of its own.
 class LiveReplay final : public LiveChannel {
  public:
-  /// `stream` has at least one keyframe; with `loop`, not all of its times are 0. Sound that begins
-  /// during a moment is sent when the moment begins. `sound` is null if there is none.
+  /// `stream` has at least one keyframe; with `loop`, not all of its times are 0. Voice and
+  /// captions that begin during a moment are sent when the moment begins. `spoken` is null if there
+  /// are none.
   LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
              std::shared_ptr<const SpokenTrack> spoken = nullptr);
 

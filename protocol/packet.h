@@ -28,7 +28,7 @@ struct End {
   friend bool operator==(const End&, const End&) = default;
 };
 
-/// One Opus packet of the voice: {a DATA} begins where the last one ended, {a@PLACE DATA} at a
+/// One Opus packet of the voice: {a DATA} begins where the last one ended, {a@PLACE DATA} at that
 /// place.
 struct VoiceData {
   std::optional<std::uint64_t> place_ms;
@@ -59,8 +59,8 @@ struct HelloAsked {
   bool text = false;          ///< it wants captions
   bool loop = false;          ///< wants only one turn of a looped stream, which it repeats itself
   std::string relay{};        ///< its own ID, if it is a relay or a publisher; empty: it is neither
-  std::string publish{};      ///< the name of the stream that it offers, instead of asking for one;
-                              ///< empty: it asks
+  std::string publish{};      ///< the name of the stream that it offers; empty: it offers none, and
+                              ///< asks for one
   bool takes = false;  ///< a server's answer to `publish`: send the stream, as the other keys say
   friend bool operator==(const HelloAsked&, const HelloAsked&) = default;
 };

@@ -11,8 +11,8 @@
 
 namespace aucast::protocol {
 
-/// Encoded packets one after the other in one buffer. Each costs its bytes and four more for its
-/// position, which limits the packets to 4 GiB in all.
+/// Encoded packets one after the other in one buffer. Each takes its own bytes and four more for
+/// its position; positions of four bytes limit the packets to 4 GiB in all.
 class PacketList {
  public:
   PacketList() = default;

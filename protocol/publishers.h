@@ -22,8 +22,8 @@ class Publishers {
 
   explicit Publishers(std::vector<Publisher> all) : all_(std::move(all)) {}
 
-  /// Whether the owner of this token may bring a stream of this name. Always compares it with all
-  /// tokens, so that the time tells nothing.
+  /// Whether the owner of this token may bring a stream of this name. Always compares the token
+  /// with those of all publishers, so that the time it takes gives nothing away.
   [[nodiscard]] Verdict verdict(std::string_view token, std::string_view name) const;
   [[nodiscard]] const std::vector<Publisher>& all() const { return all_; }
 
@@ -39,8 +39,8 @@ struct PublisherFile {
 
 /// Reads a file with one publisher per line: its token and, after blanks, the names of the streams
 /// that it may bring (without names, any). Empty lines and lines that begin with # are skipped.
-/// Unreadable; or BadData, with the line, if a line is malformed, a token occurs twice or there is
-/// no publisher. No message quotes a token.
+/// Fails with Unreadable, or with BadData if a line is malformed, a token occurs twice (these
+/// errors name the line) or there is no publisher. No message quotes a token.
 [[nodiscard]] Result<PublisherFile> read_publisher_file(const std::filesystem::path& path);
 
 }  // namespace aucast::protocol

@@ -7,8 +7,8 @@
 
 namespace aucast::protocol {
 
-/// A queue of the latest of many things, which are numbered from 0 in the order in which they were
-/// added. Old ones are dropped.
+/// A queue of the latest things; old ones are dropped. Things are numbered from 0 in the order in
+/// which they are added.
 template <typename T>
 class Recent {
  public:
@@ -22,7 +22,7 @@ class Recent {
   [[nodiscard]] const T& front() const { return kept_.front(); }
   [[nodiscard]] const T& back() const { return kept_.back(); }
 
-  /// The number of the oldest that is kept.
+  /// The number of the oldest thing that is kept.
   [[nodiscard]] std::uint64_t first_number() const { return dropped_; }
   /// The thing with this number; null: it was dropped, or was not added yet.
   [[nodiscard]] const T* find(std::uint64_t number) const {

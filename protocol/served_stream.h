@@ -13,9 +13,9 @@
 
 namespace aucast::protocol {
 
-/// A stream, with the name by which a hello asks for it. It is recorded: each client gets it from
-/// its beginning or from where its hello says; or live: each client gets what is sent now; or it
-/// comes from another server, and is known to be recorded or live once that server says so.
+/// A stream, with the name by which a hello asks for it. A recorded stream is sent to each client
+/// from its beginning or from where the client's hello says; of a live one each client gets what is
+/// sent now. Whether another server's stream is recorded or live is known once that server says so.
 struct ServedStream {
   /// monostate: nothing is here under this name yet.
   using Kind = std::variant<std::monostate, RecordedStream, std::shared_ptr<const LiveChannel>,
@@ -54,7 +54,7 @@ struct ServedStream {
   /// What a list of streams says of it. `loops`: a recorded one starts again at its end, and so has
   /// no length.
   [[nodiscard]] ListedStream listed(bool loops) const;
-  /// At the server that it comes from it starts again at its end.
+  /// Whether the server that it comes from starts it again at its end.
   [[nodiscard]] bool loops_there() const { return upstream() != nullptr && upstream()->loop; }
 
   friend bool operator==(const ServedStream&, const ServedStream&) = default;

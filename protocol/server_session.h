@@ -19,11 +19,11 @@
 namespace aucast::protocol {
 
 /// What the sessions of one server have in common. Must outlive them. The streams and the token may
-/// change at any time: a session keeps the stream that it sends, and a client that was let in
-/// stays.
+/// change at any time; a session nevertheless keeps the stream that it sends, and a client that was
+/// let in stays.
 struct ServerCatalogue {
-  /// The first is what a classic client gets. At least one, unless `patience` says that one may
-  /// come.
+  /// The first is what a classic client gets. Empty only if `patience` says that a stream may come
+  /// later.
   std::vector<ServedStream> streams;
   std::uint32_t keyframe_ms = 250;  ///< told in the hello
   bool loop = false;                ///< recorded: start again at the end instead of {-2}
@@ -44,7 +44,7 @@ struct ServerCatalogue {
 struct SendBytes {
   std::string bytes;
 };
-struct ShutdownSending {};  ///< after everything sent before is out; then go on reading
+struct ShutdownSending {};  ///< once all that was sent before is out; then go on reading
 struct CloseConnection {
   enum class Why : std::uint8_t {
     Finished,       ///< everything was sent; then the peer closed its side, or the drain reached a
@@ -53,8 +53,8 @@ struct CloseConnection {
     SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
-    Refused,        ///< an {error ...} was sent, or a classic client, which is closed without one,
-                    ///< had no room or no stream in time; `reason` says why
+    Refused,        ///< an {error ...} was sent; or a classic client, which gets no error, found no
+                    ///< room, or no stream in time. `reason` says why
     BrokenOff,      ///< the stream came from another server, which is lost: the rest cannot be sent
   };
   Why why = Why::Finished;
@@ -84,13 +84,13 @@ enum class Silence : std::uint8_t {
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
-/// windowed sending, pause, stop, end, drain. In a live stream a client that may be sent something
-/// gets the newest moment; those between it and the last one sent are skipped, see Delivery. No
-/// socket and no clock: bytes and the current time go in, events come out. After CloseConnection or
-/// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
+/// windowed sending, pause, stop, end, drain. A client of a live stream gets, whenever it may be
+/// sent something, the newest moment; those that it missed are skipped (Delivery). No socket and no
+/// clock: bytes and the current time go in, events come out. After CloseConnection or HandOver
+/// nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
 /// keyframes; when more may be sent, the session is held() until hold(false) is called. The owner
-/// must not read on while much of what it was told to send is still unsent, or a peer that answers
-/// without reading fills the owner's memory. PROTOCOL.md section "Server" is the table it follows.
+/// must not read on while much of what it has to send is still unsent: a peer that answers without
+/// reading would fill the owner's memory. Follows the table in PROTOCOL.md, section "Server".
 /// Thread: none of its own; one session per connection.
 class ServerSession {
  public:
@@ -114,9 +114,9 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
   /// The voice of this session's stream has grown. Without effect where it has none.
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);
-  /// While `held` is true, because the socket takes no more, no keyframe is handed out; `false`
-  /// goes on, with the newest of a live stream. A recorded stream also holds itself when a call has
-  /// handed out kOutputBytesMax.
+  /// With true, when the socket takes no more, no keyframe is handed out until a call with false; a
+  /// live stream then goes on with its newest moment. A session that sends a recorded stream also
+  /// holds itself when a call has handed out kOutputBytesMax.
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
@@ -127,7 +127,7 @@ class ServerSession {
   /// Whether send_away() would have an effect.
   [[nodiscard]] bool movable() const;
 
-  /// When on_time() wants to be called next; nullopt: no timer is running.
+  /// When to call on_time() next; nullopt: no timer is running.
   [[nodiscard]] std::optional<Instant> deadline() const;
 
   [[nodiscard]] Level level() const;

@@ -25,13 +25,13 @@ struct StreamChoice {
 };
 
 /// Finds the stream that is asked for; `asked` is nullopt for a classic client, which gets the
-/// first. Where relay_refused() says so, a relay is refused.
+/// first. Refuses a relay if relay_refused() says so.
 [[nodiscard]] StreamChoice choose_stream(const ServerCatalogue& catalogue,
                                          const std::optional<HelloAsked>& asked);
 
-/// Whether a relay would get its own stream back, or there would be more than kRelayHopsMax relays:
-/// the refusal. The answer changes when the stream comes another way. nullopt: neither, or `asked`
-/// is no relay's.
+/// The refusal if a relay would get its own stream back, or if the stream would come through more
+/// than kRelayHopsMax relays; nullopt if not, or if `asked` is not a relay's hello. It may change
+/// when the stream comes another way.
 [[nodiscard]] std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
                                                       const ServedStream& stream,
                                                       const HelloAsked& asked);

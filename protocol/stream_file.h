@@ -21,7 +21,7 @@ inline constexpr std::string_view kEndTag = "End_Stream";
 /// A stream file in memory: the keyframes between Beg_Stream and End_Stream, in order.
 struct StreamFile {
   std::vector<Keyframe> keyframes;  ///< at least one; none is changes-only
-  std::string title{};              ///< of stream_title()
+  std::string title{};              ///< as from stream_title()
 };
 
 /// Takes the keyframes of a stream file one by one; an error ends the reading.
@@ -33,20 +33,20 @@ using KeyframeSink = std::function<Result<void>(Keyframe&& keyframe)>;
                                             const KeyframeSink& sink);
 
 struct StreamTitle {
-  std::string text;      ///< byte for byte as in the file, and so perhaps not is_title()
+  std::string text;      ///< byte for byte as in the file; not checked by is_title()
   std::size_t line = 0;  ///< where it is
 };
 
 /// The title that a comment "# title: ..." before the first packet gives; empty: there is none.
 [[nodiscard]] StreamTitle stream_title(std::string_view text);
 
-/// Why no client gets the title of the stream file that messages call `file`, with its place;
-/// empty: they get it, or there is none.
+/// Why no client gets this title, with its line in the stream file, which messages call `file`.
+/// Empty: clients get it, or there is no title.
 [[nodiscard]] std::string title_complaint(const StreamTitle& title, std::string_view file);
 
-/// Reads the text of a stream file whole. `file` is what messages call it. BadData with one line
-/// "file:line:column: reason" per error, the first kReportedErrorsMax of them, and a last line that
-/// counts the rest. Asked to stop, it returns stopped_early() at the next keyframe.
+/// Reads the whole text of a stream file, which messages call `file`. Fails with BadData and one
+/// line "file:line:column: reason" for each of the first kReportedErrorsMax errors, and a last line
+/// that counts the rest. Asked to stop, it returns stopped_early() at the next keyframe.
 [[nodiscard]] Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,
                                                    const StopToken& stop = {});
 
@@ -60,7 +60,7 @@ struct MendedText {
   std::size_t lines_left_out = 0;  ///< the broken line and all after it
 };
 
-/// Keeps everything before the first line that is incomplete or not of a stream file, and adds
+/// Keeps everything before the first line that is incomplete or cannot be read, and adds
 /// End_Stream. Other errors are left to parse_stream_file().
 [[nodiscard]] MendedText mend_stream_text(std::string_view text);
 

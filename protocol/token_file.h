@@ -15,8 +15,8 @@ struct TokenFile {
 };
 
 /// Reads a file with one word of printable ASCII without braces, of at most kTokenBytesMax bytes;
-/// white space around it is ignored. Unreadable; or BadData when it is empty or has anything else.
-/// No message quotes it.
+/// white space around it is ignored. Fails with Unreadable, or with BadData when the file is empty
+/// or has anything else. No message quotes the token.
 [[nodiscard]] Result<TokenFile> read_token_file(const std::filesystem::path& path);
 
 }  // namespace aucast::protocol

@@ -15,10 +15,10 @@ namespace aucast::protocol {
 /// A recorded stream in the forms in which it is sent.
 struct RecordedStream {
   std::shared_ptr<const EncodedStream> encoded;  ///< never null
-  /// The voice and captions of clients that ask for them. Null: none.
+  /// The voice and captions, for clients that ask for them. Null: none.
   std::shared_ptr<const SpokenTrack> spoken{};
-  /// What these clients are sent in place of `encoded`, because some of its keyframes last longer
-  /// than voice may run ahead. Null: `encoded`.
+  /// What these clients are sent instead of `encoded` where that does not suit the voice: see
+  /// voiced_stream(). Null: they are sent `encoded`.
   std::shared_ptr<const EncodedStream> voiced{};
 
   /// What clients that ask for voice or captions are sent. Never null.
@@ -26,16 +26,16 @@ struct RecordedStream {
     return voiced ? voiced : encoded;
   }
 
-  /// The same packets, and the same is spoken.
+  /// Whether the packets, the voice and the captions are the same.
   friend bool operator==(const RecordedStream& one, const RecordedStream& other) {
     return one.encoded == other.encoded && same_spoken(one.spoken, other.spoken) &&
            one.voiced == other.voiced;
   }
 };
 
-/// A stream that another server sends, as far as it is known; at first not even its kind is. Shared
-/// by all its sessions. Its receiver writes it; what has become known does not change, except that
-/// a recorded stream grows.
+/// A stream that another server sends, as far as it is known; at first it may be recorded or live.
+/// Shared by all its sessions. Its receiver writes it; what has become known does not change, but a
+/// recorded stream grows.
 /// Thread: that of the sessions.
 struct UpstreamStream {
   std::string name;  ///< empty: not known yet

@@ -8,14 +8,14 @@
 
 namespace aucast::protocol {
 
-/// Sends the voice to one client. Knows how far it was sent, and so which packet continues the last
-/// one and which needs its place.
+/// Sends the voice to one client. Knows where the last packet ended, and so which packet continues
+/// it and which needs its place.
 class VoiceCursor {
  public:
   /// Appends the packet to `out`: {a DATA} if it begins where the last one ended, else {a@PLACE
-  /// DATA}. `shift`: added to a place on the packet's clock, gives the client's. False: the packet
-  /// was left out, since it would begin before the end of the last one, or before 0 on the client's
-  /// clock.
+  /// DATA}. `shift` is added to a place on the packet's clock to get the client's. Returns false if
+  /// the packet was left out because it would begin before the end of the last one, or before 0 on
+  /// the client's clock.
   bool send(const EncodedVoice& voice, Milliseconds shift, std::string& out);
 
  private:

@@ -12,8 +12,8 @@
 namespace aucast::protocol {
 
 /// One Opus packet (RFC 6716) of a stream's voice. Its sound begins at `place` and lasts for
-/// opus_duration(). On the wire and beyond `place` is on the client's clock; before, on that of the
-/// stream or of the recording.
+/// opus_duration(). On the wire and in the client, `place` is on the client's clock; before, it is
+/// on the clock of the stream or of the recording.
 struct VoicePacket {
   Milliseconds place{0};
   std::string opus;

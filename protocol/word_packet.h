@@ -20,8 +20,8 @@ struct FieldFault {
 };
 
 /// Collects the inside of a packet that begins with a word, byte by byte. The word is checked as it
-/// comes. After it comes a space or, if the word has one letter, an '@', and then printable ASCII
-/// without braces. The owner limits the length.
+/// comes. A space or, if the word has one letter, an '@' must follow it; the rest must be printable
+/// ASCII without braces. The owner limits the length.
 class WordPacket {
  public:
   /// `words`: those that the sender may use. They must outlive the object.
@@ -46,8 +46,8 @@ class WordPacket {
 [[nodiscard]] bool is_field_value(std::string_view text);
 
 /// Each reads the text() of a finished WordPacket that has the function's own word (hello, error,
-/// streams). An unsupported version is no fault here; no other field is then read, since it may
-/// mean something else.
+/// streams). An unsupported version is no fault here, but then no other field is read, since that
+/// version may give it another meaning.
 [[nodiscard]] std::variant<HelloAsked, FieldFault> parse_hello_asked(std::string_view text);
 [[nodiscard]] std::variant<HelloGranted, FieldFault> parse_hello_granted(std::string_view text);
 [[nodiscard]] std::variant<ErrorReply, FieldFault> parse_error_reply(std::string_view text);

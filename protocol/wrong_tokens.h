@@ -10,8 +10,8 @@
 namespace aucast::protocol {
 
 /// Counts the wrong tokens of the last kWrongTokensTime, by the address from which they came. After
-/// kWrongTokensMax of them, no token from that address is compared, not even the right one. Those
-/// of closed connections count too, or guessing would be as fast as connecting.
+/// kWrongTokensMax of them, no token from that address is compared, not even the right one. Closed
+/// connections' wrong tokens count too; otherwise guessing would be as fast as connecting.
 /// Thread: none of its own.
 class WrongTokens {
  public:
