@@ -10,7 +10,7 @@
 namespace aucast::server {
 
 /// A connection to an engine, which carries messages to all subscribers of their subject.
-/// Thread: that of the event loop. Events are called there too, never from within a call.
+/// Thread: that of the event loop. Events are called there too, but never by functions of the Bus.
 class Bus {
  public:
   struct Message {

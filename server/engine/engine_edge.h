@@ -16,8 +16,8 @@
 
 namespace aucast::server {
 
-/// A stream of an engine as a source: follows what its origin sends there. Each new beginning is a
-/// connection for its Reception.
+/// A stream of an engine as a source: follows what its origin sends there. Each time the stream
+/// begins or begins anew, its Reception gets a new connection (JoinedLink).
 /// Thread: that of the io_context, which must outlive it.
 class EngineEdge final : public Upstream {
  public:
@@ -52,7 +52,7 @@ class EngineEdge final : public Upstream {
   std::shared_ptr<JoinedLink> link_;  ///< null: the stream has not begun
   bool over_ = false;   ///< the Reception has ended the connection during the running call
   std::string server_;  ///< the engine's server; empty: none is connected
-  std::string reason_;  ///< last logged why it ended; empty: it has gone on since
+  std::string reason_;  ///< why it ended, as logged last; empty: it has gone on since
   asio::steady_timer timer_;
   bool stopped_ = false;
 };

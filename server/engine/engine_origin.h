@@ -20,7 +20,7 @@
 
 namespace aucast::server {
 
-/// Sends the first stream that is served over an engine, and answers who joins there.
+/// Sends this server's first stream over an engine, and answers everybody who joins there.
 /// Thread: that of the io_context, which must outlive it.
 class EngineOrigin {
  public:
@@ -32,7 +32,7 @@ class EngineOrigin {
 
   /// How often it sends an empty batch, to show that it is alive, when there is nothing new.
   static constexpr Milliseconds kBeat{500};
-  /// Further requests are left out and counted.
+  /// Requests beyond this number are left out and counted.
   static constexpr std::size_t kAnswersPerSecond = 1'000;
 
   EngineOrigin(asio::io_context& io, Options options, Catalogue catalogue);

@@ -8,14 +8,13 @@
 
 namespace aucast::server {
 
-/// Presents what follows one join at an engine as a connection: its user gets the hello, the whole
-/// face and all that follows, as from any server. What the user sends is dropped, since an engine
-/// takes no answers.
+/// A stream that was joined at an engine, in the form of a connection: its user gets the hello, the
+/// whole face and the packets after it, as from any server. What the user sends is dropped, since
+/// an engine takes no answers.
 /// Thread: the loop's.
 class JoinedLink final : public link::Link, public std::enable_shared_from_this<JoinedLink> {
  public:
-  /// Passes these packets to the user one by one, each as a moment of its own, unless the user has
-  /// closed the link.
+  /// Passes these packets to the user, each in a call of its own, until the user closes the link.
   void deliver(std::string_view packets);
   /// Reports a loss to the user, unless the user has closed the link.
   void lose(const std::string& reason);

@@ -9,9 +9,10 @@
 
 namespace aucast::server {
 
-// The interface between the program and the module aucast-nats.so. The program has loop, log, clock
-// and files; the module only libnats. Code compiled into both has no state, and neither needs a
-// symbol of the other, so nothing exists twice and no type has to be recognised by both.
+// The interface between the program and the module aucast-nats.so. The event loop, the log, the
+// clock and the files are the program's; the module has only libnats. Code compiled into both has
+// no state, and neither needs a symbol of the other. So nothing exists twice, and no type has to be
+// recognised by both.
 
 /// The addresses of NATS servers, and the credentials for them. Empty members are not used.
 struct NatsServers {
@@ -63,11 +64,11 @@ class NatsConnection {
 /// The object that the module exports, under the name kNatsModule.
 struct NatsModule {
   /// Must stay the first member, however the others change: the loader reads no further if it
-  /// differs from the program's own AUCAST_NATS_TAG. server/CMakeLists.txt makes that from the
+  /// differs from the program's own AUCAST_NATS_TAG. server/CMakeLists.txt makes the tag from the
   /// version, the text of the shared headers, the compiler and the sanitizer.
   const char* tag;
-  /// Takes up to a second for each server that does not answer. Network error when it was refused,
-  /// Usage error when the library refuses the options. The messages are the library's own.
+  /// Takes up to a second for each server that does not answer. Network error if a server refuses
+  /// us, Usage error if the library refuses the options. The messages are the library's own.
   Result<std::unique_ptr<NatsConnection>> (*connect)(const NatsServers& servers,
                                                      const std::shared_ptr<NatsListener>& listener);
   /// As Bus::own_subject().

@@ -12,10 +12,10 @@ namespace aucast::server {
 /// `cmake --install` puts it, relative to this program.
 [[nodiscard]] std::vector<std::filesystem::path> nats_module_folders();
 
-/// Loads the module from the first of these folders that has it. Usage error, with what to install,
-/// when none has it. Unreadable when other users could have put it there, the system cannot load
-/// it, or it is of another build. It is never unloaded: libnats has threads, with destructors, that
-/// outlive every connection.
+/// Loads the module from the first of these folders that has it. Fails with a Usage error that says
+/// what to install if none has it; with Unreadable if other users could have put it there, the
+/// system cannot load it, or it is of another build. The module is never unloaded: libnats has
+/// threads, with destructors, that outlive every connection.
 [[nodiscard]] Result<const NatsModule*> load_nats_module(
     const std::vector<std::filesystem::path>& folders);
 

@@ -18,8 +18,8 @@ struct NatsOptions {
   EngineSettings settings;
 };
 
-/// Reads the address, the token's file and the login's, and checks that the others can be read.
-/// Fails as Usage, Unreadable or BadData.
+/// Reads the address and the files of token and login, and checks that the other files can be read.
+/// Fails with Usage, Unreadable or BadData.
 [[nodiscard]] Result<NatsOptions> nats_options(const std::string& address,
                                                const EngineSettings& settings);
 

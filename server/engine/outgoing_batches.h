@@ -14,11 +14,11 @@
 namespace aucast::server {
 
 /// Turns a live stream into messages for an engine: numbered batches of what is new in its channel,
-/// and answers to those who join late or missed some. Places are on the channel's clock.
+/// and answers to those who join late or missed a batch. Places are on the channel's clock.
 /// Thread: none of its own; that of the channel.
 class OutgoingBatches {
  public:
-  /// How long what was sent is kept for those who missed it.
+  /// How long a sent batch is kept for those who missed it.
   static constexpr Milliseconds kKept{2'000};
   /// The most bytes that are kept: they fit in one answer.
   static constexpr std::size_t kKeptBytesMax = std::size_t{48} * 1024;
@@ -26,21 +26,21 @@ class OutgoingBatches {
 
   explicit OutgoingBatches(std::string origin) : origin_(std::move(origin)) {}
 
-  /// Adds what is new in the channel to the next batch. Sound comes before the keyframe during
-  /// which it is heard.
+  /// Adds what is new in the channel to the next batch. Voice and captions come before the keyframe
+  /// that they go with.
   void collect(const protocol::LiveChannel& channel);
   /// Adds {-2}: the stream has ended, at least for now.
   void collect_end();
   /// The size in bytes of the next batch's packets.
   [[nodiscard]] std::size_t waiting_bytes() const { return waiting_.size(); }
-  /// Returns the message with what was collected, under the next number. An empty batch tells that
-  /// the publisher is alive.
+  /// Returns the message with what was collected, under the next number. An empty batch shows that
+  /// the origin is alive.
   [[nodiscard]] std::string next_batch();
 
   /// Whether the stream has begun and not ended.
   [[nodiscard]] bool running() const { return !full_.empty() && !ended_; }
-  /// The answer to somebody who joins, as of the last batch. `hello`: of the stream. Nothing: it
-  /// asks another origin, or nothing was sent.
+  /// The answer to somebody who joins or missed batches, as of the last batch. `hello`: of the
+  /// stream. nullopt: another origin is asked, or there is nothing to answer with.
   [[nodiscard]] std::optional<std::string> answer(const protocol::EngineJoin& join,
                                                   const protocol::HelloGranted& hello) const;
 
@@ -72,7 +72,7 @@ class OutgoingBatches {
   std::string full_;  ///< the state at the last moment collected, ...
   Milliseconds full_begin_{0};
   std::string caption_;
-  State sent_;  ///< ... and of the last one in a batch that is out
+  State sent_;  ///< ... and at the last moment in a batch that was sent
   std::deque<Kept> kept_;
   std::size_t kept_bytes_ = 0;
 };

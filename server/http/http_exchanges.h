@@ -25,7 +25,7 @@ struct SharedReply {
   SharedBytes body;  ///< null: the body is in `head`
 };
 
-/// One request and its reply on a link. The link may then be released, to become something else.
+/// One request and its reply on a link. Instead of a reply, the link may be released to its owner.
 /// Thread: that of the link.
 class HttpExchange final : public link::LinkUser,
                            public std::enable_shared_from_this<HttpExchange> {
@@ -80,8 +80,8 @@ class HttpExchange final : public link::LinkUser,
 };
 
 /// The exchanges under way, in the order in which they began. When there are too many, one is
-/// closed: the oldest that has sent no request, so that silent connections do not keep others out,
-/// else the oldest.
+/// closed: the oldest on which no request has come, so that silent connections do not keep others
+/// out; if there is none, the oldest of all.
 /// Thread: that of the links.
 class HttpExchanges {
  public:

@@ -27,15 +27,15 @@ class LiveBeat {
   LiveBeat(const LiveBeat&) = delete;
   LiveBeat& operator=(const LiveBeat&) = delete;
 
-  /// Plays the stream live, with what is spoken, if there is any. If a stream of the same name, of
-  /// the same content and words, is still running, returns that one, which goes on without a gap;
-  /// else the stream begins now.
+  /// Plays the stream live, with its voice and captions, if it has any. If a stream with the same
+  /// name, content, voice and captions is still running, returns that one, which goes on without a
+  /// gap; else the stream begins now.
   [[nodiscard]] std::shared_ptr<const protocol::LiveChannel> play(
       const std::string& name, std::shared_ptr<const protocol::EncodedStream> stream, bool loop,
       std::shared_ptr<const protocol::SpokenTrack> spoken = nullptr);
   void stop();
-  /// Does now what is due. For callers that take long, such as when letting in many clients: the
-  /// timer has no turn until they have returned.
+  /// Does now what is due. For callers that take long, such as one that lets in many clients: the
+  /// timer gets no turn until they have returned.
   void catch_up();
 
   /// How late the latest call of OnMoment was.

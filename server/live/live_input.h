@@ -28,8 +28,8 @@ class LiveInput {
     std::function<void(const std::string& why)> on_anew;
   };
 
-  /// Opens something other than the path, and returns a descriptor that can be waited for. When
-  /// that ends, nothing more comes.
+  /// Opens something other than the path, and returns a descriptor that can be waited for. When the
+  /// descriptor ends, nothing more comes.
   using Opener = std::function<Result<Descriptor>()>;
 
   /// `follow`: a regular file is read on when it grows. `open`: if set, opens the input instead of
@@ -39,7 +39,8 @@ class LiveInput {
   LiveInput(const LiveInput&) = delete;
   LiveInput& operator=(const LiveInput&) = delete;
 
-  /// Opens it and begins to read. Unreadable, with the system's reason.
+  /// Opens the input and begins to read. Fails as `open` does or, if that is not set, with
+  /// ErrorKind::Unreadable and the system's reason.
   [[nodiscard]] Result<void> start();
   /// With true, stops reading for now; with false, goes on.
   void hold(bool held);

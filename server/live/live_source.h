@@ -27,8 +27,8 @@ struct LiveSourceOptions {
   camera::GivenUp given_up{};     ///< likewise
 };
 
-/// A source that is still being written, on the event loop. Feeds its LiveStreams with the bytes of
-/// a LiveInput, those of another one for its voice, and the time.
+/// A source that is still being written, on the event loop. Feeds its LiveStreams with the time,
+/// the bytes of a LiveInput and, if there is a voice, those of a second LiveInput.
 /// Thread: that of the io_context, which must outlive it.
 class LiveSource {
  public:
@@ -39,7 +39,7 @@ class LiveSource {
   LiveSource(const LiveSource&) = delete;
   LiveSource& operator=(const LiveSource&) = delete;
 
-  /// Opens the input and the record. Unreadable, with the system's reason.
+  /// Opens the inputs and the record. Errors are those of LiveInput and LiveStreams.
   [[nodiscard]] Result<void> start();
   void stop();
 

@@ -66,7 +66,7 @@ class LiveStream {
   void take(SteadyTime now, bool only_last);
   void feed_voice(std::string_view bytes, SteadyTime now);
   void end_voice(SteadyTime now);
-  /// Whoever wrote has gone. `for_good`: nobody can write any more.
+  /// The writer has gone. `for_good`: nobody can write any more.
   void end_input(SteadyTime now, bool for_good);
   /// Sends what is due; when the source has been silent, lets the face go to neutral or ends the
   /// stream.
@@ -79,7 +79,7 @@ class LiveStream {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] protocol::ServedStream served() const { return {name_, feed_}; }
   [[nodiscard]] bool begun() const { return feed_->newest() != nullptr; }
-  /// All clients were told that it has ended, and nothing is queued.
+  /// Whether all clients were told that the stream has ended, and nothing is queued.
   [[nodiscard]] bool ended() const { return feed_->ended() && queue_.size() == 0; }
 
  private:

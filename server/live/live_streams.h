@@ -18,13 +18,13 @@ namespace aucast::server {
 
 struct LiveStreamsOptions {
   LiveStreamOptions each;
-  bool follow = false;  ///< the source is a file that is followed: what it already has is past
+  bool follow = false;           ///< the source is a file that is followed
   std::filesystem::path record;  ///< the value of --record; empty: nothing is recorded
   bool record_first = true;      ///< if `record` is a file, it is for this source
 };
 
-/// The streams of one source that is being written. What a followed file already has is past: only
-/// its last row is sent.
+/// The streams of one source that is being written. Of what a followed file already has, only the
+/// last row is sent.
 ///
 /// The first stream exists from the beginning, and has the voice, if there is one. With --face-id
 /// all, each further face that is seen gets another stream, whose own reader reads the same bytes.
@@ -54,7 +54,7 @@ class LiveStreams {
   [[nodiscard]] Result<void> start();
 
   void feed(std::string_view bytes, Instant now);
-  /// All that a followed file had has been fed.
+  /// Everything that a followed file already had has been fed.
   void caught_up(Instant now);
   /// The file is read from its beginning again; `why`, for the log, is a clause.
   void begin_anew(const std::string& why);

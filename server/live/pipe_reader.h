@@ -18,8 +18,8 @@ namespace aucast::server {
 /// Thread: that of the io_context.
 class PipeReader final : public InputReader {
  public:
-  /// Takes the descriptor if the kernel tells when there is more to read. nullopt otherwise, and it
-  /// stays where it is: files and some devices have to be polled.
+  /// Takes the descriptor if the kernel tells when there is more to read. Otherwise leaves it alone
+  /// and returns nullopt: files and some devices have to be polled.
   [[nodiscard]] static std::optional<asio::posix::stream_descriptor> take(asio::io_context& io,
                                                                           Descriptor& descriptor);
 

@@ -26,8 +26,8 @@ inline constexpr RecordForm kPagesForm{};
 /// Thread: one at a time; after it was created, that of the RecordWriter.
 class RecordFile {
  public:
-  /// Failed, with the reason, when the file cannot be created or locked, is not a regular file, or
-  /// is not empty.
+  /// Fails with ErrorKind::Failed and the reason if the file cannot be created or locked, is not a
+  /// regular file, or is not empty.
   [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path,
                                                  const RecordForm& form = kStreamFileForm);
   RecordFile(RecordFile&& other) noexcept = default;
@@ -39,7 +39,7 @@ class RecordFile {
 
   /// Adds a piece. If that fails, the file stays as it was.
   [[nodiscard]] Result<void> add(std::string_view piece);
-  /// Syncs what was added to the disk, the first time with the name of the file.
+  /// Syncs to the disk what was added; the first time, the file's name too.
   [[nodiscard]] Result<void> sync();
 
  private:

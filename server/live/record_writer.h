@@ -30,9 +30,9 @@ class RecordWriter {
 
   /// Adds successive pieces; each is written whole or not at all.
   void add(std::vector<std::string> pieces);
-  /// Adds what `make` returns, which may be empty. It runs on the writing thread, in turn, and at
-  /// the latest in finish(); not at all once the recording has ended. It may return any amount:
-  /// only `bytes`, what it holds meanwhile, counts as waiting for the disk.
+  /// Adds what `make` returns, which may be empty. `make` runs on the writing thread, in its turn,
+  /// before finish() returns; once the recording has ended, it is not run. It may return any number
+  /// of bytes: only `bytes`, which it holds until it runs, count as waiting for the disk.
   void add(std::size_t bytes, std::function<std::string()> make);
   /// Waits until everything is written. Fails with the error that ended the recording, if any.
   [[nodiscard]] Result<void> finish();

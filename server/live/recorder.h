@@ -42,7 +42,7 @@ class Recorder {
   std::filesystem::path path_;
   std::unique_ptr<RecordWriter> face_;
   std::unique_ptr<RecordWriter> voice_;  ///< null: no voice is recorded
-  /// Of the voice's writing thread, since the silence of hours takes long to write.
+  /// Used on the voice's writing thread, since hours of silence take long to write.
   voice::OggOpusWriter pages_;
   sources::RecordTimeline timeline_;
   Milliseconds end_{0};  ///< of the last keyframe, on the file's clock
@@ -51,8 +51,8 @@ class Recorder {
 
 /// The file in which a stream is recorded. `record` is the value of --record. If it is a folder,
 /// each stream gets a file of its own, named after the stream and the time,
-/// NAME-20261121T115000Z.txt; otherwise only the `first` stream is recorded. nullopt: this one is
-/// not.
+/// NAME-20261121T115000Z.txt; otherwise only the `first` stream is recorded. nullopt: this stream
+/// is not recorded.
 [[nodiscard]] std::optional<std::filesystem::path> record_path(const std::filesystem::path& record,
                                                                const std::string& stream,
                                                                bool first);

@@ -18,7 +18,7 @@ struct ReplayLimits {
 };
 
 /// A recorded stream that is sent live. With a voice and a limit on the link, its keyframes are
-/// thinned as they are sent, since the voice leaves more or less for them at different times.
+/// thinned as they are sent, since the room that the voice leaves for them changes all the time.
 /// Thread: none of its own.
 class ServedReplay {
  public:
@@ -26,7 +26,7 @@ class ServedReplay {
   ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop, Instant begin,
                std::shared_ptr<const protocol::SpokenTrack> spoken, const ReplayLimits& limits);
 
-  /// As LiveReplay's; also true when a keyframe that had to wait was sent.
+  /// Like LiveReplay::advance(); also true when a keyframe that had to wait was sent.
   bool advance(Instant now);
   [[nodiscard]] std::optional<Instant> next_at() const;
   [[nodiscard]] const protocol::LiveReplay& replay() const { return replay_; }

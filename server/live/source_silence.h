@@ -7,38 +7,38 @@
 
 namespace aucast::server {
 
-/// What it means for a live stream that nothing comes: once the face is no longer held
-/// (sources::kHoldSeconds) that is to be said, and after the time-out the stream is over. Where
-/// nothing can come any more it is over as soon as the face is neutral.
+/// Decides what follows when nothing comes for a live stream: the silence is logged once the face
+/// is no longer held (sources::kHoldSeconds), and the stream is over after the time-out. Where
+/// nothing can come any more, it is over as soon as the face is neutral, if that is earlier.
 /// Thread: none of its own.
 class SourceSilence {
  public:
   /// `time_out` 0: the stream is never over.
   explicit SourceSilence(Milliseconds time_out) : time_out_(time_out) {}
 
-  /// Something comes. True when that is to be said: it is the first, or the silence was said.
+  /// Something comes. True if that is to be logged: nothing came before, or the silence was logged.
   [[nodiscard]] bool broken() { return std::exchange(said_, false); }
   /// Whether nothing can come any more.
   void set_final(bool is_final) { final_ = is_final; }
   [[nodiscard]] bool is_final() const { return final_; }
 
-  /// Whether the silence since then is to be said, which is once.
+  /// Whether to log now that nothing has come since `since`; true once in each silence.
   [[nodiscard]] bool to_be_said(SteadyTime since, SteadyTime now);
   /// Whether a silence can end the stream at all.
   [[nodiscard]] bool ends() const { return time_out_.count() > 0; }
-  /// How long a silence may be.
+  /// After how long a silence ends the stream.
   [[nodiscard]] Seconds patience() const;
-  /// Whether the silence since then has ended the stream.
+  /// Whether a silence since `since` has ended the stream.
   [[nodiscard]] bool is_over(SteadyTime since, SteadyTime now) const {
     return ends() && now - since >= patience();
   }
-  /// When one of these becomes true of a silence since then; nothing: never. `ended`: the stream
-  /// has ended already.
+  /// When to_be_said() or is_over() next becomes true of a silence since `since`; nullopt: never.
+  /// `ended`: the stream has ended already.
   [[nodiscard]] std::optional<SteadyTime> next(SteadyTime since, bool ended) const;
 
  private:
   Milliseconds time_out_;
-  bool said_ = true;  ///< before the first keyframe a silence is nothing to speak of
+  bool said_ = true;  ///< true at first: a silence before the first keyframe is not logged
   bool final_ = false;
 };
 

@@ -36,8 +36,8 @@ class Preview {
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
-  /// Reads orders from `in` and writes to `out`; makes copies of both descriptors. Failed when one
-  /// of them is not a pipe or a socket.
+  /// Reads orders from `in` and writes to `out`; makes copies of both descriptors. Fails with
+  /// ErrorKind::Failed if one of them is neither a pipe nor a socket.
   [[nodiscard]] Result<void> start(int in = STDIN_FILENO, int out = STDOUT_FILENO);
   void stop();
   /// Writes what the camera sees. From any thread.

@@ -20,10 +20,10 @@
 namespace aucast::server {
 
 /// Sends a stream of this server to another one (--push): dials that server, offers the stream and,
-/// when it is taken, serves the connection like any client's. When that is lost or refused, it
-/// tries again, without end. A recorded stream that was sent whole is offered again every
-/// kOfferAgain, since a server that was restarted has forgotten it; a live one that has ended, as
-/// soon as it goes on.
+/// when it is taken, serves the connection like any client's. When the connection is lost or the
+/// stream is refused, it tries again, without end. A recorded stream that was sent whole is offered
+/// again every kOfferAgain, since a server that was restarted has forgotten it; a live one that has
+/// ended is offered again as soon as it goes on.
 /// Thread: that of the io_context, which must outlive it.
 class Pusher {
  public:

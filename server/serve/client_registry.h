@@ -32,11 +32,11 @@ class ClientRegistry {
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
   using OnEmpty = std::function<void()>;
 
-  /// Of `options` only the limits and times of clients are used. They and `stats`, which gets the
-  /// record of each client that leaves, must outlive it. `on_empty` is called when no client is
-  /// left except servers that we have dialled, and again when each of these leaves. `on_publisher`
-  /// is called when a client turns out to be a publisher; it then no longer counts as a client.
-  /// `room` limits the number of clients if the options do not.
+  /// Of `options` only the limits and times of clients are used. `stats` gets the record of each
+  /// client that leaves. Both must outlive it. `on_empty` is called when no client is left except
+  /// servers that we have dialled, and again whenever one of these leaves. `on_publisher` is called
+  /// when a client turns out to be a publisher, which then no longer counts as a client. `room`
+  /// limits the number of clients if the options do not.
   ClientRegistry(const TransmitterOptions& options, Stats& stats, OnEmpty on_empty,
                  ClientConnection::OnPublisher on_publisher = {},
                  const ClientRoom& room = room_now())
@@ -54,11 +54,11 @@ class ClientRegistry {
     Owner,  ///< over TCP: the program that started us with --preview, or another one on this host
     WebSocket,
     Dialled,  ///< we have dialled it (--push)
-    Guest,    ///< over TCP, at the port that --preview opens for others while their owner allows it
+    Guest,    ///< over TCP, at the port that --preview opens for others while the Owner allows it
   };
 
-  /// Takes a connection that has come in. While kRefusalsMax others are being refused, the link is
-  /// not even opened.
+  /// Takes a connection that has come in. If it must be refused while kRefusalsMax others are being
+  /// refused, the link is not even opened.
   void welcome(const asio::ip::tcp::endpoint& peer,
                std::shared_ptr<const protocol::ServerCatalogue> catalogue,
                const OpenLink& open_link, Way way = Way::Tcp);
@@ -88,7 +88,7 @@ class ClientRegistry {
   /// How many connections came in: all except those to servers that we have dialled.
   [[nodiscard]] std::size_t came() const { return clients_.size() - dialled_; }
   [[nodiscard]] std::size_t count(Way way) const;
-  /// How many came in and were not sent away or ended yet.
+  /// How many of these have neither been sent away nor ended.
   [[nodiscard]] std::size_t count_going_on() const;
   /// How many send_away() could cut off.
   [[nodiscard]] std::size_t count_movable() const;

@@ -16,8 +16,8 @@ struct ClientRoom {
 [[nodiscard]] ClientRoom room_now();
 
 /// How many clients there is room for, at least one. Each takes a descriptor and, if it reads
-/// nothing, up to kOutputBytesMax of memory. kDescriptorsKept descriptors are kept free, unless
-/// there are fewer than twice as many.
+/// nothing, up to kOutputBytesMax of memory. kDescriptorsKept descriptors are kept free, unless the
+/// process may have fewer than twice that number.
 [[nodiscard]] std::size_t clients_with_room(const ClientRoom& room);
 
 }  // namespace aucast::server

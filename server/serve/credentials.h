@@ -24,9 +24,9 @@ struct Credentials {
   std::shared_ptr<const protocol::Publishers> publishers;
 };
 
-/// Reads all of them. Warns in the log of a secret to which other users have access, and of a token
-/// that is easy to guess. Unreadable or BadData, naming the file and the cause; BadData also when a
-/// publisher has the viewers' token.
+/// Reads all the files. Warns in the log of a secret to which other users have access, and of a
+/// token that is easy to guess. Fails with Unreadable or BadData, naming the file and the cause;
+/// with BadData also when a publisher has the viewers' token.
 [[nodiscard]] Result<Credentials> load_credentials(const CredentialFiles& files);
 
 }  // namespace aucast::server

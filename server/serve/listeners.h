@@ -41,7 +41,7 @@ class Listeners {
   Listeners& operator=(const Listeners&) = delete;
 
   /// Listens at --port, or on the socket that the service manager passed, and at --web. Network
-  /// error naming address, cause and remedy; Unreadable for the page of --web.
+  /// error that names address, cause and remedy; Unreadable if the page of --web cannot be read.
   [[nodiscard]] Result<void> open();
   /// Begins to accept connections.
   void start();

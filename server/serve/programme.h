@@ -23,9 +23,9 @@
 namespace aucast::server {
 
 /// Everything that is served, as one catalogue: the streams as they were read last, those of the
-/// running sources, and those that publishers send. A client keeps the stream that it is sent; one
-/// that still waits for its stream finds it whenever it comes. Thread: that of the io_context,
-/// which must outlive it together with the events' captures and the options.
+/// running sources, and those that publishers send. A client keeps the stream that it is sent; a
+/// client that still waits for its stream gets it whenever it comes. Thread: that of the
+/// io_context, which must outlive it together with the events' captures and the options.
 class Programme {
  public:
   struct Events {
@@ -51,7 +51,7 @@ class Programme {
   [[nodiscard]] bool stopped() const { return stopped_; }
 
   /// Serves `loaded` to clients that get their stream from now on, and keeps live sources. Returns
-  /// whether the streams differ from before, and logs it if not.
+  /// whether the streams differ from before; if they do not, logs that.
   bool take_over(Repertoire loaded);
   /// Sets the viewers' token (empty: none is needed) and who may send streams here (null: nobody).
   void set_tokens(std::string token, std::shared_ptr<const protocol::Publishers> publishers);
@@ -61,8 +61,8 @@ class Programme {
   }
   /// The stream with this name, or the first one if none has it; null: there are no streams.
   [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
-  /// The catalogue for a server that we push to: only named(), under that name or, if `name` is
-  /// empty, its own.
+  /// The catalogue for a server that we push to. It has only the stream named(name), under `name`
+  /// or, if that is empty, under the stream's own name.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// Reads the profile of the signals again for the live sources.
@@ -77,8 +77,8 @@ class Programme {
   [[nodiscard]] int held_back_max() const { return any_live() ? held_back_max_ : 0; }
   /// Fills in everything about streams.
   void describe(Status& status) const;
-  /// Waits until the records are written. Fails with what went wrong with live sources without
-  /// ending them, if anything did.
+  /// Waits until the records are written. If a live source had an error that did not end it, fails
+  /// with that error.
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
 
  private:

@@ -27,7 +27,7 @@ class Reload {
   using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;
   struct Outcome {
     bool changed = false;  ///< clients that connect from now on get other streams
-    bool last = true;      ///< no other reload was waiting for this one
+    bool last = true;      ///< no other reload was waiting for the end of this one
   };
   using OnDone = std::function<void(const Outcome& outcome)>;
 

@@ -53,8 +53,8 @@ class RunningSources {
   void condition_anew();
   /// Fills in everything about streams of other servers.
   void describe(Status& status) const;
-  /// Waits until the records are written. Fails with what went wrong with live sources without
-  /// ending them, if anything did.
+  /// Waits until the records are written. If a live source had an error that did not end it, fails
+  /// with that error.
   [[nodiscard]] Result<void> finish();
 
  private:

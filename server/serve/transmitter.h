@@ -23,7 +23,7 @@ using OnReady = std::function<Result<void>(const ReadyAt& where)>;
 
 /// How serving ended.
 struct RunResult {
-  std::optional<Error> error;  ///< what went wrong without ending it, such as a failed --record
+  std::optional<Error> error;  ///< an error that did not end serving, such as a failed --record
 };
 
 /// Serves the repertoire, recorded or live, to any number of clients until SIGTERM or SIGINT. From
@@ -31,7 +31,7 @@ struct RunResult {
 /// streams end, and it returns when the last client is gone or the time for that is over. Each
 /// further signal goes on to the next of these steps (Shutdown). The streams end in the same way
 /// when all are live and nothing can come any more, as after the end of stdin. SIGHUP calls `load`
-/// on another thread and serves what it returns to clients that connect from then on; the others
+/// on another thread and serves what it returns to clients that connect from then on; earlier ones
 /// keep what they have. A load that is under way at the end is asked to stop. SIGUSR1 logs the
 /// status. SIGPIPE is ignored from here on. Thread: one, the caller's.
 [[nodiscard]] Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire,

@@ -14,7 +14,7 @@ struct EngineSettings {
   std::filesystem::path login;  ///< USER:PASSWORD; empty: none
   std::filesystem::path creds;  ///< a user's JWT and seed; empty: none
   std::string nkey;             ///< a public key; empty: none
-  std::filesystem::path seed;   ///< of that
+  std::filesystem::path seed;   ///< of that key
   tls::Files tls;               ///< for natss:// addresses
   friend bool operator==(const EngineSettings&, const EngineSettings&) = default;
 };

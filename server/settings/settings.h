@@ -24,9 +24,9 @@ class Settings {
   /// `rows` must outlive it.
   explicit Settings(const std::vector<OptionRow>& rows);
 
-  /// Adds a settings file: TOML with one `name = value` per option. BadData with file:line:column
-  /// for text that is not TOML, an unknown option (it names the nearest) or a value of the wrong
-  /// type.
+  /// Adds a settings file: TOML with one `name = value` per option. Fails with BadData and
+  /// file:line:column for text that is not TOML, an unknown option (the message names the nearest)
+  /// or a value of the wrong type.
   [[nodiscard]] Result<void> add_file(std::string_view text, const std::string& file);
 
   /// Adds the variables AUCAST_TRANSMITTER_<OPTION>; several words are separated by commas, an

@@ -23,7 +23,7 @@ struct AuNumber {
 struct SignalOptions {
   std::filesystem::path profile;          ///< empty: none
   std::filesystem::path save_profile;     ///< empty: none is written
-  std::optional<double> neutral_seconds;  ///< 0: not even the profile's; nullopt: not given
+  std::optional<double> neutral_seconds;  ///< 0: none, not even the profile's; nullopt: not given
   bool neutral_auto = false;              ///< `auto` was given, which films and cameras do anyway
   std::vector<AuNumber> gain;             ///< applied in this order, after the profile's
   std::vector<AuNumber> dead_band;        ///< likewise
@@ -35,15 +35,15 @@ struct SignalOptions {
 /// The rows from --distance to --save-profile, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> signal_rows(SignalOptions& options);
 
-/// The settings that result from the options and their profile; the options win. Unreadable or
-/// BadData because of the profile.
+/// The settings that result from the options and their profile; the options win. Fails with
+/// Unreadable or BadData if the profile does.
 [[nodiscard]] Result<sources::ConditioningSettings> conditioning_of(const SignalOptions& options);
 
 /// Whether the first seconds of a face are to be measured.
 [[nodiscard]] bool measures_neutral(const SignalOptions& options);
 
-/// Writes a profile to options.save_profile, whole or not at all: what results from the options and
-/// their profile, with the `measured` neutral face. BadData when nothing could be measured.
+/// Writes a new profile to options.save_profile, whole or not at all. It has what results from the
+/// options and their profile, and the `measured` neutral face. BadData if no face was seen.
 [[nodiscard]] Result<void> save_profile(const SignalOptions& options,
                                         const std::optional<sources::MeasuredNeutral>& measured);
 

@@ -27,14 +27,14 @@ struct SourceOptions {
 /// The rows of cameras, --camera-size and --camera-fps, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> camera_rows(camera::CameraOptions& options);
 
-/// The options that change something in tables, films and cameras only, of those that were given:
-/// "--gain, --neutral"; empty: none was.
+/// Those of the given options that change something in tables, films and cameras only, such as
+/// "--gain, --neutral"; empty: there are none.
 [[nodiscard]] std::string options_of_recordings(const SourceOptions& options);
 
 /// How sources that are still being written are served.
 struct LiveSourceSettings {
   bool follow = false;           ///< regular files too are read on as they grow
-  Milliseconds timeout{10'000};  ///< after this silence it ends for its clients; 0: never
+  Milliseconds timeout{10'000};  ///< after this silence a stream ends for its clients; 0: never
   friend bool operator==(const LiveSourceSettings&, const LiveSourceSettings&) = default;
 };
 

@@ -88,8 +88,8 @@ struct Surroundings {
 [[nodiscard]] Surroundings surroundings_of_process();
 
 /// Reads the arguments (without the program's name) on top of environment and settings file.
-/// Usage error of one line, which names the nearest known option for an unknown one; BadData or
-/// Unreadable for the settings file.
+/// Fails with a Usage error of one line, which names the nearest known option for an unknown one;
+/// with BadData or Unreadable for the settings file.
 [[nodiscard]] Result<CommandLine> read_command_line(std::vector<std::string> arguments,
                                                     const Surroundings& surroundings = {});
 

@@ -25,8 +25,8 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// `shared`: the port is shared with other processes. Logs where it listens. Network error naming
-  /// address, cause and remedy.
+  /// `shared`: other processes share the port. Logs where it listens. Fails with a Network error
+  /// that names address, cause and remedy.
   [[nodiscard]] Result<void> open(const std::string& address, std::uint16_t port, bool shared);
   void start();
   /// Accepts no more connections.

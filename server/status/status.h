@@ -45,16 +45,16 @@ struct Status {
   bool stopping = false;               ///< clients are no longer accepted
   std::vector<std::string> streams;    ///< names; the first is what a classic client gets
   std::uint64_t clients = 0;           ///< connected now
-  std::uint64_t clients_web = 0;       ///< of those, by WebSocket
-  std::uint64_t clients_paused = 0;    ///< of those
-  std::uint64_t clients_behind = 0;    ///< of those, with bytes that wait to be taken
+  std::uint64_t clients_web = 0;       ///< of `clients`, by WebSocket
+  std::uint64_t clients_paused = 0;    ///< of `clients`
+  std::uint64_t clients_behind = 0;    ///< of `clients`, with bytes that wait to be taken
   std::uint64_t connects = 0;          ///< since the start
   std::uint64_t connects_unheard = 0;  ///< closed at once, without room even for a refusal
   std::uint64_t accept_failures = 0;   ///< out of descriptors or memory
   std::map<std::string, std::uint64_t> disconnects;  ///< since the start, by reason
   Totals sent;                                       ///< to all, past and present, and by --push
-  std::size_t queue_bytes = 0;                       ///< of that, bytes that wait to be taken
-  double queue_seconds = 0;               ///< longest time for which any of these has waited
+  std::size_t queue_bytes = 0;                       ///< bytes that wait to be taken
+  double queue_seconds = 0;               ///< longest time for which a client has taken none
   double lag_seconds = 0;                 ///< how late the latest live moment was sent
   std::uint64_t reloads = 0;              ///< by SIGHUP, with everything taken over
   std::uint64_t reload_failures = 0;      ///< by SIGHUP, with something not taken over

@@ -21,8 +21,8 @@ struct LinkLimits {
   Milliseconds voice_frame{60};  ///< length of each voice packet
 };
 
-/// Fits keyframes and voice, as they come, into LinkLimits::kbits: a keyframe that comes too soon
-/// waits until there is room for it; a newer one replaces it and takes its time as well. The voice
+/// Fits keyframes and voice, as they come, into LinkLimits::kbits. A keyframe that comes too soon
+/// waits until there is room for it; a newer one replaces it and lasts as long as both. The voice
 /// is never delayed, and the face gets the rest. All headers are counted. No second has more than
 /// the limit, unless the voice alone takes more or one keyframe is larger. Some room is left for
 /// what --batch may move from one second into the next.

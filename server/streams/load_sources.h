@@ -49,7 +49,7 @@ struct EncodingOptions {
   std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
   bool summarise = true;  ///< whether to fill in Source::summary, which only --check needs
   VoiceOptions voice{};
-  /// Sources with a voice are thinned to max_kbits while they are sent, not here.
+  /// Streams will be sent live: those with a voice are thinned to max_kbits then, not here.
   bool live = false;
 };
 

@@ -19,7 +19,7 @@ struct Repertoire {
   Repertoire(protocol::ServerCatalogue streams) : catalogue(std::move(streams)) {}
 
   protocol::ServerCatalogue catalogue;
-  std::vector<std::optional<VoiceFile>> voices;  ///< of each stream; missing ones: none
+  std::vector<std::optional<VoiceFile>> voices;  ///< of each stream; none beyond the end
 };
 
 /// The streams of the sources, in the order given; a live one has only a name yet. The voices are
@@ -31,8 +31,8 @@ struct Repertoire {
 [[nodiscard]] Result<void> check_live(const protocol::ServerCatalogue& catalogue);
 
 /// The `held_back_max` for link::tcp_link(), for clients of these streams when they are live: as
-/// much as the busiest one sends in kLiveWindowTime / 2, within bounds, so that a packet need not
-/// wait for the previous one to be sent.
+/// much as the busiest stream sends in kLiveWindowTime / 2, within bounds, so that no packet has to
+/// wait until the previous one is sent.
 [[nodiscard]] int held_back_for(const protocol::ServerCatalogue& catalogue,
                                 const VoiceOptions& voice);
 

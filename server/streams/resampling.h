@@ -14,8 +14,8 @@ namespace aucast::server {
 inline constexpr std::uint64_t kWholeKeyframeBytes = 400;
 
 /// Gives the stream `rate` keyframes a second (sources::resample()). `keyframe_ms`: of an untimed
-/// keyframe. Fails, and leaves the stream as it is, when they do not fit into memory; `path` is
-/// whose stream it is, for the message.
+/// keyframe. Fails, and leaves the stream as it is, when the new keyframes do not fit into memory;
+/// the message names `path`, the stream's file.
 [[nodiscard]] Result<void> resample(protocol::StreamFile& stream, double rate,
                                     std::uint32_t keyframe_ms, const std::filesystem::path& path,
                                     const std::stop_token& stop = {});

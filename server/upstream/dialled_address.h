@@ -15,7 +15,7 @@ namespace aucast::server {
 struct DialledAddress {
   protocol::StreamAddress address;
   std::optional<tls::Context> tls{};  ///< nullopt: the address is without TLS
-  std::string token{};                ///< to be shown there; empty: none
+  std::string token{};                ///< to show to these servers; empty: none
 };
 
 struct DialSecrets {

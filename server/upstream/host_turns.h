@@ -21,8 +21,8 @@ class HostTurns {
 
   /// The index of the host whose turn it is.
   [[nodiscard]] std::size_t current() const { return current_; }
-  /// Call when the present host has failed or was lost: the next one has its turn. Returns the wait
-  /// before that is dialled.
+  /// Call when the present host has failed or was lost: the next one has its turn. Returns how long
+  /// to wait before dialling that one.
   [[nodiscard]] Milliseconds next();
   /// Call when a connection was of use: earlier failures are forgotten.
   void worked();

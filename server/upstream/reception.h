@@ -18,8 +18,8 @@
 namespace aucast::server {
 
 /// Receives one stream from another server, over one connection at a time, whichever side made it.
-/// Without a connection the clients' faces hold; when none has come in time the stream ends for
-/// them. Reports to log and status.
+/// Without a connection the clients' faces hold; if the next one does not come in time, the stream
+/// ends for the clients. Reports to log and status.
 /// Thread: that of the io_context, which must outlive it.
 class Reception {
  public:
@@ -35,7 +35,7 @@ class Reception {
     std::function<void()> on_first;   ///< a connection has brought its first keyframe
     /// A connection has ended and was dropped. Unless whole(), a new one is needed.
     std::function<void(const Parent::Outcome&)> on_over;
-    std::function<void()> on_given_up = [] {};  ///< the clients were told that it has ended
+    std::function<void()> on_given_up = [] {};  ///< clients were told that the stream has ended
   };
 
   Reception(asio::io_context& io, Options options, Events events);
@@ -56,13 +56,13 @@ class Reception {
 
   /// Drops the present connection, if any.
   void drop();
-  /// Stops, and tells the clients that it has ended.
+  /// Stops, and tells the clients that the stream has ended.
   void end();
 
   [[nodiscard]] bool connected() const { return parent_ != nullptr; }
-  /// The clients were told that it has ended, and nothing has come since.
+  /// Whether clients were told that the stream has ended, and nothing has come since.
   [[nodiscard]] bool given_up() const { return state_ == State::GivenUp; }
-  /// A recorded stream is here to its end.
+  /// Whether a recorded stream is here to its end.
   [[nodiscard]] bool whole() const { return stream_.whole(); }
   [[nodiscard]] std::string name() const;  ///< for the log
   [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> shared() const {
@@ -76,7 +76,7 @@ class Reception {
   enum class State : std::uint8_t {
     Waiting,    ///< for a first keyframe, or for the next parent's
     Receiving,  ///< the parent has sent a keyframe
-    GivenUp,    ///< none came in time, and the clients were told
+    GivenUp,    ///< no keyframe came in time, and the clients were told
     Whole,      ///< a recorded stream is here to its end, and that was logged
     Stopped,
   };

@@ -35,7 +35,7 @@ class Redialler {
 
   static constexpr Milliseconds kNotReady{500};  ///< the wait between two calls of `ready`
 
-  /// `name` returns what the log calls it, and is called for each line.
+  /// `name` is called for each line of the log, which begins with the name that it returns.
   Redialler(asio::io_context& io, Options options, std::function<std::string()> name,
             OnLink on_link);
   ~Redialler() { stop(); }

@@ -35,15 +35,15 @@ class RelayedStream {
 
   explicit RelayedStream(Options options);
 
-  /// The hello for the next parent: of a recorded stream, it asks for what is missing.
+  /// The hello for the next parent; for a recorded stream it asks only for what is missing.
   [[nodiscard]] protocol::HelloAsked asked() const;
 
-  /// Everything until the next begin_call() came together: clients get as much of it as they can
+  /// Call it before adding what has come together: clients then get as much of that as they can
   /// take.
   void begin_call();
 
-  // What comes from a parent. Each returns nullopt, or what is wrong with it: then nothing was
-  // changed, and this parent is to be left.
+  // What comes from a parent. Each returns what is wrong with it, or nullopt. If anything is wrong,
+  // nothing was changed, and the parent must be left.
 
   [[nodiscard]] std::optional<std::string> begin(const protocol::HelloGranted& hello);
   /// `packet`: the keyframe's bytes as they came.
@@ -82,12 +82,12 @@ class RelayedStream {
   std::shared_ptr<protocol::EncodedStream> recorded_;  ///< of a recorded stream; else null
   bool changes_ = false;  ///< the changes-only form of a recorded stream is kept too
   std::uint64_t place_ms_ = 0;
-  std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that the parent may begin with, and are here
+  std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that are here and that the parent may repeat
   std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< of a recorded stream; null: it has none
   std::shared_ptr<protocol::EncodedTrack> voice_;  ///< of that; null: it has captions only
   std::size_t caption_bytes_ = 0;                  ///< of that
   std::size_t caption_again_ = 0;  ///< the index of the next caption that may come once more
-  std::uint64_t looks_ = 0;        ///< at whether there is room for more of a recorded stream
+  std::uint64_t looks_ = 0;        ///< how often it looked whether a recorded stream may grow
   Milliseconds shift_{0};          ///< live: from the clock of the connection to that of the feed
 };
 

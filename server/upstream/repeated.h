@@ -6,8 +6,8 @@
 
 namespace aucast::server {
 
-/// The level at which to log a reason: debug if the same failure is repeated, else warn. `said`:
-/// the reason last logged, which becomes this one.
+/// The level at which to log a reason: debug if it is the one that was logged last, else warn.
+/// `said`: the reason logged last; set to `reason`.
 [[nodiscard]] inline spdlog::level::level_enum level_of(const std::string& reason,
                                                         std::string& said) {
   const auto level = said == reason ? spdlog::level::debug : spdlog::level::warn;

@@ -18,8 +18,8 @@ struct Companions {
   std::optional<std::filesystem::path> captions;
 };
 
-/// Looks for the companions of a source. Of several sound files it takes the first of
-/// kSoundEndings; captions are .vtt.
+/// Looks for the companions of a source. Of several sound files it takes the one whose ending comes
+/// first in kSoundEndings; captions are .vtt.
 [[nodiscard]] Companions companions_of(const std::filesystem::path& source);
 
 /// The content of the companions.

@@ -13,9 +13,9 @@
 namespace aucast::server {
 
 /// Encodes sound that comes together with a live face, as packets on the clock of the face's
-/// stream. When the sound began is found from the arrival of its samples, and when the face's clock
-/// began from the arrival of its keyframes, each smoothed by a SlowLine. Where the two clocks drift
-/// apart, pauses get longer or shorter.
+/// stream. One SlowLine finds from the arriving samples when the sound began, another one from the
+/// arriving keyframes when the face's clock began. If the two clocks drift apart, pauses in the
+/// sound get longer or shorter.
 /// Thread: none of its own.
 class LiveVoice {
  public:
@@ -30,7 +30,7 @@ class LiveVoice {
   /// they complete. Samples before the first keyframe have no place and are dropped.
   [[nodiscard]] std::vector<protocol::VoicePacket> add(std::string_view bytes, SteadyTime now);
   /// The writer has gone: the next samples do not continue the last. Returns the packets of the
-  /// rest.
+  /// samples that are left.
   [[nodiscard]] std::vector<protocol::VoicePacket> end_sound();
 
  private:

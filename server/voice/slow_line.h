@@ -7,17 +7,18 @@
 namespace aucast::server {
 
 /// Finds when something began that is made steadily but arrives with jitter, such as sound from a
-/// pipe. A late arrival tells nothing, since it may have waited; an early one shows how late the
-/// others were. Follows clocks that differ a little; if arrivals stay late for long, something was
-/// lost. Thread: none of its own.
+/// pipe. A late arrival proves nothing, since it may have waited; an early one shows how late the
+/// others were. Follows a clock that differs a little from ours; if all arrivals are late for long,
+/// something was lost, and begin() moves later. Thread: none of its own.
 class SlowLine {
  public:
-  /// Call when, at `now`, the first `made` of it has arrived. Neither may ever decrease.
+  /// Call when some of it has arrived. `made`: how much has arrived by `now` since the beginning.
+  /// Neither may ever decrease.
   void add(SteadyTime now, Seconds made);
   /// When it began. Only if known().
   [[nodiscard]] SteadyTime begin() const { return *begin_; }
   [[nodiscard]] bool known() const { return begin_.has_value(); }
-  /// What comes next does not continue what came: begins again.
+  /// Begins again. Call it when what comes next does not continue what came.
   void forget() { *this = {}; }
 
  private:

@@ -24,8 +24,8 @@ struct VoiceFile {
   friend bool operator==(const VoiceFile&, const VoiceFile&) = default;
 };
 
-/// Checks a sound file without reading its sound. Unreadable or BadData, with the remedy, when it
-/// is none, or has less than a millisecond.
+/// Checks a sound file without reading its sound. Fails with Unreadable or BadData, and the remedy,
+/// if it is not a sound file or has less than a millisecond of sound.
 [[nodiscard]] Result<VoiceFile> find_voice_file(const std::filesystem::path& path,
                                                 Milliseconds begin);
 
@@ -57,8 +57,8 @@ class VoiceReader {
 /// characters around it, without the headers of TCP and IP.
 [[nodiscard]] std::uint32_t voice_kbits(const voice::VoiceSettings& settings);
 
-/// How many of `max_kbits` are left for a face beside its voice; 0 (no limit) for 0. Usage error,
-/// with the remedy, when that is too little. `source`, for the message: whose face it is.
+/// How many of `max_kbits` are left for a face beside its voice; 0 (no limit) if `max_kbits` is 0.
+/// Usage error, with the remedy, when too little is left. `source`, for the message: whose face.
 [[nodiscard]] Result<std::uint32_t> face_kbits(std::uint32_t max_kbits,
                                                const voice::VoiceSettings& settings,
                                                const std::filesystem::path& source);

@@ -48,8 +48,8 @@ class WebServer {
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  /// Reads the page and listens; a missing page is logged. Unreadable, or Network error naming
-  /// address, cause and remedy. `shared`: the port is shared with other processes.
+  /// Reads the page and listens; a missing page is logged. `shared`: other processes share the
+  /// port. Fails with Unreadable for the page, or a Network error naming address, cause and remedy.
   [[nodiscard]] Result<void> open(bool shared);
   void start();
   /// Accepts no more connections.
