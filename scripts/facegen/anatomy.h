@@ -6,16 +6,16 @@
 
 namespace aucast::facegen {
 
-// The measures that several stages share. Units and axes: data/faces/README.md (1 unit = 1.4 cm, y
+// Measures that several stages share. Units and axes: data/faces/README.md (1 unit = 1.4 cm, y
 // up, z to the viewer); the head is described for x >= 0, the subject's left, and mirrored.
 
 /// Larger than life (an eyeball measures 0.86), so that the corners of the eye lie on the ball and
 /// no caruncle has to be modelled.
 inline constexpr double kEyeRadius = 1.32;
-/// Where the left one is; face.toml tells the player the same.
+/// The centre of the left eyeball. face.toml must have the same one, for the player.
 [[nodiscard]] Vec3 eye_centre(const Form& form);
 
-/// It spans a little more than two fifths of the opening; much more looks like a doll's.
+/// The iris spans a little over two fifths of the lids' opening; a larger one looks like a doll's.
 inline constexpr double kIrisRadius = 0.51;
 
 /// Corners of the eye relative to its centre: towards the nose and towards the temple.
@@ -25,7 +25,7 @@ inline constexpr double kOuterCanthus = 1.26;
 /// Height of the lid margins relative to the eye's centre at `dx` beside it.
 [[nodiscard]] double upper_lid(const Identity& who, double dx);
 [[nodiscard]] double lower_lid(const Identity& who, double dx);
-/// The same of the fold of the upper lid.
+/// Likewise, the height of the fold of the upper lid.
 [[nodiscard]] double lid_fold(const Identity& who, double dx);
 
 /// x of the corner of the mouth.
@@ -36,8 +36,8 @@ inline constexpr double kMouthCorner = 1.70;
 [[nodiscard]] double upper_lip_border(const Identity& who, double x);
 [[nodiscard]] double lower_lip_border(const Identity& who, double x);
 
-/// The furrow from the wing of the nose past the corner of the mouth: x, y and how deep it is
-/// there, 1 at its deepest. Years engrave it (`Form::furrow`), smiles deepen and draw it.
+/// The furrow from the wing of the nose past the corner of the mouth: points of x, y and depth, 1
+/// at its deepest. `Form::furrow` engraves it, as years do; smiles deepen it.
 inline constexpr std::array<Vec3, 5> kFurrow{{{1.16, -0.24, 0.3},
                                               {1.62, -0.70, 0.75},
                                               {2.14, -1.32, 1.0},

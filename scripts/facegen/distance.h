@@ -4,8 +4,8 @@
 
 namespace aucast::facegen {
 
-// Signed distances, negative inside, and ways to melt them into each other. Good near the surface,
-// which is all that projecting onto it needs.
+// Signed distances, negative inside, and ways to melt them into each other. They are accurate near
+// the surface only, which is enough to project points onto it.
 
 /// Union with a rounded seam about `radius` wide. Cubic, because the usual quadratic one leaves
 /// lines in the shading where its second derivative jumps.
@@ -20,12 +20,12 @@ namespace aucast::facegen {
   return -melt(-a, hollow, radius);
 }
 
-/// |x| with a rounded bottom: a mirror that leaves no crease.
+/// |x| with a rounded bottom: what is mirrored with it has no crease at x = 0.
 [[nodiscard]] inline double soft_abs(double x, double radius) {
   return std::sqrt(x * x + radius * radius);
 }
 
-/// Distance to an ellipsoid about the origin (bounded, exact at the surface to first order).
+/// Approximate distance to an ellipsoid about the origin; at the surface exact to first order.
 [[nodiscard]] inline double ellipsoid(const Vec3& p, const Vec3& radii) {
   const Vec3 q = p / radii;
   const double k0 = glm::length(q);

@@ -5,7 +5,8 @@
 
 namespace aucast::facegen {
 
-/// An eyeball: side 1 left, -1 right. Its rings lie exactly on pupil, iris and limbus.
+/// An eyeball. `side`: 1 left, -1 right. Rings of vertices lie exactly on the edges of pupil, iris
+/// and limbus.
 [[nodiscard]] Part make_eye(const Identity& who, int side);
 
 }  // namespace aucast::facegen

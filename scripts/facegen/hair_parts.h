@@ -8,9 +8,9 @@
 
 namespace aucast::facegen {
 
-// What haircuts are made of: smooth sheets, whose strands are the renderer's (map `strand`). All
-// heads have as many of each and in this order, so that their meshes have one topology; edges blend
-// in this order too: what is nearer to the eye comes later.
+// What haircuts are made of: smooth sheets, on which the renderer draws strands (map `strand`). All
+// heads have equally many of each kind in the same order, so their meshes have one topology. What
+// is nearer to the viewer comes later in that order, so that its edges blend over the rest.
 
 struct SheetSize {
   std::size_t columns = 0;
@@ -24,17 +24,17 @@ inline constexpr std::size_t kLocks = 16;
 struct HairPoint {
   Vec3 place{0};
   Vec3 colour{0};
-  double alpha = 1;   ///< below 1: that share of the strands is left
+  double alpha = 1;   ///< the share of the strands that is drawn
   double strand = 0;  ///< which strand runs here, [0,1]
   double gloss = 1;
 };
 
-/// Adds a sheet of which `at(u, v)`, both in [0, 1], are the points: u to the right as seen from
-/// outside when v runs down.
+/// Adds a sheet with the points `at(u, v)`, u and v in [0, 1]. Seen from outside, with v running
+/// down, u runs to the right.
 void add_sheet(Part& hair, const SheetSize& size,
                const std::function<HairPoint(double, double)>& at);
 
-/// Between the colours of the hair: 0 the dark one, 1 the light one.
+/// A mixture of the two colours of the hair; `light`: 0 the dark one, 1 the light one.
 [[nodiscard]] Vec3 shade_of(const Identity& who, double light);
 
 /// Hair that falls along the haircut's guides.

@@ -15,7 +15,7 @@ namespace aucast::facegen {
 /// one set of muscles and recordings serves every identity.
 struct Form {
   // skull and jaw
-  double narrowing = 0.055;  ///< of everything below the cheekbones, share
+  double narrowing = 0.055;  ///< by which share all below the cheekbones is narrower
   double jaw_width = 0;      ///< the angle of the jaw, outwards
   double jaw_bow = 0;        ///< between angle and chin, outwards; 1 is much
   double jaw_drop = 0;       ///< the angle of the jaw, downwards
@@ -26,9 +26,9 @@ struct Form {
   double cheekbone = 0;        ///< outwards
   double cheek_hollow = 0.06;  ///< depth below the arch of the cheekbone
   double brow_ridge = 0;
-  double forehead_slope = 0;  ///< how far it falls back at the hairline
-  double forehead_round = 0;  ///< its bosses towards the middle
-  double muzzle = 0;          ///< upper lip and the lips, forwards
+  double forehead_slope = 0;  ///< how far it is set back near the hairline
+  double forehead_round = 0;  ///< its bosses, towards the middle and forwards
+  double muzzle = 0;          ///< the region of the lips, forwards
   double throat_drop = 0;     ///< floor of the mouth
   double neck_width = 1;
   double larynx = 0;
@@ -74,52 +74,54 @@ struct Form {
 
 /// A lock of long hair that lies loosely on the rest and goes its own way.
 struct Lock {
-  double s = 0;        ///< where across the hair it begins, 0 to 1 as the guides
-  double drift = 0;    ///< how far aside it ends
-  double begin = 0;    ///< 0 at the roots, 1 at the tips
-  double end = 1;      ///< it may be longer than the rest
-  double width = 0;    ///< half of it, of s
-  double lift = 0;     ///< over the rest at its end, mesh units
-  double over = 0;     ///< the same all along
-  double cover = 0.9;  ///< how dense it is; below 0.5 single hairs
+  double s = 0;        ///< where across the hair it begins, 0 (first guide) to 1 (last guide)
+  double drift = 0;    ///< how far from there it ends, in units of s
+  double begin = 0;    ///< where along the hair it begins: 0 at the roots, 1 at the tips
+  double end = 1;      ///< where it ends; above 1: it is longer than the rest
+  double width = 0;    ///< half its width, in units of s
+  double lift = 0;     ///< height over the rest at its end, mesh units
+  double over = 0;     ///< height over the rest all along, mesh units
+  double cover = 0.9;  ///< how dense it is; below 0.5 single hairs show
 };
 
 /// A haircut: where it grows and how it falls.
 struct Haircut {
-  /// From the middle of the forehead (0) over temple, sideburn and ear to the nape (12).
+  /// Points of the left hairline, from the middle of the forehead (0) past temple, sideburn and ear
+  /// to the nape (12).
   std::vector<Key<Vec3>> hairline;
   Vec3 crown{0.9, 9.9, -2.6};
-  /// How long hair falls: lines from root to tip at equal steps across the hair, from the front of
-  /// the left side over the back to the front of the right one. None: short hair along the scalp.
+  /// The lines along which long hair falls, from root to tip, at equal steps across the hair: from
+  /// the front of the left side round the back to the front of the right one. Empty: the hair is
+  /// short and lies along the scalp.
   std::vector<std::array<Vec3, 9>> guides;
   /// Loose locks of long hair, at most `kLocks`.
   std::vector<Lock> locks;
-  /// How the top of short hair is combed: lines from the hairline of the forehead over the crown,
-  /// at equal steps from the parting on the left to the right side. Its height is `top`.
+  /// The lines along which the top of short hair is combed, from the hairline of the forehead over
+  /// the crown, at equal steps from the parting on the left to the right side.
   std::vector<std::array<Vec3, 5>> combed;
-  double side = 0.30;  ///< thickness over the skin
-  double top = 0.72;   ///< the same, of short hair on top
-  bool grey = false;   ///< white hairs among dark ones
+  double side = 0.30;  ///< thickness of the hair over the skin
+  double top = 0.72;   ///< the same on top of the head
+  bool grey = false;   ///< white hairs are mixed with dark ones
 };
 
-/// How the lines look that expressions draw on this skin (`creases`).
+/// The look of the lines that expressions draw on this skin (creases.h).
 struct ExpressionLines {
-  int seed = 0;            ///< whose hand drew them
+  int seed = 0;            ///< another number draws them a little differently
   double depth = 1;        ///< factor on how dark they are
   double width = 1;        ///< factor
   double uneven = 0.12;    ///< how far they stray from the drawn line, mesh units
-  double forehead_up = 0;  ///< those of the forehead, mesh units
+  double forehead_up = 0;  ///< how much higher those of the forehead lie, mesh units
 };
 
 /// How far the left side of the face differs from the right one (`make_uneven`), mesh units.
 struct Askew {
-  double brow = 0;   ///< upwards, the left one
-  double mouth = 0;  ///< upwards, the left corner
-  double nose = 0;   ///< its tip, to the left
-  double chin = 0;   ///< the same
+  double brow = 0;   ///< the left brow, upwards
+  double mouth = 0;  ///< the left corner, upwards
+  double nose = 0;   ///< the tip, to the left
+  double chin = 0;   ///< to the left
 };
 
-/// What makes a person: everything else of the generator is the same for all.
+/// What makes a person. All else in the generator is the same for everybody.
 struct Identity {
   Form form;
   Haircut hair;
@@ -128,11 +130,11 @@ struct Identity {
   Palette colours;
 };
 
-/// The person of a file like those in people/. Unreadable, or BadData with a line for
-/// each error.
+/// The person that a file like those in people/ describes. Fails as Unreadable, or as BadData with
+/// a line for each error.
 [[nodiscard]] Result<Identity> read_identity(const std::filesystem::path& file);
 
-/// The person of that name in people/; Usage error when there is none.
+/// The person of that name in people/. Usage error when there is none.
 [[nodiscard]] Result<Identity> identity_named(std::string_view name);
 
 }  // namespace aucast::facegen

@@ -19,8 +19,9 @@ enum class Patch : std::uint8_t { Grid, Eye, Mouth, Ear, Nostril, Cap };
 inline constexpr int kRows = 48;
 inline constexpr int kColumns = 32;
 
-/// Eye: 32 spokes, from the upper inner corner of the block over the top; spoke + 4 counts from the
-/// inner corner of the eye (0) over the upper lid (1-15) to the outer one (16) and back under it.
+/// Eye: 32 spokes. Spoke 0 is at the upper inner corner of the block; they go on along its top.
+/// Counted as spoke + 4, modulo 32: 0 is the inner corner of the eye, 1-15 are the upper lid, 16 is
+/// the outer corner, and 17-31 lead back along the lower lid.
 inline constexpr int kEyeSpokes = 32;
 /// Share of the way from the lid margin (0) to the border of the block (1), ring by ring. 0.22 lies
 /// on the fold of the upper lid.
@@ -29,7 +30,8 @@ inline constexpr int kLidMarginRing = 9;  ///< outer edge of the margin
 inline constexpr int kLidInnerRing = 10;  ///< inner edge, on the eyeball
 inline constexpr int kLidLastRing = 12;   ///< tucked in between lid and eyeball
 
-/// Mouth, half of it: 25 spokes, 0 the middle of the upper lip, 12 the corner, 24 the lower middle.
+/// Half of the mouth: 25 spokes. 0 is the middle of the upper lip, 12 the corner, 24 the middle of
+/// the lower lip.
 inline constexpr int kMouthSpokes = 25;
 inline constexpr int kMouthCornerSpoke = 12;
 /// Share of the way from the red of the lips (0) to the border of the block (1), ring by ring.
@@ -60,7 +62,7 @@ struct HalfHead {
   std::vector<Quad> quads;
 };
 
-/// The loops at their start positions: pinned ones in their place, the rest roughly.
+/// The half head before relaxation: pinned vertices are in their place, the others near theirs.
 [[nodiscard]] HalfHead lay_out_half_head(const Identity& who);
 
 }  // namespace aucast::facegen

@@ -17,7 +17,7 @@ struct Block {
   [[nodiscard]] bool has_cell(int row, int column) const {
     return row >= row_begin && row < row_end && column >= column_begin && column < column_end;
   }
-  /// Inside the border; a block on the midline is open there.
+  /// Whether the node lies inside the border. A block at the midline has no border there.
   [[nodiscard]] bool has_inner_node(int row, int column) const {
     return row > row_begin && row < row_end && column < column_end &&
            (column > column_begin || column_begin == 0);
@@ -35,8 +35,8 @@ struct GridNode {
   int column = 0;
 };
 
-/// The border of a block as the spokes count it: along the top, down the far side, back along the
-/// bottom and up the near side; the mouth's stops at the midline.
+/// The border of a block in the order of its spokes: along the top, down the far side, back along
+/// the bottom and up the near side. That of the mouth ends at the midline and has no near side.
 [[nodiscard]] std::vector<GridNode> border_of(const Block& block);
 
 /// Collects vertices and quads while the half head is laid out.
@@ -51,7 +51,7 @@ class LayoutBuilder {
   void add_quad(const Quad& quad) { half_.quads.push_back(quad); }
   /// Quads between an outer and an inner ring of the same length.
   void add_strip(const Ring& outer, const Ring& inner, bool closed);
-  /// Quads that close an innermost ring of even length over its middle.
+  /// Quads that fill an innermost ring of even length, each with `middle` as a corner.
   void add_lid(const Ring& ring, std::uint32_t middle);
 
   [[nodiscard]] std::uint32_t node(int row, int column) const {

@@ -13,8 +13,8 @@
 
 namespace aucast::facegen {
 
-// Everything is computed in double precision and without fast-math, so that two compilers agree far
-// better than the 1e-4 that the test of the committed head allows.
+// Everything is computed in double precision and without fast-math. So the results of two compilers
+// differ by far less than the 1e-4 that the test of the committed head allows.
 
 using Vec3 = glm::dvec3;
 
@@ -35,7 +35,7 @@ inline constexpr double kPi = std::numbers::pi;
   return a + (b - a) * t;
 }
 
-/// 0 before `from`, 1 behind `to`, an S between them; `from` may be the larger one.
+/// 0 before `from`, 1 beyond `to`, an S curve between them; `from` may be the larger one.
 [[nodiscard]] inline double smooth_step(double from, double to, double x) {
   const double t = saturate((x - from) / (to - from));
   return t * t * (3 - 2 * t);
@@ -46,12 +46,13 @@ inline constexpr double kPi = std::numbers::pi;
   return std::exp(-(x / width) * (x / width));
 }
 
-/// The same over a vector that was already divided by its widths.
+/// The same for a vector whose components were divided by their widths.
 [[nodiscard]] inline double bell(const Vec3& scaled) {
   return std::exp(-glm::dot(scaled, scaled));
 }
 
-/// How near `p` is to a polyline of (x, y, strength): the strength on it, falling over `width`.
+/// How near `p` is to a polyline of points (x, y, strength): the strength where `p` lies on it,
+/// falling off beside it as bell() of `width`.
 [[nodiscard]] inline double near_line(std::span<const Vec3> line, const glm::dvec2& p,
                                       double width) {
   double most = 0;
@@ -66,7 +67,7 @@ inline constexpr double kPi = std::numbers::pi;
   return most;
 }
 
-/// A power that stays finite for the tiny negative bases that rounding leaves at the ends of
+/// A power that is 0, not NaN, for the tiny negative bases to which rounding leads at the ends of
 /// curves.
 [[nodiscard]] inline double power(double base, double exponent) {
   return base < 1e-7 ? 0.0 : std::pow(base, exponent);

@@ -6,13 +6,13 @@ namespace aucast::facegen {
 
 enum class Jawbone : std::uint8_t { Upper, Lower };
 
-/// Fourteen teeth and their gum.
+/// The fourteen teeth of one jawbone and their gum.
 [[nodiscard]] Part make_teeth(Jawbone jawbone);
 
 [[nodiscard]] Part make_tongue();
 
-/// The inside of the cheeks and the throat: continues the last ring of the lips backwards. Its
-/// first ring has the position and the weights of that ring, so that the two stay together.
+/// The inside of the cheeks and the throat, which continue the lips backwards. The first ring has
+/// the positions and weights of the last ring of the lips, so that the two stay together.
 [[nodiscard]] Part make_mouth_bag(const Skin& skin);
 
 }  // namespace aucast::facegen

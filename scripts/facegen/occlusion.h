@@ -26,12 +26,12 @@ class RayScene {
 
 struct OcclusionOptions {
   int rays = 128;
-  double reach = 4.5;     ///< what is further away darkens nothing
-  double darkest = 0.28;  ///< light that arrives everywhere
-  int smoothing = 2;      ///< passes over neighbours
+  double reach = 4.5;     ///< anything further away than this darkens nothing
+  double darkest = 0.28;  ///< the light that arrives at the darkest place
+  int smoothing = 2;      ///< passes that average each vertex with its neighbours
 };
 
-/// Stage 6: how much ambient light arrives at each vertex of the part in the neutral face.
+/// Stage 6: stores how much ambient light arrives at each vertex of the part, in the neutral face.
 void bake_occlusion(Part& part, const RayScene& occluders, const OcclusionOptions& options);
 
 }  // namespace aucast::facegen

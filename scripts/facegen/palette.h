@@ -25,11 +25,11 @@ struct Palette {
   double beard = 0;  ///< how much of a shaven beard shows
 };
 
-// Those that all have.
+// Colours that are the same for everybody.
 
-/// What is left of the skin's colour where a beard was shaven.
+/// A factor on the skin's colour where a beard was shaven.
 inline constexpr Vec3 kBeardShade{0.44, 0.475, 0.53};
-/// The same under hair or right beside it.
+/// A factor on the skin's colour under hair or right beside it.
 inline constexpr Vec3 kUnderHair{0.66, 0.54, 0.50};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
 inline constexpr Vec3 kCaruncle{0.66, 0.34, 0.30};
@@ -49,7 +49,7 @@ inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
 inline constexpr Vec3 kSclera{0.64, 0.575, 0.53};
 inline constexpr Vec3 kScleraCorner{0.47, 0.29, 0.255};
-/// What is left of the light in the deepest line.
+/// A factor on the light in the deepest line.
 inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
 inline constexpr Vec3 kForeheadCrease{0.61, 0.42, 0.36};
 

@@ -11,23 +11,24 @@
 
 namespace aucast::facegen {
 
-/// The weights of a vertex that move it; their names in the file are in kMapNames.
+/// The maps: numbers of each vertex, most of them weights by which something moves it. Their names
+/// in the file are in kMapNames.
 enum class Map : std::uint8_t {
   Muscle,      ///< factor on all muscles
   Jaw,         ///< share of the jaw's turn
   Head,        ///< share of the head's turn
   LidAngle,    ///< radians downwards at full closure
-  Smile,       ///< mask of the zygomatics: not the nose, little near the cheekbone
-  Forehead,    ///< mask of frontalis and corrugator: not below the brows
-  UpperLip,    ///< mask: what goes with the upper lip
-  LowerLip,    ///< mask: what goes with the lower lip
+  Smile,       ///< mask of the zygomatics: 0 on the nose, small near the cheekbone
+  Forehead,    ///< mask of frontalis and corrugator: 0 below the brows
+  UpperLip,    ///< mask: what moves with the upper lip
+  LowerLip,    ///< mask: what moves with the lower lip
   UpperRed,    ///< mask: the red of the upper lip
   LowerRed,    ///< mask: the red of the lower lip
-  LowerLid,    ///< mask: the lower lid, a tenth of its share over its Muscle factor
+  LowerLid,    ///< mask: the lower lid, for its own muscle; makes up for the small Muscle there
   Nasolabial,  ///< mask: the furrow from the wing of the nose to beside the mouth
   Glabella,    ///< mask: the two upright lines between the brows
   Tongue,      ///< mask: the free part of the tongue
-  Strand,      ///< where across the hair; strands run where it is the same
+  Strand,      ///< position across the hair; it is the same all along a strand
 };
 inline constexpr std::array<std::string_view, 15> kMapNames{
     "muscle",    "jaw",        "head",      "lid_angle", "smile",
@@ -58,8 +59,8 @@ struct Part {
   std::uint32_t add(const Vec3& position, const Vec3& colour = Vec3{1}, double alpha = 1);
   void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  /// Quads lower[i], lower[i+1], upper[i+1], upper[i] between two rows of the same length: seen
-  /// from outside, `upper` lies to the left of the way along `lower`.
+  /// Adds the quads lower[i], lower[i+1], upper[i+1], upper[i] between two rows of the same length.
+  /// Seen from outside, `upper` must lie to the left as one goes along `lower`.
   void add_band(const std::vector<std::uint32_t>& lower, const std::vector<std::uint32_t>& upper,
                 bool closed);
   /// Sets a map of every vertex.

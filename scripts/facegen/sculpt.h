@@ -15,22 +15,22 @@ namespace aucast::facegen {
 /// How deep the folds beside nose and mouth are at a place of the skin.
 [[nodiscard]] double fold_depth(const Identity& who, const Vec3& p);
 
-/// A distance as `leave` takes it.
+/// The signed distance of a point from a body, for leave().
 using Distance = std::function<double(const Vec3&)>;
 
-/// The same for one person.
+/// head_distance() for one person.
 [[nodiscard]] Distance head_of(const Identity& who);
 
-/// Distance from neck and torso in a shirt, for the shirt alone.
+/// Distance from neck and torso in a shirt; only make_shirt() needs it.
 [[nodiscard]] double torso_distance(const Form& form, const Vec3& p);
 
-/// Unit vector away from the head, by differences over `step`.
+/// Unit vector away from the head, from differences of head_distance() over `step`.
 [[nodiscard]] Vec3 head_normal(const Identity& who, const Vec3& p, double step = 0.01);
 
 /// The nearest place on the skin, by at most `steps` steps along the gradient.
 [[nodiscard]] Vec3 on_skin(const Identity& who, Vec3 p, int steps = 10);
 
-/// z of the face at (x, y), seen from the front.
+/// z of the foremost point of the face at (x, y).
 [[nodiscard]] double face_z(const Identity& who, double x, double y);
 
 /// Where a ray from inside the body leaves it for good.

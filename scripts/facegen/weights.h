@@ -4,19 +4,20 @@
 
 namespace aucast::facegen {
 
-// Stage 4: what moves with what. All weights come from the layout (patch, ring, spoke) or from
-// smooth fields of the position; nothing is picked by hand.
+// Stage 4: the weights by which muscles, jaw and head move each vertex. They are computed from its
+// place in the layout (patch, ring, spoke) or are smooth functions of its position; none is set by
+// hand.
 
-/// Share of the jaw's turn in the open skin.
+/// Share of the jaw's turn at a place of the skin that is not on the lips.
 [[nodiscard]] double jaw_field(const Vec3& p);
 
-/// Share of the head's turn that the shoulders have.
+/// The shoulders' share of the head's turn.
 inline constexpr double kShoulders = 0.13;
 
-/// Share of the head's turn: 1 on the head, fading down the neck to that of the shoulders.
+/// Share of the head's turn: 1 on the head, falling down the neck to kShoulders.
 [[nodiscard]] double head_field(const Vec3& p);
 
-/// Sets all maps of a vertex that lies on the face without belonging to the layout, as brows do.
+/// Sets all maps of a vertex that lies on the face but is not in the layout, such as one of a brow.
 void weigh_by_position(const Identity& who, Vertex& vertex);
 
 /// Sets all maps of the skin.
