@@ -37,7 +37,7 @@ struct AuFrame {
 /// Whether the AU shows on only one side at a time: 30 jaw sideways, 36 tongue bulge, 46 wink.
 [[nodiscard]] bool shows_on_one_side(int number);
 
-/// Sets AU `number` (1-99) on a side; for Side::Both see there.
+/// Sets AU `number` (1-99) on a side; enum Side explains Both.
 void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensity);
 
 /// An intensity in whole percent, rounded; clamped to [0,1] first.
@@ -46,7 +46,7 @@ void set_intensity(AuFrame& frame, std::uint8_t number, Side side, float intensi
 /// A name with its side: "left_brow", "right_brow", or "brow" for both.
 [[nodiscard]] std::string sided_name(Side side, std::string_view base);
 
-/// A name taken apart into what sided_name() makes it from; Both for a name without a side. `base`
+/// The parts from which sided_name() makes a name; `side` is Both for a name without a side. `base`
 /// is a view into the name.
 struct SidedName {
   Side side = Side::Both;

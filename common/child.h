@@ -17,10 +17,10 @@
 
 namespace aucast {
 
-/// A program that is fed through its standard input, or read from its standard output, or both,
-/// while the end of what it writes to stderr is kept. It runs in a process group of its own, so
-/// that Ctrl-C in a terminal does not end it before it has finished its file. Never raises SIGPIPE
-/// and leaves no zombie. Thread: one at a time, except for stop(), tell() and end_input().
+/// A program that is fed through its standard input, or read from its standard output, or both. The
+/// end of what it writes to stderr is kept. It runs in a process group of its own, so that Ctrl-C
+/// in a terminal does not end it before it has finished its file. Never raises SIGPIPE and leaves
+/// no zombie. Thread: one at a time, except for stop(), tell() and end_input().
 class Child {
  public:
   enum class Flow : std::uint8_t { Fed, Read, Both };
@@ -45,17 +45,18 @@ class Child {
   /// Sends a few bytes to a child that is both fed and read, without waiting; false when it does
   /// not take all. From any thread, before wait() or destruction.
   [[nodiscard]] bool tell(std::string_view bytes) const;
-  /// Ends the standard input of such a child. From any thread, before wait() or destruction.
+  /// Ends the standard input of a child that is both fed and read. From any thread, before wait()
+  /// or destruction.
   void end_input() const;
   /// Kills it, so that read() finds the end. From any thread, before wait() or destruction.
   void stop() const;
   /// Closes the pipes and waits for the child to end. Returns its exit code, or 128 + the signal
   /// that killed it; when called again, the same.
   [[nodiscard]] int wait();
-  /// The last 300 bytes or less that it wrote to stderr, joined into one line, safe to print.
+  /// The last 300 bytes that it wrote to stderr, or fewer, joined into one line and safe to print.
   [[nodiscard]] std::string last_words() const;
-  /// The last line that it wrote there, of at most 2048 bytes, as it is where that is safe to
-  /// print: it may be known by its words and have names of files in it.
+  /// The last line that it wrote to stderr, of at most 2048 bytes. Only what is not safe to print
+  /// is escaped, so that its words can be recognised and names of files read.
   [[nodiscard]] std::string last_line() const;
 
  private:

@@ -26,7 +26,7 @@ class Descriptor {
   [[nodiscard]] int get() const { return value_; }
   [[nodiscard]] int release() { return std::exchange(value_, -1); }
   /// Hands it over to an object of Asio, such as a stream_descriptor, which closes it from then on.
-  /// False: that cannot take it, and it stays here.
+  /// False: the object cannot take it, and this keeps it.
   template <typename Object>
   [[nodiscard]] bool hand_to(Object& object) {
     std::error_code error;

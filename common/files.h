@@ -31,11 +31,11 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 /// Refuses the kinds that read_file() refuses.
 [[nodiscard]] Result<Descriptor> open_file(const std::filesystem::path& path);
 
-/// The bytes of an open file from `position` on, fewer where it ends or cannot be read. Where the
-/// descriptor reads on stays.
+/// `count` bytes of an open file from `position` on; fewer where it ends or cannot be read. The
+/// descriptor's own position stays as it is.
 [[nodiscard]] std::string bytes_at(int descriptor, std::int64_t position, std::size_t count);
 
-/// The size of an open file; 0 if the system does not tell.
+/// The size of an open file; 0 if the system does not say.
 [[nodiscard]] std::int64_t file_size(int descriptor);
 
 /// A file with a secret in it.
@@ -52,21 +52,21 @@ struct SecretFile {
 
 /// Writes the file whole or not at all: a temporary file beside it, synced, then a rename, which
 /// replaces a symbolic link and does not follow it. The mode of an existing file is kept. A device,
-/// a FIFO with a reader and what the system has names for, such as /dev/stdout, are written
-/// directly. Failed, with the path and the cause, when it cannot be written; an existing file is
-/// then unchanged.
+/// a FIFO with a reader, and names by which the system means an open file, such as /dev/stdout, are
+/// written to directly. Failed, with the path and the cause, when it cannot be written; an existing
+/// file is then unchanged.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
 
 /// Whether write_file_atomically() would work now or, for a FIFO, as soon as somebody reads it.
-/// Changes nothing; the reader of a FIFO sees no end.
+/// Changes nothing; a program that reads the FIFO sees no end of file.
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
 /// After this call a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG instead of
 /// ending the program.
 void ignore_file_size_signal();
 
-/// What the name of a file that is not complete yet has after that of the file to be.
+/// Follows the name of the final file in the name of a file that is not complete yet.
 inline constexpr std::string_view kTemporaryMark = ".part-";
 
 /// Creates an empty file beside `path`, for another program to write to. Its name is random, and it
@@ -89,7 +89,7 @@ inline constexpr std::string_view kTemporaryMark = ".part-";
 [[nodiscard]] std::optional<std::filesystem::path> users_folder(const char* xdg, const char* home,
                                                                 const char* usual);
 
-/// The folder of this program's executable; nullopt when the system does not tell.
+/// The folder of this program's executable; nullopt when the system does not say.
 [[nodiscard]] std::optional<std::filesystem::path> program_folder();
 
 /// The folder data/ of the project: `chosen` (from --data) if not empty, else $AUCAST_DATA, else

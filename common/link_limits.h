@@ -27,7 +27,8 @@ struct Limits {
   Milliseconds keep_alive_idle{0};
   Milliseconds keep_alive_interval{0};  ///< ... this far apart (whole seconds) ...
   int keep_alive_probes = 0;            ///< ... and this many unanswered ones end the connection.
-  /// The longest time for which sent bytes may stay unacknowledged, or a full peer may take none.
+  /// The longest time for which sent bytes may stay unacknowledged, or a peer whose buffer is full
+  /// may take none.
   Milliseconds unanswered_time{0};
 
   std::size_t frame_bytes = 0;  ///< of one frame of a WebSocket; longer ones are refused

@@ -16,11 +16,11 @@ enum class LogFormat : std::uint8_t {
 };
 
 /// Sends the log to stderr, one line per entry, and never waits for whoever reads it (StderrSink);
-/// coloured on a terminal unless NO_COLOR is set. Where stderr is the journal ($JOURNAL_STREAM says
-/// so, and it is checked), each line begins with its priority, <3> to <7>, and a text line leaves
-/// out what the journal adds itself. `level` is one of trace, debug, info, warning, error, off;
-/// usage error otherwise. Text from outside must be escaped() before it comes here; entries are
-/// made printable() in any case.
+/// coloured on a terminal unless NO_COLOR is set. Where stderr is the journal (as $JOURNAL_STREAM
+/// says and a check confirms), each line begins with its priority, <3> to <7>, and a text line
+/// leaves out what the journal adds itself. `level` is one of trace, debug, info, warning, error,
+/// off; usage error otherwise. Text from outside must be escaped() before it comes here; entries
+/// are made printable() in any case.
 [[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level,
                                       LogFormat format = LogFormat::Text);
 

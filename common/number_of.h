@@ -14,7 +14,7 @@ namespace detail {
 
 using std::from_chars;
 #if !defined(__cpp_lib_to_chars)
-/// emscripten's from_chars reads whole numbers only; this accepts what the standard's does.
+/// emscripten's from_chars reads whole numbers only; this one accepts the same as the standard's.
 template <std::floating_point T>
 std::from_chars_result from_chars(const char* begin, const char* end, T& value) {
   const std::string word(begin, end);

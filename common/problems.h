@@ -29,7 +29,7 @@ class Problems {
   std::optional<Error> first_;
 };
 
-/// The range of a number; a bound that is open does not belong to it.
+/// The range of a number. An open bound does not belong to the range.
 struct Bounds {
   double low = -1e6;
   double high = 1e6;

@@ -8,9 +8,9 @@
 
 namespace aucast {
 
-/// Data that several threads use, behind a lock: only an `act`, a function that is passed in, gets
-/// at it, and only one runs at a time. An act is short and waits for nothing. All our locks are in
-/// objects of this class, except that of the log's sink (stderr_sink.h).
+/// Data that several threads use, behind a lock. Only an act, a function that is passed in, can get
+/// at the data, and only one act runs at a time. An act is short and waits for nothing. All our
+/// locks are in objects of this class, except that of the log's sink (stderr_sink.h).
 template <typename T>
 class Shared {
  public:
@@ -38,7 +38,7 @@ class Shared {
   }
   void wake() { changed_.notify_all(); }
 
-  /// Waits until `ready` returns true, then acts. change() and wake() make it look again.
+  /// Waits until `ready` returns true, then acts. change() and wake() make it ask `ready` again.
   template <typename Ready, typename Act>
   auto wait(Ready ready, Act act) {
     std::unique_lock lock(mutex_);

@@ -62,8 +62,8 @@ namespace aucast {
 /// The shortest text that reads back as the same number.
 [[nodiscard]] std::string number_text(double value);
 
-/// A length as clocks show it, to the nearest second: "0:07", "1:23", "1:02:03". 0:00 is none at
-/// all. Not below 0.
+/// A length as clocks show it, to the nearest second: "0:07", "1:23", "1:02:03". Only a length of
+/// 0 is "0:00". `length`: 0 or more.
 [[nodiscard]] std::string length_text(Milliseconds length);
 
 /// The message of an errno: "No such file or directory".

@@ -13,8 +13,8 @@ using Duration = std::chrono::steady_clock::duration;
 using Milliseconds = std::chrono::milliseconds;
 /// A length of time with fractions, such as the difference of two times of a recogniser's rows.
 using Seconds = std::chrono::duration<double>;
-/// An Instant with fractions, which an Instant converts to by itself: for code that adds times of
-/// a recogniser's rows to it.
+/// An Instant with fractions, for code that adds times of a recogniser's rows to an Instant. An
+/// Instant converts to it implicitly.
 using SteadyTime = std::chrono::time_point<std::chrono::steady_clock, Seconds>;
 
 template <typename Rep, typename Period>

@@ -15,7 +15,7 @@ namespace aucast {
 
 /// Reads a table key by key. A value that is missing, of the wrong type or out of range is a
 /// problem, which is noted with its place; the caller gets a harmless value. finish() reports keys
-/// that were never asked for, with the nearest one that was. The table and the problems must
+/// that were never asked for, each with the nearest key that was. The table and the problems must
 /// outlive it.
 class TableReader {
  public:

@@ -9,7 +9,8 @@
 
 namespace aucast::speaker {
 
-/// Pairs of frames of two sounds that belong together. Neither number ever decreases.
+/// Which frames of two sounds belong together: pairs of frame numbers, one of each sound. Neither
+/// number decreases from pair to pair.
 using AlignmentPath = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// A description of a sound by which voices can be compared: its mel-frequency cepstrum, frame by
@@ -28,14 +29,14 @@ struct Cepstrum {
 /// The cepstrum of mono samples in [-1,1], at `rate` samples a second; a frame of 32 ms every kHop.
 [[nodiscard]] Cepstrum cepstrum_of(std::span<const float> samples, int rate);
 
-/// The cheapest path through both (dynamic time warping), from both beginnings to both ends. It is
-/// found coarsely first, then refined near that, so that memory grows with the length and not with
-/// its square.
+/// The cheapest path through both (dynamic time warping), from both beginnings to both ends. A
+/// coarse path is found first, then refined near itself, so that memory grows with the length and
+/// not with its square.
 [[nodiscard]] AlignmentPath align(const Cepstrum& a, const Cepstrum& b);
 
-/// Moves a synthesiser's speech onto a narration of the same words, mono at `rate`: returns its
-/// phonemes, words and sentence ends at the times at which the narration has them, with the
-/// narration as its samples.
+/// Moves a synthesiser's speech onto a narration of the same words, mono at `rate`. Returns the
+/// phonemes, words and sentence ends of `spoken` at the times at which they come in the narration,
+/// and the narration as the samples.
 [[nodiscard]] Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate);
 
 }  // namespace aucast::speaker

@@ -15,8 +15,8 @@ struct TimedCaption {
   std::string text;  ///< one or two lines of at most 42 characters, unless a word is longer
 };
 
-/// Cuts the text into captions, at the ends of sentences and wherever one would get too long to
-/// read.
+/// Cuts the text into captions: at the ends of sentences, and wherever a caption would get too long
+/// to read.
 [[nodiscard]] std::vector<TimedCaption> captions_of(const Speech& speech, const Script& script);
 
 /// The text of a WebVTT file.

@@ -11,7 +11,7 @@
 namespace aucast::speaker {
 
 /// AUs over time: the intensity, in [0,1], of each AU that moves, sampled every kStep from 0 on. An
-/// AU may have samples for both sides and others for one side alone; that side then shows the
+/// AU may have one curve for both sides and another one for one side alone, which then shows the
 /// stronger of the two.
 struct Curves {
   static constexpr Milliseconds kStep{20};

@@ -18,9 +18,9 @@ struct Narration {
   std::string complaint;       ///< as SoundFile::complaint()
 };
 
-/// Reads the narration of a text that takes the synthesiser `said`. Unreadable as
-/// SoundFile::open(); BadData when it is no sound, is damaged, lasts longer than `longest`, or less
-/// than a quarter of `said` or more than four times that.
+/// Reads the narration of a text; `said` is how long the synthesiser takes to speak that text.
+/// Unreadable as SoundFile::open(). BadData when the file is no sound or is damaged, or when it
+/// lasts longer than `longest`, less than a quarter of `said` or more than four times `said`.
 [[nodiscard]] Result<Narration> read_narration(const std::filesystem::path& path, Milliseconds said,
                                                Milliseconds longest = kNarrationMax);
 

@@ -28,8 +28,8 @@ using Expressions = std::map<std::string, std::vector<AuTerm>, std::less<>>;
                                       std::string_view file);
 
 /// Makes the stream of a face that speaks: lips, gestures, and the expressions that the script's
-/// cues ask for. Each begins with the word after its cue and lasts until the next cue or the end of
-/// the paragraph. check_cues() must have passed.
+/// cues ask for. An expression begins with the word after its cue and lasts until the next cue or
+/// the end of the paragraph. check_cues() must have passed.
 [[nodiscard]] protocol::StreamFile perform(const Speech& speech, const Script& script,
                                            const Expressions& expressions,
                                            const GestureOptions& options);

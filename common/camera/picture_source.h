@@ -65,7 +65,7 @@ class PictureSource {
 [[nodiscard]] Error no_pictures(ErrorKind kind, const std::string& name,
                                 const std::string& complaint);
 
-/// How long a film is, in seconds; nullopt when its file does not tell.
+/// How long a film is, in seconds; nullopt when its file does not say.
 [[nodiscard]] std::optional<double> film_seconds(const std::filesystem::path& path);
 
 }  // namespace aucast::camera

@@ -23,7 +23,7 @@ namespace aucast::link {
 struct DialOptions {
   std::string host;
   std::uint16_t port = 0;
-  /// For looking up the name, connecting and the TLS handshake together.
+  /// How long looking up the name, connecting and the TLS handshake may take together.
   Milliseconds time_max{10'000};
   std::optional<tls::Context> tls{};  ///< nullopt: no TLS
   /// A secret will be sent: only TLS, or a connection to this computer, is allowed.
@@ -44,8 +44,8 @@ using Dialled = std::variant<std::shared_ptr<Link>, DialFailure>;
 
 /// Makes connections, one at a time: looks the name up and tries its addresses in turn; each may
 /// take an equal share of the time that is left. The link that it makes is not started yet. With
-/// TLS, the handshake, which checks that the certificate is for `host`, has what is left of
-/// `time_max` once an address has answered.
+/// TLS, once an address has answered, the rest of `time_max` is for the handshake, which checks
+/// that the certificate is for `host`.
 /// Thread: that of the io_context, which must outlive it.
 class Dialler {
  public:

@@ -70,7 +70,7 @@ class Link {
   virtual void hand_over(LinkUser& user) = 0;
   /// Sends at once what the system takes; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;
-  /// Nothing more will be written: drains, then calls on_closed(), and nothing else before.
+  /// Nothing more will be written: drains, then calls on_closed(). No other call comes before that.
   virtual void finish() = 0;
   /// Closes at once, whatever is under way.
   virtual void close() = 0;

@@ -14,8 +14,7 @@
 
 namespace aucast::link {
 
-/// Raises this process's limit of descriptors, of which every client needs one, as far as the
-/// system allows.
+/// Raises this process's limit of descriptors as far as the system allows: every client needs one.
 void raise_descriptor_limit();
 
 /// The address; an IPv4 address that is mapped into IPv6 becomes plain IPv4.

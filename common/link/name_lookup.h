@@ -22,8 +22,8 @@ using Addresses = std::vector<asio::ip::tcp::endpoint>;
 [[nodiscard]] Addresses known_addresses(const std::string& host, std::uint16_t port);
 
 /// Finds the addresses of a host. The system's own look-up cannot be interrupted, so it runs in a
-/// thread that nobody waits for. Of each host only one runs at a time, however often it is
-/// cancelled and started again: a resolver that never answers costs one thread.
+/// thread that nobody waits for. For each host only one look-up runs at a time, however
+/// often it is cancelled and started again: a resolver that never answers costs one thread.
 class NameLookup {
  public:
   /// `failure`: cause and remedy; empty when there are addresses.
@@ -39,8 +39,8 @@ class NameLookup {
   NameLookup& operator=(const NameLookup&) = delete;
 
   /// Calls `on_found` once in the thread of the io_context, never from within start(), and not at
-  /// all if it is cancelled before. One question at a time: a new one cancels the previous one, and
-  /// is answered by a look-up of the same host that still runs.
+  /// all if it is cancelled before. One question at a time: a new one cancels the previous one. If
+  /// a look-up of the same host still runs, it answers the new question.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
   void cancel() { on_found_ = nullptr; }
 
@@ -52,7 +52,7 @@ class NameLookup {
   const Resolve resolve_;
   std::set<std::string> running_;  ///< hosts that are being looked up
   std::uint64_t question_ = 0;     ///< the number of the latest
-  std::string host_;               ///< of the latest question, as its port
+  std::string host_;               ///< of the latest question, like port_
   std::uint16_t port_ = 0;
   OnFound on_found_;  ///< null: nothing is asked
 };

@@ -9,8 +9,8 @@
 
 namespace aucast::link {
 
-/// TLS over another link. Opens when the handshake is done, for which there is
-/// `limits.tls_handshake`; after a failure the link still drains, so that the peer gets the alert
+/// TLS over another link. Opens when the handshake is done, which may take
+/// `limits.tls_handshake`. After a failure the link still drains, so that the peer gets the alert
 /// that explains it. `plain_answer` is sent, unencrypted, to a peer that does not speak TLS or says
 /// nothing in time, since it may not know that TLS is needed. Empty: nothing is sent.
 [[nodiscard]] std::shared_ptr<Link> tls_link(std::shared_ptr<Link> below, tls::Layer layer,

@@ -12,10 +12,10 @@
 
 namespace aucast::mesh {
 
-/// The inputs of the regressions for one side of a face: by how much its own measures, the other
-/// side's, those of the middle, and the head's turn differ from the neutral face. For the right
-/// side, directions are mirrored, so that both sides have the same weights. The aperture of the
-/// lids is relative to the neutral one: -1 is shut, even for narrow eyes.
+/// The inputs of the regressions for one side of a face: the differences from the neutral face in
+/// the side's own measures, the other side's, those of the middle, and the head's turn. For the
+/// right side, directions are mirrored, so that both sides have the same weights. The aperture of
+/// the lids is relative to the neutral one: -1 is shut, even for narrow eyes.
 inline constexpr std::size_t kInputs = 2 * kSideMeasures + kMiddleMeasures + 3;
 using Inputs = std::array<double, kInputs>;
 [[nodiscard]] Inputs inputs_of(const Measures& seen, const Measures& neutral, bool left);
@@ -31,7 +31,7 @@ struct AuWeights {
   };
   enum class Kind : std::uint8_t {
     Sided,    ///< each side has its own intensity
-    Whole,    ///< both have the mean of the two sides
+    Whole,    ///< both sides have the mean of their intensities
     Turning,  ///< to the left; the AU with the next number is its opposite
     Signed,   ///< upwards; the AU with the next number is its opposite
   };

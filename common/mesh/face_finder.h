@@ -21,7 +21,7 @@ class FaceFinder {
                                                std::string_view file);
 
   /// The squares to look for landmarks in: one around each face, level with its eyes, the clearest
-  /// face first, at most `most`. Faces with a score below kSureMin are left out.
+  /// face first, no more than `most`. Faces with a score below kSureMin are left out.
   [[nodiscard]] std::vector<Square> find(const Picture& picture, std::size_t most);
 
   static constexpr float kSureMin = 0.5F;

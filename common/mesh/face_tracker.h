@@ -44,7 +44,7 @@ class FaceTracker {
   [[nodiscard]] std::vector<SeenFace> follow_all(const Picture& picture);
 
   static constexpr double kPresenceMin = 0.5;
-  /// Every how many pictures new faces are searched for, while none is lost.
+  /// While no face is lost, new ones are searched for once in this many pictures.
   static constexpr int kSearchEvery = 10;
 
  private:

@@ -49,8 +49,8 @@ enum class MiddleMeasure : std::uint8_t {
   LipsFront,
   NoseTipUp,
   MouthLeft,
-  // From here on heights of what no expression moves: of eyes and nose, downwards along its bridge,
-  // and of the sides of the head. When a head nods, the net bends them where a head would turn.
+  // From here on: heights of places that no expression moves, at the eyes, down the bridge of the
+  // nose and at the sides of the head. When a head nods, the net bends these besides turning them.
   StillOuterEyeUp,
   StillInnerEyeUp,
   StillBridgeTopUp,

@@ -23,8 +23,8 @@ class AuColumns {
   [[nodiscard]] std::size_t size() const { return columns_.size(); }
   /// Adds column `index`, which is AU `number` on `side`.
   void add(std::uint8_t number, Side side, std::size_t index);
-  /// Removes the AUs that `other` has too: the presence of an AU is used only where there is no
-  /// intensity.
+  /// Removes the AUs that `other` has too, so that the presence of an AU is used only where the
+  /// table has no intensity of it.
   void remove(const AuColumns& other);
 
   /// Reads the row's intensities, on the source's own scale.

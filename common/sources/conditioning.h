@@ -27,7 +27,7 @@ inline constexpr double kWholeRecordingSeconds = 1e9;
 /// What happens to a recogniser's signals; by default, nothing but the dead band.
 struct ConditioningSettings {
   Profile profile;
-  /// Above 0: the neutral face is measured in this many seconds from when a face is first seen, and
+  /// Above 0: the neutral face is measured over this many seconds after a face is first seen, and
   /// replaces the profile's. nullopt: it is not measured.
   std::optional<double> neutral_seconds;
   /// Of the measured neutral face, only the turns of head and eyes are used.
@@ -37,7 +37,7 @@ struct ConditioningSettings {
 
 /// Turns what a recogniser sees into what is to be shown, sample by sample: the neutral face is
 /// subtracted, then come gain, One Euro filter, and conversion to intensities. A signal without
-/// data stays without; Channels holds and eases it after this, and the dead band comes last of all.
+/// data stays so; the class Channels holds and eases it afterwards. The dead band comes last.
 ///
 /// Signals may be negative until the conversion: the filter averages out noise around the neutral
 /// face, which would become a small expression if it were cut off at 0. The distance means nothing
@@ -69,20 +69,19 @@ class Conditioning {
   OneEuroBank filters_;
 };
 
-/// For how many seconds something is measured, the neutral face or only the distance; nullopt:
-/// nothing is.
+/// For how many seconds the neutral face, or only the distance, is measured; nullopt: neither is.
 [[nodiscard]] std::optional<double> seconds_to_measure(const ConditioningSettings& settings);
 
 /// The sample as signals, before anything is done to it; without the distance, unless
 /// settings.distance.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
-/// Of a neutral face that was asked for and measured, what is subtracted: with neutral_turns_only
-/// turns of head and eyes.
+/// The part of a neutral face, asked for and measured, that is subtracted: all of it, or only the
+/// turns of head and eyes if neutral_turns_only is set.
 [[nodiscard]] MeasuredNeutral taken_off(const ConditioningSettings& settings,
                                         MeasuredNeutral measured);
 
-/// What is to be subtracted: the profile's neutral face, with what was measured in its place.
+/// What is to be subtracted: the measured neutral face where there is one, else the profile's.
 /// Without `neutral_seconds` only the distance is taken from `measured`.
 [[nodiscard]] Signals neutral_with(const ConditioningSettings& settings,
                                    const MeasuredNeutral& measured);

@@ -9,7 +9,7 @@ namespace aucast::sources {
 
 /// The kind of a file, told by its first lines and not by its name.
 enum class ContentKind : std::uint8_t {
-  StreamFile,  ///< or text that will be refused as one
+  StreamFile,  ///< a stream file, or text that will be refused as a faulty one
   Recording,   ///< a recogniser's table
   Unknown,     ///< a table or label file, but of a kind that cannot be read
 };
@@ -18,8 +18,8 @@ enum class ContentKind : std::uint8_t {
 /// The message about a text of kind Unknown: what it seems to be, and what is missing.
 [[nodiscard]] std::string unknown_reason(std::string_view text);
 
-/// The message about a label file of DISFA, BP4D or CK+, which has numbers without names and times;
-/// nullopt when the text is no such file. Looks at the first three lines at most.
+/// The message about a label file of DISFA, BP4D or CK+, which has numbers but neither names nor
+/// times; nullopt when the text is no such file. Looks at the first three lines at most.
 [[nodiscard]] std::optional<std::string> label_file(std::string_view text);
 
 }  // namespace aucast::sources

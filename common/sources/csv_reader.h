@@ -48,8 +48,8 @@ class CsvReader {
   [[nodiscard]] Next next();
   /// Whether it was asked to stop, so that next() may have left out rows.
   [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
-  /// Makes a line that is not in the text, such as one that has just been written, the present one.
-  /// It must not be blank, and must outlive the use of its cells. `line`: its number, for messages.
+  /// Makes `content` the present line. It is not in the text but, for example, was just written. It
+  /// must not be blank, and must outlive the use of its cells. `line`: its number, for messages.
   [[nodiscard]] Next take(std::string_view content, std::size_t line);
   /// Goes back to before the first row; errors are kept.
   void rewind();

@@ -20,12 +20,12 @@ class Format {
 
   /// For reports: "OpenFace 2".
   [[nodiscard]] virtual std::string_view name() const = 0;
-  /// The largest AU value of the format: 1, 5, 100, or 0 when only the values can tell.
+  /// The largest AU value of the format: 1, 5, 100, or 0 when only the values show it.
   [[nodiscard]] virtual double native_scale() const = 0;
   /// What the format decided or assumed, for reports; empty when there was nothing to decide. It
   /// may change as rows are read.
   [[nodiscard]] virtual std::string note() const { return {}; }
-  /// Called with every row before any is read, for what single rows cannot tell.
+  /// Called with every row before any is read, to find out what single rows do not show.
   virtual void scan(CsvReader& /*row*/) {}
   /// Reads the present row into `out`, which the caller has cleared.
   virtual void read(CsvReader& row, Observation& out) const = 0;

@@ -47,7 +47,7 @@ struct NewFace {
 /// such lines only the first kSaidMax get one, until kRunEnds good lines have come. The beginning
 /// of a line waits for the rest. A header in the middle (the same, or of another format) begins a
 /// new table whose clock goes on from the last sample. The clock also goes on from there if
-/// kRefusalsMax rows in a row are not later than the last sample, but each is later than its
+/// kRefusalsMax successive rows are not later than the last sample, but each is later than its
 /// predecessor: the clock was set back, or one time was wrong. Rows without a clock (Py-Feat
 /// without --fps) and lines without a time take the time since the previous one.
 class LiveReader {
@@ -68,7 +68,7 @@ class LiveReader {
   void end_input(SteadyTime now);
   /// The file begins anew: the next line is its first.
   void restart();
-  /// Call when idle_due() has come: leads a face of which no more data comes to neutral.
+  /// Call when idle_due() has come: eases the face to neutral, since no more data of it comes.
   void idle(SteadyTime now);
   [[nodiscard]] std::optional<SteadyTime> idle_due() const;
   /// Since when a source that has begun has been silent; nullopt: it is not. After a line of a

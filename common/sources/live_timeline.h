@@ -23,7 +23,7 @@ struct LiveKeyframe {
 /// Turns the samples of a live face into keyframes, one by one, as they come. A keyframe takes the
 /// time between its sample and the previous one, on the source's clock; after a pause, it takes the
 /// usual time instead, and the pause is left out. Channels without data hold for kHoldSeconds, then
-/// ease to neutral; when nothing comes at all, idle() makes the keyframes for that.
+/// ease to neutral; when no samples come at all, idle() makes these keyframes.
 class LiveTimeline {
  public:
   /// `rate`: the most keyframes a second; samples between them are left out. nullopt: no limit.
@@ -67,7 +67,7 @@ class LiveTimeline {
   std::vector<LiveKeyframe> keyframes_;
   std::optional<double> last_seconds_;  ///< on the source's clock
   double usual_seconds_ = 0.04;         ///< between two samples
-  double age_clock_seconds_ = 0;        ///< by this clock data gets old
+  double age_clock_seconds_ = 0;        ///< the clock by which data gets old
   double place_seconds_ = 0;            ///< of the last sample, on the keyframes' clock
   std::int64_t emitted_ms_ = 0;         ///< place of the last keyframe
   std::size_t idle_steps_ = 0;          ///< keyframes that eased, since the last sample

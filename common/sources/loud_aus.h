@@ -8,25 +8,25 @@
 
 namespace aucast::sources {
 
-/// An AU that is too strong for a neutral face, or moves too far for one at rest.
+/// An AU that is too strong for a neutral face, or moves too far for a face at rest.
 struct LoudAu {
   AuName au;
   int percent = 0;
-  bool moves = false;  ///< `percent` is how far
+  bool moves = false;  ///< `percent` is how far it moves; else how strong it is
   friend bool operator==(const LoudAu&, const LoudAu&) = default;
 };
 
-/// The strongest that an AU of a neutral face may be, and the farthest that it may move;
-/// recognisers see up to 25 % in one.
+/// How strong an AU of a neutral face may be, and how far it may move. Recognisers see AUs of up to
+/// 25 % in neutral faces.
 inline constexpr double kNeutralPercentMax = 30;
 
-/// The AUs of what is taken for a neutral face that are stronger than kNeutralPercentMax, the
-/// strongest first; if there are none, those that move by more, for the median of a face that talks
-/// or grimaces may be weak. Turns of head and eyes do not count, since the camera may be to one
-/// side, nor do movements of the eyelids, which blink and follow the eyes.
+/// The AUs that are stronger than kNeutralPercentMax in what is taken for a neutral face, the
+/// strongest first. If there are none: the AUs that move by more than that, since the median of a
+/// face that talks or grimaces may be weak. Turns of head and eyes do not count, since the camera
+/// may be to one side, nor do movements of the eyelids, which blink and follow the eyes.
 [[nodiscard]] std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral);
 
-/// "AU12 100 %, AU1 40 %: no neutral face was taken off": what is to be known of these.
+/// What to tell the user about them: "AU12 100 %, AU1 40 %: no neutral face was taken off".
 [[nodiscard]] std::string not_neutral_text(const std::vector<LoudAu>& loud);
 
 /// The strongest few: "AU7 100 %, AU20 100 %, AUL10 77 % and 12 more", "movement of AU4 73 %".

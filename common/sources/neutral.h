@@ -12,10 +12,10 @@ namespace aucast::sources {
 /// A neutral face that was measured.
 struct MeasuredNeutral {
   Signals signals = no_signals();   ///< no data: none was seen
-  Signals movement = no_signals();  ///< how far apart each one's values are, without the lowest and
-                                    ///< the highest tenth
-  double seconds = 0;               ///< how long: as asked, or what there was of a whole recording
-  std::size_t rows = 0;             ///< with data
+  Signals movement = no_signals();  ///< of each signal, the range of its values without the lowest
+                                    ///< and the highest tenth
+  double seconds = 0;    ///< how long it was measured: as asked, or the length of the recording
+  std::size_t rows = 0;  ///< how many rows had data
 };
 
 /// Subtracts the neutral face; a signal for which `neutral` has no data stays as it is.

@@ -52,10 +52,10 @@ struct Observation {
   void clear();
   /// Sets `face` from a column of the format; a number beyond 1e9 is no identifier.
   void name_face(std::optional<double> identifier);
-  /// Adds 51-56: the direction with its intensity, the opposite with 0.
+  /// Adds AUs 51-56: each direction of the turn with its intensity, the opposite one with 0.
   void add_head(const Rotation& turn);
-  /// Adds 61-64 likewise: the eyes' turn within the head, as FACS scores it, not the line of sight
-  /// in the room.
+  /// Adds AUs 61-64 likewise: the eyes' turn within the head, as FACS scores it, not the line of
+  /// sight in the room.
   void add_gaze(const Rotation& turn);
 };
 

@@ -35,8 +35,8 @@ class PerAu {
   /// Sets the number of every AU.
   void set_all(double value);
   void set(const AuName& au, double value);
-  /// The AUs whose number differs from all(), ascending; where both sides are equal, as one of
-  /// Side::Both.
+  /// The AUs whose number differs from all(), ascending. Where both sides are equal, there is one
+  /// entry, with Side::Both.
   [[nodiscard]] std::vector<std::pair<AuName, double>> exceptions() const;
 
   friend bool operator==(const PerAu&, const PerAu&) = default;

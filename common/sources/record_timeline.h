@@ -19,8 +19,8 @@ namespace aucast::sources {
 /// meanwhile is added, with the length of the pause. Pure.
 class RecordTimeline {
  public:
-  /// Takes the keyframe that is served at `now` and returns its lines. `free`: the source's own
-  /// clock does not say how long after the previous keyframe it follows, so there may have been a
+  /// Takes the keyframe that is served at `now` and returns its lines. `free`: no clock of the
+  /// source says how long after the previous keyframe this one comes, so there may have been a
   /// pause. Otherwise a late keyframe is only late.
   [[nodiscard]] std::vector<protocol::Keyframe> add(const protocol::Keyframe& keyframe,
                                                     SteadyTime now, bool free);

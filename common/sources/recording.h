@@ -47,7 +47,8 @@ struct Found {
   std::string note;          ///< what the format's reader decided or assumed
   double scale = 1;          ///< full intensity: 1, 5 or 100
   bool scale_asked = false;  ///< by --au-scale
-  /// Of the file's own AU values; nullopt: what it has is read as intensities, without a scale.
+  /// The largest AU value in the file; nullopt: its values are read as intensities, without a
+  /// scale.
   std::optional<double> largest;
   std::vector<Face> faces;   ///< in order of appearance
   std::int64_t face = 0;     ///< the one that was taken
@@ -64,7 +65,7 @@ struct Found {
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
   std::vector<LoudAu> not_neutral;         ///< AUs that were subtracted as `neutral`, but are too
                                            ///< strong or move too far for a neutral face
-  std::optional<double> neutral_seconds;   ///< if there are any: a value of --neutral without them
+  std::optional<double> neutral_seconds;   ///< a value of --neutral that avoids them; nullopt: none
 };
 
 /// A recording as keyframes.
@@ -77,15 +78,15 @@ struct Recording {
 inline constexpr std::size_t kFacesReadMax = 64;
 
 /// Reads a recogniser's recording from `text` in two passes, row by row, however many faces it has;
-/// measuring for `conditioning` takes one more over the first seconds of the faces, and another one
-/// if a face is not neutral in them. The dead band of
-/// `conditioning` is not applied here. `file` is what messages call the recording. `load_curves`
-/// loads what a table of ARKit's curves needs. With options.all_faces: one recording for each face
-/// that has data, the most frequent first, kFacesReadMax at most; without: one recording. Their
-/// times are those of the file, so that faces seen together play together: a face that comes late
-/// is neutral until then. BadData with one line file:line:column for each of the first 20 errors;
-/// Usage when --fps is needed, --face-id names no face of the file, or no row shows a face. Asked
-/// to stop, it returns stopped_early() at the next row.
+/// measuring for `conditioning` takes one more pass over the first seconds of the faces, and
+/// another pass if a face is not neutral in them. The dead band of `conditioning` is not applied
+/// here. `file` is what messages call the recording. `load_curves` loads what a table of ARKit's
+/// curves needs. With options.all_faces: one recording for each face that has data, the most
+/// frequent first, kFacesReadMax at most; without: one recording. Their times are those of the
+/// file, so that faces seen together play together: a face that comes late is neutral until then.
+/// BadData with one line file:line:column for each of the first 20 errors; Usage when --fps is
+/// needed, --face-id names no face of the file, or no row shows a face. Asked to stop, it returns
+/// stopped_early() at the next row.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
     const ConditioningSettings& conditioning = {}, const LoadCurves& load_curves = load_arkit_table,

@@ -41,16 +41,16 @@ struct FaceTimes {
   std::optional<double> last_seconds;
   double rows = 0;
   std::optional<double> refused_seconds;  ///< of the last row, if that was not later
-  std::size_t refusals = 0;               ///< refused rows in a row, with ascending times
+  std::size_t refusals = 0;               ///< successive refused rows, with ascending times
 };
 
 /// Gives each row its time in seconds since the first row, by the source's own clock or by the
 /// number of the picture. All faces of a source share it, so that they stay synchronous.
 class SourceClock {
  public:
-  /// `refusals_max`: this many rows of a face in a row that are not later than its last, but ascend
-  /// among themselves, mean that the clock was set back or that one time was wrong; time then goes
-  /// on from there. 0: never.
+  /// `refusals_max`: if this many successive rows of a face ascend among themselves, but are not
+  /// later than its last accepted row, then the clock was set back or one time was wrong; time then
+  /// goes on from there. 0: never.
   explicit SourceClock(std::optional<double> fps, std::size_t refusals_max = 0)
       : fps_(fps), refusals_max_(refusals_max) {}
 

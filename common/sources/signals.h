@@ -19,8 +19,8 @@ inline constexpr std::size_t kChannels = 2 * std::size_t{kAuCount};
 
 /// One sample of a face: its signals, one for each channel; 1 is full intensity. Two AUs that are
 /// opposite directions of one movement (head left and right, eyes up and down) share the signal of
-/// the first; it is negative for the second, whose own is unused. That of kHeadForward is the
-/// head's distance.
+/// the first. A negative value means the second, whose own signal is unused. The signal of
+/// kHeadForward is the head's distance.
 using Signals = std::array<float, kChannels>;
 
 inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
@@ -35,7 +35,8 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
 /// The same as intensities: -1 everywhere.
 [[nodiscard]] AuFrame no_data();
 
-/// The other direction of the same movement: kHeadRight for kHeadLeft and back, and so on; else 0.
+/// The other direction of the same movement: kHeadRight for kHeadLeft and vice versa, and so on;
+/// else 0.
 [[nodiscard]] std::size_t opposite_of(std::size_t number);
 
 /// Whether the AU is the second direction: kHeadRight, kHeadDown, kEyesRight and so on.

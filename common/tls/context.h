@@ -17,8 +17,8 @@ struct Files {
   std::filesystem::path certificate;  ///< our own, followed by those of the authorities in between
   std::filesystem::path key;          ///< of the certificate
   std::filesystem::path authorities;  ///< one of these must have issued the peer's certificate; if
-                                      ///< any revocation list is beside them, its issuer's must be
-                                      ///< there, up to date and without it
+                                      ///< the file has any revocation lists, it must have that of
+                                      ///< the issuer, up to date and without the certificate
   friend bool operator==(const Files&, const Files&) = default;
 };
 
@@ -28,8 +28,8 @@ struct Files {
 class Context {
  public:
   /// Needs certificate and key. With `authorities` clients must show a certificate that one of
-  /// these has issued. Unreadable or BadData naming the file and the cause. `options`: how the
-  /// options that name the files begin, for the message.
+  /// these has issued. Unreadable or BadData naming the file and the cause. `options`: the
+  /// common beginning of the options that name the files, for the message.
   [[nodiscard]] static Result<Context> for_server(const Files& files,
                                                   const std::string& options = "--tls");
   /// Without `authorities` the system's are trusted. Certificate and key are for servers that ask

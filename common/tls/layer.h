@@ -36,7 +36,7 @@ class Layer {
   bool received(std::string_view wire, std::string& plain);
   /// Only when ready().
   void send(std::string_view plain);
-  /// Sends close_notify: the peer knows that nothing was cut off.
+  /// Sends close_notify, which shows the peer that nothing was cut off.
   void end();
   /// Bytes for the wire.
   [[nodiscard]] std::string take_output();

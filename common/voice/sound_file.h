@@ -16,9 +16,9 @@ namespace aucast::voice {
 /// Thread: none of its own.
 class SoundFile {
  public:
-  /// Unreadable when the file is missing or no regular file, BadData when there is no sound in it,
-  /// its header tells of a day or more, or its length is unknown: Ogg whose end is no whole page,
-  /// FLAC from a pipe.
+  /// Unreadable when the file is missing or is no regular file. BadData when it has no sound, when
+  /// its header gives a length of a day or more, or when its length is unknown: Ogg that does not
+  /// end with a whole page, FLAC that was written to a pipe.
   [[nodiscard]] static Result<SoundFile> open(const std::filesystem::path& path);
   ~SoundFile();
   SoundFile(SoundFile&&) noexcept;
@@ -26,12 +26,12 @@ class SoundFile {
 
   /// Reads the next samples, in [-1,1], and returns how many; fewer than asked for only at the end.
   [[nodiscard]] std::size_t read(std::span<float> samples);
-  /// Once read() has come to the end: how one sees that the file was cut off or is damaged, with
-  /// its name; empty: it is whole. Of MP3 without a Xing header, and of WAV from a pipe, nobody can
-  /// see it.
+  /// Call it once read() has come to the end. In what way the file was cut off or is damaged, with
+  /// its name; empty: it seems to be whole. MP3 without a Xing header and WAV that was written to a
+  /// pipe seem whole even if they were cut off.
   [[nodiscard]] std::string complaint() const;
-  /// Whether the complaint is that the sound itself is damaged, and could not be decoded further.
-  /// Otherwise all was decoded that there is, and the file says that there was more.
+  /// Whether the complaint is that the sound itself is damaged and could not be decoded further.
+  /// Otherwise all that is in the file was decoded, but the file says that there was more.
   [[nodiscard]] bool damaged() const;
   /// The length that the file's header gives, less than a day.
   [[nodiscard]] Milliseconds duration() const;

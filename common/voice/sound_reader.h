@@ -28,19 +28,19 @@ class SoundReader {
   /// Why there is less sound than there should be, known after the last read(); empty: all is
   /// there.
   [[nodiscard]] virtual std::string complaint() const = 0;
-  /// Whether the complaint is the decoder's, which met an error. Otherwise all was decoded that
-  /// there is.
+  /// Whether the complaint is an error that the decoder met. Otherwise all that is in the file was
+  /// decoded.
   [[nodiscard]] virtual bool damaged() const = 0;
 };
 
 /// Whether the file is what open_mp3() reads.
 [[nodiscard]] bool is_mp3(int descriptor);
 
-/// MP3 by libmpg123 itself: libsndfile reads it too, but lets that library write to standard error.
-/// The message of an error is the cause alone.
+/// Opens an MP3 with libmpg123 directly. libsndfile reads MP3 by libmpg123 too, but lets that write
+/// to standard error. The message of an error is the cause alone.
 [[nodiscard]] Result<std::unique_ptr<SoundReader>> open_mp3(Descriptor file);
 
-/// All other kinds, by libsndfile. The message of an error is the cause alone.
+/// Opens all other kinds, with libsndfile. The message of an error is the cause alone.
 [[nodiscard]] Result<std::unique_ptr<SoundReader>> open_sndfile(Descriptor file);
 
 }  // namespace aucast::voice

@@ -22,7 +22,7 @@ struct HttpRequest {
   std::string path;            ///< as it was written, without the query
   bool head = false;           ///< HEAD: everything but the body
   bool version_1_1 = false;    ///< else HTTP/1.0
-  std::size_t head_bytes = 0;  ///< its length; bytes after it are no part of the request
+  std::size_t head_bytes = 0;  ///< its length; bytes beyond are no part of the request
   std::map<std::string, std::string, std::less<>> fields{};  ///< names in small letters
 
   /// The value of a field; empty when there is none. The values of several fields of one name are
