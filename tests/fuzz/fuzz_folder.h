@@ -14,7 +14,7 @@ namespace aucast::fuzz {
 
 namespace fs = std::filesystem;
 
-/// A folder of this process, gone with it.
+/// A folder for this process alone, removed with the object.
 class Folder {
  public:
   explicit Folder(const std::string& name)

@@ -27,7 +27,7 @@ class Script {
     return value;
   }
 
-  /// Everything up to the next line feed, which is dropped: readable seeds are easy to write.
+  /// Everything up to the next line feed, which is dropped. So seeds can be written as lines.
   [[nodiscard]] std::string_view line() {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     const std::string_view text = rest_.substr(0, end);
@@ -39,13 +39,13 @@ class Script {
   std::string_view rest_;
 };
 
-/// An input that a target takes whole and in pieces, to the same end.
+/// An input that a target must take whole and in pieces with the same result.
 struct PiecedInput {
   std::string_view bytes;
-  std::size_t piece = 1;  ///< how long they are, 1 to 256
+  std::size_t piece = 1;  ///< length of the pieces, 1 to 256
 };
 
-/// The first byte of an input is the length of its pieces.
+/// Takes an input apart: the first byte is the length of the pieces less 1, the rest their bytes.
 [[nodiscard]] inline PiecedInput pieced(const std::uint8_t* data, std::size_t size) {
   const std::string_view input = text_of(data, size);
   return {input.substr(std::min<std::size_t>(1, size)), 1U + Script(input).byte()};

@@ -20,7 +20,7 @@ struct Decoded {
   friend bool operator==(const Decoded&, const Decoded&) = default;
 };
 
-/// Feeds a new decoder, `portion` bytes at a time. `check` sees it after each packet.
+/// Feeds a new decoder, `portion` bytes at a time. Calls `check` with it after each packet.
 template <typename Packet, typename Decoder, typename Check>
 Decoded<Packet> decode_portions(std::string_view bytes, std::size_t portion, Check check) {
   Decoder decoder;
@@ -37,7 +37,8 @@ Decoded<Packet> decode_portions(std::string_view bytes, std::size_t portion, Che
   return decoded;
 }
 
-/// The packets of any bytes: the same whatever the portions, and a fault is in them and has words.
+/// The packets of any bytes. Checks that they do not depend on the portions, and that a fault lies
+/// within the bytes and has a reason.
 template <typename Packet, typename Decoder, typename Check>
 Decoded<Packet> decode_any(std::string_view bytes, Check check) {
   const auto whole =
@@ -50,7 +51,7 @@ Decoded<Packet> decode_any(std::string_view bytes, Check check) {
   return whole;
 }
 
-/// The one packet that a canonical form is read as.
+/// Reads a packet in canonical form; checks that it is read as one packet.
 template <typename Packet, typename Decoder, typename Check>
 Packet decode_one(std::string_view canonical, Check check) {
   auto again = decode_portions<Packet, Decoder>(canonical, canonical.size(), check);

@@ -11,7 +11,8 @@
 
 namespace aucast::test {
 
-/// A place of the face by the loops of the skin, or by a part and a place of the neutral face.
+/// A place of the face: a ring and spoke of the skin, or the vertex of a part that is nearest to a
+/// point of the neutral face.
 struct Landmark {
   std::string name;
   std::string patch;  ///< "eye" or "mouth"; empty: by part and near
@@ -48,8 +49,8 @@ struct Calibration {
   [[nodiscard]] const Landmark* find(const std::string& name) const;
 };
 
-/// BadData with file:line:column when something is missing, such as the [end], unknown or not a
-/// known landmark.
+/// BadData with file:line:column when something is missing, such as [end], or unknown, such as a
+/// landmark.
 [[nodiscard]] Result<Calibration> load_calibration(const std::filesystem::path& file);
 
 }  // namespace aucast::test

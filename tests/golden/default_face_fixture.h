@@ -29,7 +29,7 @@ class DefaultFace : public ::testing::Test {
   /// A vertex of the skin by its place in the layout; side 1 is the subject's left.
   [[nodiscard]] static std::uint32_t skin_vertex(facegen::Patch patch, int ring, int spoke,
                                                  int side = 1);
-  /// The layout of every vertex of the skin.
+  /// The place of every vertex of the skin in the layout.
   [[nodiscard]] static const std::vector<facegen::HalfVertex>& layout() { return layout_; }
   /// The mirror image of every vertex of the skin.
   [[nodiscard]] static const std::vector<std::uint32_t>& mirror() { return mirror_; }
@@ -37,9 +37,9 @@ class DefaultFace : public ::testing::Test {
   /// Positions with the AUs at the given intensities.
   [[nodiscard]] static std::vector<glm::vec3> posed(std::initializer_list<AuTerm> terms);
   [[nodiscard]] static std::vector<glm::vec3> posed(int number);
-  /// zygomaticus_major of left_zygomaticus_major.
+  /// A name without its side: "zygomaticus_major" for "left_zygomaticus_major".
   [[nodiscard]] static std::string without_side(const std::string& name);
-  /// Positions with single channels, both sides of a sided one.
+  /// Positions with single channels at an activation; a sided channel is driven on both sides.
   [[nodiscard]] static std::vector<glm::vec3> driven(const std::string& channel, float activation) {
     return driven({{channel, activation}});
   }
@@ -56,7 +56,7 @@ class DefaultFace : public ::testing::Test {
   [[nodiscard]] static std::uint32_t lower_lip() {
     return skin_vertex(facegen::Patch::Mouth, facegen::kLipBorderRing, 21);
   }
-  /// An AU of the head, which takes the face along.
+  /// Whether the AU turns or moves the head, which takes the face along.
   [[nodiscard]] static bool turns_head(int number) { return number >= 51 && number <= 58; }
 
  private:

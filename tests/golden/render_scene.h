@@ -31,7 +31,7 @@ class SphereHead {
     glm::vec3 centre{0};
     glm::vec3 radii{1};
     glm::vec4 colour{1};
-    /// Rows of the ball that are there, from its top, out of kRows.
+    /// Which of the ball's kRows rows are there, counted from its top.
     int row_begin = 0;
     int row_end = 0;
     bool clear_edge = false;

@@ -9,7 +9,7 @@
 
 namespace aucast::test {
 
-/// Everything as `cmake --install` puts it, in a folder of its own.
+/// Everything that `cmake --install` installs, in a folder of its own.
 class Installed : public ::testing::Test {
  protected:
   void SetUp() override {

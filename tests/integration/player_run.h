@@ -10,7 +10,7 @@
 
 namespace aucast::test {
 
-/// A finished run of the real face-player with what it wrote to --stats (null when nothing).
+/// A finished run of the real face-player with what it wrote to --stats (null: nothing).
 struct PlayerRun {
   Finished finished;
   nlohmann::json stats;

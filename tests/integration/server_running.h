@@ -47,7 +47,7 @@ class RunningTransmitter {
   [[nodiscard]] RawClient connect() const { return RawClient(address()); }
   [[nodiscard]] Process& process() { return served_.process(); }
 
-  /// SIGTERM and the exit code; nothing when it does not end.
+  /// Sends SIGTERM and returns the exit code; nullopt when the server does not end.
   std::optional<int> terminate() {
     process().signal(SIGTERM);
     return process().wait(kPatience);
@@ -59,8 +59,8 @@ class RunningTransmitter {
   Served served_;
 };
 
-/// Connects and says hello until it comes within the grace: on a loaded machine a test may be held
-/// up for longer than that. `reply` is the server's first packet.
+/// Connects and says hello, again until the hello arrives within the server's grace: on a loaded
+/// machine a test may be held up for longer. `reply` is the server's first packet.
 inline RawClient say_hello(const RunningTransmitter& server, std::string_view hello,
                            std::string& reply) {
   for (int attempt = 1;; ++attempt) {
@@ -72,7 +72,7 @@ inline RawClient say_hello(const RunningTransmitter& server, std::string_view he
   }
 }
 
-/// Reads the log until `text` is in it `times` times.
+/// Reads the log until `text` is in it `times` times. Returns whether it is.
 inline bool logs(Process& process, const std::string& text, int times = 1) {
   const auto count = [&] {
     int found = 0;
@@ -91,7 +91,8 @@ inline bool logs(RunningTransmitter& server, const std::string& text, int times 
   return logs(server.process(), text, times);
 }
 
-/// Plays the six expressions as a classic client that answers each packet, and wants them exactly.
+/// Receives the stream as a classic client that answers each packet; it must be the six
+/// expressions.
 inline void expect_six_packets(RawClient& client) {
   ASSERT_TRUE(client.ok());
   for (const std::string& packet : kSixPackets) {

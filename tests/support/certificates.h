@@ -10,13 +10,13 @@ struct evp_pkey_st;
 
 namespace aucast::test {
 
-/// Files of a certificate and its key.
+/// The files of a certificate and its key.
 struct Certificate {
   std::string file;
   std::string key;
 };
 
-/// A certificate authority of its own, made for the test and gone with it.
+/// A certificate authority that is made for a test; its files are removed with the object.
 class Authority {
  public:
   explicit Authority(const std::string& name = "authority");
@@ -24,10 +24,10 @@ class Authority {
   Authority(const Authority&) = delete;
   Authority& operator=(const Authority&) = delete;
 
-  /// The authority's own certificate: what is believed.
+  /// The file of the authority's own certificate, for those who are to trust the authority.
   [[nodiscard]] const std::string& file() const { return file_; }
-  /// A certificate for `names`, in OpenSSL's form (DNS:localhost,IP:127.0.0.1), valid from so many
-  /// days from now on, for `days` days.
+  /// A certificate for `names`, in OpenSSL's form (DNS:localhost,IP:127.0.0.1), valid for `days`
+  /// days, beginning `from_days` days from now.
   [[nodiscard]] Certificate issue(const std::string& name, const std::string& names,
                                   int from_days = -1, int days = 30);
   /// As file(), with the authority's list of revoked certificates, which holds `revoked` and is up

@@ -5,8 +5,8 @@
 
 namespace aucast::test {
 
-/// Asks every few milliseconds until the condition holds, or for longer than a busy machine needs.
-/// Whether it holds then.
+/// Asks every few milliseconds whether the condition holds, for at most `patience`, by default
+/// longer than a busy machine needs. Returns whether it holds.
 template <typename Condition>
 [[nodiscard]] bool eventually(Condition condition,
                               std::chrono::milliseconds patience = std::chrono::seconds(20)) {

@@ -8,7 +8,7 @@
 
 namespace aucast::test {
 
-/// A shell script that is called in the place of ffmpeg for as long as this lives.
+/// While this object lives, a shell script is called in the place of ffmpeg.
 class FakeFfmpeg {
  public:
   explicit FakeFfmpeg(const std::string& script) : before_(std::getenv("PATH")) {

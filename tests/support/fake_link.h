@@ -24,7 +24,7 @@ class FakeLink final : public link::Link {
     closed_ = true;
   }
   void fail(const link::Ending& failure) { user_->on_failure(failure); }
-  /// Lets the time pass and wakes the user on the way, as often as it asks.
+  /// Lets time pass, and wakes the user whenever it has asked for that.
   void advance(Duration by) {
     const Instant until = clock_.now() + by;
     while (wake_at_ && *wake_at_ <= until && user_ != nullptr && !finished_) {
@@ -34,14 +34,14 @@ class FakeLink final : public link::Link {
     }
     clock_.advance(until - clock_.now());
   }
-  /// From now on so many more bytes are taken.
+  /// The peer takes so many more bytes from now on, and then no more.
   void take(std::size_t bytes) {
     room_ = bytes;
     const std::size_t taken = move_on();
     if (taken > 0) stuck_since_.reset();
     if (waiting_.empty() && taken > 0 && !finished_) user_->on_room();
   }
-  /// What was taken since this was last asked.
+  /// What the peer has taken since the last call.
   [[nodiscard]] std::string heard() { return std::exchange(taken_, {}); }
   [[nodiscard]] bool started() const { return user_ != nullptr; }
   [[nodiscard]] bool finished() const { return finished_; }

@@ -8,17 +8,17 @@
 
 namespace aucast::test {
 
-/// A bad link, in one direction as in the other.
+/// What is bad about a link, in both directions alike.
 struct LinkQuality {
   std::chrono::milliseconds delay{0};
   std::chrono::milliseconds jitter{0};  ///< up to so much more or less than the delay
   int kilobits = 0;                     ///< a second; 0: as fast as it goes
 };
 
-/// Stands between clients and a server on this host and makes the link a bad one, without rights
-/// and without losses: what a lossy link does to TCP shows as delay and silence. For losses of
+/// Stands between clients and a server on this host and makes the link a bad one. It needs no
+/// privileges and loses nothing, since TCP turns losses into delay and silence. For losses of
 /// packets see linkemu.
-/// Thread: one of its own; the members may be called from any one other.
+/// Thread: one of its own; one other thread may call the members.
 class FaultProxy {
  public:
   /// `server`: HOST:PORT, IPv4.
@@ -29,7 +29,7 @@ class FaultProxy {
 
   /// Where clients connect to.
   [[nodiscard]] const std::string& address() const { return address_; }
-  /// While it is down nothing gets through, and connections stand.
+  /// While it is down nothing gets through, but connections stay open.
   void set_down(bool down) { down_ = down; }
   /// Bytes that reached clients so far.
   [[nodiscard]] std::int64_t bytes_to_clients() const { return bytes_to_clients_; }

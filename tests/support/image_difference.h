@@ -8,8 +8,8 @@
 
 namespace aucast::test {
 
-/// Difference of two pictures of one size: share of pixels in which a channel differs by more than
-/// `tolerance`, and the largest difference.
+/// How two pictures of the same size differ: the share of pixels in which a channel differs by more
+/// than a tolerance, and the largest difference.
 struct ImageDifference {
   double share = 0;
   int largest = 0;

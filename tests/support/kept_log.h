@@ -11,7 +11,7 @@
 
 namespace aucast::test {
 
-/// Keeps what the log says as long as it lives: a line for each entry, without its time and level.
+/// While it lives, keeps what the log says: a line for each entry, without its time and level.
 class KeptLog {
  public:
   KeptLog() {

@@ -12,13 +12,13 @@ namespace aucast::test {
 /// The port of HOST:PORT.
 [[nodiscard]] std::uint16_t port_of(const std::string& address);
 
-/// A socket that has a free port of this host; who asks for it closes it.
+/// A socket on a free port of this host; the caller closes it.
 struct LoopbackSocket {
   int descriptor = -1;
   std::uint16_t port = 0;
   [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port); }
 };
-/// Nobody else takes the port, and nobody is heard there.
+/// Keeps a port from others without listening: connections to it are refused.
 [[nodiscard]] LoopbackSocket bind_to_loopback();
 [[nodiscard]] LoopbackSocket listen_on_loopback(int backlog = 8);
 

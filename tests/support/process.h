@@ -10,7 +10,7 @@
 
 namespace aucast::test {
 
-/// A program of ours (or another) as a child process with its output caught.
+/// A program, ours or another, as a child process whose output is kept.
 class Process {
  public:
   /// Starts `arguments[0]` with the given arguments; variables are added to the environment as

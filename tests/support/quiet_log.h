@@ -4,7 +4,7 @@
 
 namespace aucast::test {
 
-/// The log says nothing as long as it lives.
+/// While this lives, the log says nothing.
 class QuietLog {
  public:
   QuietLog() { spdlog::set_level(spdlog::level::off); }

@@ -24,33 +24,33 @@ class RawClient {
 
   /// False once connecting or sending has failed.
   [[nodiscard]] bool ok() const { return ok_; }
-  /// Our own port: what the server calls this client by.
+  /// Our own port, by which the server names this client.
   [[nodiscard]] std::uint16_t local_port() const;
 
   /// Sends all of it; false when the peer does not take it within the patience or is gone.
   bool send(std::string_view bytes, std::chrono::milliseconds patience = kPatience);
-  /// Half-close: we say nothing more and go on hearing.
+  /// Half-close: nothing more is sent, but bytes can still be received.
   void end_sending();
   /// Closes with a reset instead of an end.
   void reset();
 
-  /// Receives until `wanted` bytes are here that were not yet taken; takes and returns them. Fewer
-  /// when the connection ends or the patience does.
+  /// Waits for the next `wanted` bytes, takes and returns them; fewer when the connection or the
+  /// patience ends before.
   [[nodiscard]] std::string receive(std::size_t wanted,
                                     std::chrono::milliseconds patience = kPatience);
-  /// Receives up to and with the next `text`; takes and returns all of it. What came instead when
-  /// the connection ends or the patience does.
+  /// Waits for the next `text`, takes and returns all bytes up to its end; what else has come, when
+  /// the connection or the patience ends before.
   [[nodiscard]] std::string receive_until(std::string_view text,
                                           std::chrono::milliseconds patience = kPatience);
   /// Receives everything to the end of the connection.
   [[nodiscard]] std::string receive_all(std::chrono::milliseconds patience = kPatience);
   /// Receives and drops everything; true when the connection ended in time, however it did.
   [[nodiscard]] bool wait_for_end(std::chrono::milliseconds patience = kPatience);
-  /// Nothing not yet taken is here, and nothing comes for so long.
+  /// Whether all that has come was taken, and nothing more comes for `time`.
   [[nodiscard]] bool silent(std::chrono::milliseconds time);
-  /// The peer has ended or broken the connection, as far as was received.
+  /// Whether the peer has ended or broken the connection, as far as was received.
   [[nodiscard]] bool ended() const { return ended_; }
-  /// It ended by a reset or another error, not by an orderly end.
+  /// Whether it ended by a reset or another error, not in order.
   [[nodiscard]] bool broken() const { return broken_; }
 
  private:

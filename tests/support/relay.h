@@ -7,8 +7,8 @@
 
 namespace aucast::test {
 
-/// Stands between a client and a server on this host and hands the bytes on in other portions than
-/// they came, with small delays, by a seed. One connection at a time.
+/// Stands between a client and a server on this host and passes the bytes on in other portions than
+/// they came in, with small delays; the seed decides both. One connection at a time.
 class Relay {
  public:
   /// `server`: HOST:PORT, IPv4.

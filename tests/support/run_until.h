@@ -6,8 +6,8 @@
 
 namespace aucast::test {
 
-/// Lets the loop run until the condition holds, or for longer than a busy machine needs. Whether it
-/// holds then.
+/// Lets the loop run until the condition holds, but no longer than 20 s, which is more than a busy
+/// machine needs. Returns whether it holds.
 template <typename Condition>
 [[nodiscard]] bool run_until(asio::io_context& io, Condition condition) {
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);

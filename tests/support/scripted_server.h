@@ -19,10 +19,10 @@ struct Expect {
 };
 /// Waits for a whole {hello ...}.
 struct ExpectHello {};
-/// Waits for the client's end of sending; whatever comes before it is recorded only.
+/// Waits for the client's end of sending; whatever comes before that is only recorded.
 struct ExpectEnd {};
 /// Sends the bytes `portion` at a time; all at once when it is 0. A client that does not read, or
-/// is gone, is no failure: how far it listens is for the test to judge.
+/// is gone, is no failure: the test itself checks how much a client has read.
 struct Send {
   std::string bytes;
   std::size_t portion = 0;
@@ -50,7 +50,7 @@ class ScriptedServer {
   ScriptedServer& operator=(const ScriptedServer&) = delete;
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  /// Waits for the last step. Empty, or what went wrong in which step.
+  /// Waits for the last step. Returns what went wrong, and in which step; empty: nothing.
   [[nodiscard]] std::string finish();
   /// All bytes that came, over all connections.
   [[nodiscard]] std::string received() const;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Writes small TFLite files for tests, table by table, forwards: what a table points to comes
-/// behind it.
+/// Writes small TFLite files for tests, table by table. What a table points to comes after it in
+/// the file.
 namespace aucast::test {
 
 class FlatTable {
@@ -188,7 +188,7 @@ struct SmallModel {
   }
 };
 
-/// A file as a model is read.
+/// The bytes of a file, in the form that read_model() takes.
 inline std::span<const std::uint8_t> bytes_of(const std::string& file) {
   return {reinterpret_cast<const std::uint8_t*>(file.data()), file.size()};
 }

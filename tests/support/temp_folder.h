@@ -6,7 +6,7 @@
 
 namespace aucast::test {
 
-/// A fresh folder that is gone with the object.
+/// A new folder, which is removed with the object.
 class TempFolder {
  public:
   TempFolder();

@@ -18,8 +18,8 @@ class TlsClient {
     client_.send(layer_.take_output());
   }
 
-  /// Goes on until the handshake is done or has failed. `first_words` go out in one piece with our
-  /// last part of it: a hello is then there within any grace.
+  /// Runs the handshake until it is done or has failed. `first_words` are sent together with our
+  /// last part of it, so that a hello arrives within any grace. Returns whether it is done.
   bool shake_hands(std::string first_words = {}) {
     first_words_ = std::move(first_words);
     while (!layer_.ready() && step()) {
@@ -35,7 +35,7 @@ class TlsClient {
     client_.send(layer_.take_output());
     client_.end_sending();
   }
-  /// Up to and with `text`; what came instead when the connection ends.
+  /// The next bytes up to the end of `text`; what else has come, when the connection ends before.
   std::string receive_until(std::string_view text) {
     while (received_.find(text) == std::string::npos && step()) {
     }

@@ -6,7 +6,7 @@
 
 namespace aucast::test {
 
-/// One frame of a WebSocket client, whatever is wrong with it. `first`: the byte with FIN and
+/// One frame of a WebSocket client; it may break the rules. `first`: the byte with FIN and
 /// opcode, 0x81 for a whole text.
 inline std::string client_frame(unsigned char first, std::string_view payload,
                                 std::string_view mask = "\x12\x34\x56\x78") {

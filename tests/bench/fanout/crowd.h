@@ -17,7 +17,7 @@ namespace aucast::bench {
 struct Delivery {
   std::size_t subscriber = 0;
   std::int64_t number = 0;
-  Clock::time_point arrived;  ///< when the system had it for the subscriber
+  Clock::time_point arrived;  ///< when the system had received it for the subscriber
   Clock::time_point read;     ///< when the subscriber had read it
 };
 
@@ -30,8 +30,8 @@ class Crowd {
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  /// Connects `count` more to a port and says their greetings; false, with failure(), when that
-  /// fails.
+  /// Connects `count` more subscribers to a port and sends their greetings; false, with failure(),
+  /// when that fails.
   bool join(int count, std::uint16_t port);
   /// Receives until `until`. Appends what comes to `deliveries` unless that is null.
   void listen(Clock::time_point until, std::vector<Delivery>* deliveries);
@@ -65,7 +65,7 @@ class Crowd {
   int epoll_ = -1;
   std::vector<Subscriber> subscribers_;
   std::vector<char> input_;
-  std::chrono::nanoseconds real_ahead_{};  ///< the system's time of day, of our clock
+  std::chrono::nanoseconds real_ahead_{};  ///< by how much the time of day is ahead of our clock
   int welcomed_ = 0;
   int disturbed_ = 0;
   std::int64_t missed_ = 0;

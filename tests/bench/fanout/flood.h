@@ -6,12 +6,12 @@
 
 namespace aucast::bench {
 
-/// Peers that come, say rubbish and go, as fast as they can, on a thread of their own: random
-/// bytes, hellos and HTTP heads that never end, floods of codes, requests, nothing at all; leaving
-/// in order or by a reset.
+/// Peers that connect, send rubbish and leave, as fast as they can, on a thread of their own. The
+/// rubbish is random bytes, a hello or HTTP head that never ends, a flood of codes, a request or
+/// nothing at all. Peers leave in order or by a reset.
 class Flood {
  public:
-  /// `at_a_time`: connections that are open; each is replaced when it has said its piece.
+  /// `at_a_time`: how many are connected at once; another one replaces each that leaves.
   Flood(std::uint16_t port, int at_a_time);
   ~Flood();
   Flood(const Flood&) = delete;

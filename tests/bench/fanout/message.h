@@ -6,8 +6,10 @@
 
 namespace aucast::bench {
 
-/// What is published: a keyframe of level 2 that carries its number, the same bytes to whichever
-/// server: three percents of two digits each, 10 to 99.
+// A message is a keyframe of level 2, the same bytes for every server. Its three percents, 10 to
+// 99, are the digits of its number.
+
+/// How many different messages there are.
 inline constexpr std::int64_t kNumbers = 90LL * 90 * 90;
 
 /// "{1:10,2:10,4:15;250}" for number 5.

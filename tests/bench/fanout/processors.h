@@ -8,10 +8,10 @@
 
 namespace aucast::bench {
 
-/// The numbers of those that this thread may use.
+/// The numbers of the processors that this thread may use.
 [[nodiscard]] std::vector<std::size_t> usable_processors();
 
-/// Keeps the calling thread, and what it starts meanwhile, on one processor; nothing: leaves it.
+/// Keeps the calling thread, and what it starts meanwhile, on one processor; nullopt: on any.
 class OnProcessor {
  public:
   explicit OnProcessor(std::optional<std::size_t> number);
@@ -23,7 +23,7 @@ class OnProcessor {
   cpu_set_t before_{};
 };
 
-/// The calling thread gives way to the others of this program and its children from now on.
+/// From now on the calling thread gives way to the program's other threads and its children.
 void stand_back();
 
 }  // namespace aucast::bench

@@ -20,11 +20,11 @@ class Publisher {
   Publisher& operator=(const Publisher&) = delete;
 
   void stop();
-  /// When a message was to be handed to the system. After stop().
+  /// When a message was due to be handed to the system. Call it after stop().
   [[nodiscard]] Clock::time_point due(std::int64_t number) const {
     return begin_ + plan_.place(number);
   }
-  /// When it was handed to the system. After stop(), and only of those that have arrived.
+  /// When it was handed to the system. Call it after stop(), for messages that have arrived.
   [[nodiscard]] Clock::time_point said(std::int64_t number) const {
     return said_[static_cast<std::size_t>(number)];
   }

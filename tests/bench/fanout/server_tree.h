@@ -11,7 +11,7 @@
 
 namespace aucast::bench {
 
-/// A server and, as the plan says, edges behind it, each a process of its own.
+/// A server and the edges behind it that the plan asks for, each a process of its own.
 class ServerTree {
  public:
   /// `name` as for ServerUnderTest.
@@ -23,7 +23,7 @@ class ServerTree {
   /// Connects `count` subscribers: in equal parts to the edges, or to the root where there are
   /// none.
   bool gather(Crowd& crowd, int count) const;
-  /// Of all servers, in user mode and in the system.
+  /// Processor time of all servers, in user mode and in the system.
   [[nodiscard]] std::chrono::nanoseconds processor_time() const;
   /// Memory that is the processes' own, in bytes.
   [[nodiscard]] long private_bytes() const;

@@ -13,24 +13,24 @@
 
 namespace aucast::bench {
 
-/// What a subscriber says to a server and how it knows that it has been heard.
+/// What subscribers and the publisher send to a server, and what it answers.
 struct Dialect {
-  std::string greeting;           ///< said once after connecting
-  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: it is known by its begin and end
+  std::string greeting;           ///< sent once after connecting
+  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: its begin and end are known
   std::string welcome_begin;
   std::string welcome_end;
-  std::string announce;  ///< said by the publisher first
-  std::size_t announced_bytes = 0;
-  /// A message as the publisher says it; nothing: the server publishes by itself.
+  std::string announce;             ///< sent by the publisher first
+  std::size_t announced_bytes = 0;  ///< length of the answer to `announce`
+  /// A message as the publisher sends it; null: the server publishes by itself.
   std::string (*wrap)(const std::string& message) = nullptr;
-  bool web = false;  ///< all that is by WebSocket
+  bool web = false;  ///< all of this goes over a WebSocket
 };
 
 /// One of the servers that are compared, running as a child process on a free port of the loopback.
 class ServerUnderTest {
  public:
-  /// `name`: au-transmitter, redis, mosquitto or nats. With a `parent` it is an edge: what it has,
-  /// it has from there (au-transmitter's relay, NATS' leaf node).
+  /// `name`: au-transmitter, redis, mosquitto or nats. With a `parent` it is an edge, which gets
+  /// all that it has from there (au-transmitter's relay, NATS' leaf node).
   ServerUnderTest(const std::string& name, const Plan& plan,
                   const ServerUnderTest* parent = nullptr);
   ~ServerUnderTest();
@@ -40,7 +40,7 @@ class ServerUnderTest {
   /// Empty when it runs, else why not.
   [[nodiscard]] const std::string& failure() const { return failure_; }
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  /// Of au-transmitter's --http, when it is to be flooded; else 0.
+  /// The port of au-transmitter's --http if that is to be flooded; else 0.
   [[nodiscard]] std::uint16_t http_port() const { return http_port_; }
   [[nodiscard]] const Dialect& dialect() const { return dialect_; }
   /// Processor time of the process so far, in user mode and in the system.

@@ -5,16 +5,16 @@
 
 namespace aucast::bench {
 
-/// A viewer's side of a WebSocket, as far as au-transmitter needs one to be there: the upgrade,
-/// texts of the server, Pongs.
+/// A viewer's side of a WebSocket, only what au-transmitter needs from one: the upgrade, texts of
+/// the server, Pongs.
 class WebSide {
  public:
-  /// What a viewer says first, before anything is known of the server.
+  /// What a viewer sends first.
   [[nodiscard]] static std::string upgrade();
 
-  /// What came over the wire. Appends the texts of the server to `text`, and to `answer` what is to
-  /// be sent: as soon as the server has agreed `greeting`, and Pongs. False: it is no WebSocket, or
-  /// it was closed.
+  /// Takes what came over the wire. Appends the texts of the server to `text`, and what is to be
+  /// sent to `answer`: `greeting`, as soon as the server has agreed to the upgrade, and Pongs.
+  /// False: this is no WebSocket, or it was closed.
   [[nodiscard]] bool received(std::string_view wire, const std::string& greeting, std::string& text,
                               std::string& answer);
 

@@ -18,10 +18,10 @@ struct Quality {
   double loss_percent = 0;          ///< of all packets
   double burst = 1;                 ///< losses in a row, on the average
   double kilobits = 0;              ///< a second; 0: as fast as they come
-  std::size_t queue_bytes = 65536;  ///< waiting for the rate; what is more is lost
+  std::size_t queue_bytes = 65536;  ///< how much may wait to be sent; more is lost
 };
 
-/// One direction of an emulated link. Pure: time is handed in, chance is by the seed.
+/// One direction of an emulated link. Pure: time is handed in, the seed decides chance.
 class LinkQueue {
  public:
   LinkQueue(const Quality& quality, std::uint64_t seed) : quality_(quality), chance_(seed) {}
@@ -29,16 +29,16 @@ class LinkQueue {
   void put(std::string packet, Instant now);
   /// The next packet that has arrived by `now`.
   [[nodiscard]] std::optional<std::string> take(Instant now);
-  /// When take() has something; nothing while the link is empty.
+  /// When take() will return a packet; nullopt while the link is empty.
   [[nodiscard]] std::optional<Instant> next_at() const;
   /// A link that is down loses what is put in and what is on its way.
   void set_down(bool down);
 
   [[nodiscard]] std::uint64_t passed() const { return passed_; }
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
-  /// The most that chance took in a row.
+  /// The most packets that were lost by chance in a row.
   [[nodiscard]] std::uint64_t longest_loss() const { return longest_; }
-  [[nodiscard]] std::uint64_t too_many() const { return too_many_; }  ///< for the queue
+  [[nodiscard]] std::uint64_t too_many() const { return too_many_; }  ///< lost to a full queue
 
  private:
   struct Packet {

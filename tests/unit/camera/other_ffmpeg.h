@@ -11,10 +11,10 @@
 
 namespace aucast::camera {
 
-/// Something that is there and no file: what ffmpeg is made to say stands in for a camera.
+/// A path that exists and is no regular file: the camera whose pictures an OtherFfmpeg makes.
 inline constexpr const char* kDevice = "/dev/null";
 
-/// A program `ffmpeg` of our own, first in $PATH for as long as this lives.
+/// A program `ffmpeg` of our own, first in $PATH while this object lives.
 class OtherFfmpeg {
  public:
   explicit OtherFfmpeg(const std::string& script) : path_(std::getenv("PATH")) {

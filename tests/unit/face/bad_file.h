@@ -7,7 +7,7 @@
 
 namespace aucast::face::test {
 
-/// One change to one file of a face and the message that must come of it, after the file's path.
+/// A change to one file of a face, and the message that it must cause, without the file's path.
 struct BadFile {
   std::string file;
   std::string from;
@@ -19,7 +19,7 @@ inline void PrintTo(const BadFile& bad, std::ostream* out) {
   *out << bad.file << bad.message;
 }
 
-/// By number: a message is no name.
+/// Names a case by its number, since a message cannot be a name.
 [[nodiscard]] inline std::string case_name(const ::testing::TestParamInfo<BadFile>& info) {
   return std::to_string(info.index);
 }

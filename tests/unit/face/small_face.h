@@ -26,7 +26,7 @@ void write_small_face(const aucast::test::TempFolder& folder);
 /// The small face, loaded from a folder of its own.
 [[nodiscard]] Face small_face();
 
-/// `text` with the first `from` exchanged; fails the test when there is none.
+/// `text` with the first `from` replaced by `to`; fails the test when there is none.
 [[nodiscard]] std::string replaced(std::string text, std::string_view from, std::string_view to);
 
 /// One activation per channel: `value` for the named one, 0 for the others.

@@ -29,7 +29,7 @@ inline GuiModel small_model() {
   return model;
 }
 
-/// Keys, fonts and a clock for a Gui that has no display; keys and pointer are ImGui's own.
+/// Sets up ImGui for a Gui that has no display: key numbers (ImGui's own), fonts, size and clock.
 inline void use_by_hand(const ImVec2& size) {
   ImGuiIO& io = ImGui::GetIO();
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
@@ -86,7 +86,7 @@ class GuiByHand : public testing::Test {
     ImGuiWindow* const window = contents();
     return window == nullptr ? 0 : window->GetID(label);
   }
-  /// Tab until what has this label has the focus; false when it never does.
+  /// Presses Tab until the control with this label has the focus; false when it never has.
   bool go_to(const char* label) {
     for (int i = 0; i < 200; ++i) {
       if (focus() == id_of(label)) return true;
@@ -111,7 +111,7 @@ class GuiByHand : public testing::Test {
     }
     return false;
   }
-  /// What is said at this moment about a control; null: nothing.
+  /// The tooltip that is shown at this moment; null: none.
   static const ImGuiWindow* tooltip() {
     const ImGuiWindow* const window = ImGui::FindWindowByName("##Tooltip_00");
     return window != nullptr && window->Active && !window->Hidden ? window : nullptr;

@@ -9,7 +9,7 @@
 
 namespace aucast::test {
 
-/// The file of a net that sees the same whatever it is shown: `outputs`, of a picture `side` pixels
+/// The file of a net that gives the same `outputs` for every picture; pictures are `side` pixels
 /// wide and high.
 inline std::string constant_net(std::int32_t side, const std::vector<std::vector<float>>& outputs) {
   const auto tensor = [](std::vector<std::int32_t> shape, std::int32_t buffer) {
@@ -32,12 +32,12 @@ inline std::string constant_net(std::int32_t side, const std::vector<std::vector
       .file();
 }
 
-/// What MediaPipe's detector would say: 16x16 places with two looks from each, then 8x8 with six;
-/// of every look a score and 16 numbers.
+/// The outputs of a MediaPipe detector. It looks for faces from 16x16 places twice each, then from
+/// 8x8 places six times each; each look gives a score and 16 numbers.
 struct FaceBoxes {
   static constexpr std::size_t kLooks = 16 * 16 * 2 + 8 * 8 * 6;
   static constexpr std::size_t kEach = 16;
-  static constexpr float kPixels = 128;  ///< of the side of what it sees
+  static constexpr float kPixels = 128;  ///< side of the picture that it sees
 
   std::vector<float> boxes = std::vector<float>(kLooks * kEach, 0.0F);
   std::vector<float> scores = std::vector<float>(kLooks, -20.0F);
@@ -50,8 +50,8 @@ struct FaceBoxes {
     return 16 * 16 * 2 + 6 * (8 * row + column);
   }
 
-  /// A face `size` pixels wide and high whose middle is `x`, `y` from where it was looked from.
-  /// `eyes`: how much lower the left one is than the right one, 10 pixels away.
+  /// Look `look` finds a face `size` pixels wide and high, whose middle is `x`, `y` from the look's
+  /// place. `eyes`: how much lower the left eye is than the right one, which is 10 pixels away.
   void sees(std::size_t look, float score, float size, float x = 0, float y = 0, float eyes = 0) {
     scores[look] = score;
     float* const numbers = &boxes[look * kEach];
@@ -64,7 +64,7 @@ struct FaceBoxes {
   [[nodiscard]] std::string file() const { return constant_net(side, {boxes, scores}); }
 };
 
-/// What MediaPipe's face mesh with attention would say, in pixels of the 192 that it sees.
+/// The outputs of MediaPipe's face mesh with attention, in pixels; it sees 192 by 192.
 struct FacePoints {
   std::vector<float> mesh = std::vector<float>(3 * 468, 96.0F);  ///< x, y, z of each point
   std::vector<float> lips = std::vector<float>(2 * 80, 96.0F);

@@ -28,7 +28,7 @@ inline constexpr playback::BufferOptions kEager{100, 100, 1};
   return options;
 }
 
-/// The first AU of the next keyframe, waiting for it; 0 at the end.
+/// Waits for the next keyframe and returns its first AU; 0 at the end.
 [[nodiscard]] inline int take_au(RemoteSource& source) {
   while (source.wait_until(patience())) {
     const auto keyframe = source.take();
@@ -40,7 +40,7 @@ inline constexpr playback::BufferOptions kEager{100, 100, 1};
   return 0;
 }
 
-/// All of them to the end.
+/// The first AUs of all keyframes up to the end.
 [[nodiscard]] inline std::vector<int> take_all(RemoteSource& source) {
   std::vector<int> all;
   while (const int au = take_au(source)) all.push_back(au);

@@ -9,18 +9,18 @@
 
 namespace aucast::test {
 
-/// One direction of a connection in memory, as TCP over a bad link: bytes come late, in portions
-/// that have nothing to do with those they were written in, but in order.
+/// One direction of a connection in memory, as TCP over a bad link: bytes come late and in
+/// other portions than they were written in, but in order.
 class FaultyLink {
  public:
   FaultyLink(Seeded& seeded, Milliseconds delay_max) : seeded_(seeded), delay_max_(delay_max) {}
 
   void write(std::string_view bytes, Instant now);
-  /// The writing side is through.
+  /// Nothing more will be written.
   void end() { ended_ = true; }
   /// What has come by now, or the first part of it; empty: nothing yet.
   [[nodiscard]] std::string read(Instant now);
-  /// All has been read, and nothing more will come.
+  /// Whether all has been read and nothing more will come.
   [[nodiscard]] bool at_end() const { return ended_ && pieces_.empty(); }
   /// Nothing gets through before `until`.
   void go_down(Instant until) { down_until_ = until; }

@@ -18,7 +18,7 @@ namespace aucast::test {
 /// "send 1", "store {1:30;40}", "granted window=4", "ended", "reconnect", "fail lost".
 [[nodiscard]] std::string text_of(const std::vector<protocol::ClientEvent>& events);
 
-/// What the session makes of all these bytes.
+/// The events that the session makes of all these bytes.
 [[nodiscard]] std::vector<protocol::ClientEvent> read_all(protocol::ClientSession& session,
                                                           std::string_view bytes);
 
@@ -26,12 +26,12 @@ namespace aucast::test {
 [[nodiscard]] std::string reason_of(const std::vector<protocol::ServerEvent>& events);
 [[nodiscard]] std::string reason_of(const std::vector<protocol::ClientEvent>& events);
 
-/// A stream of the given packets without times; a level-1 client gets `classic`, or the same when
-/// empty.
+/// A stream of the given packets without times. A client of level 1 gets `classic` instead, unless
+/// that is empty.
 [[nodiscard]] protocol::EncodedStream encoded(std::initializer_list<std::string_view> negotiated,
                                               std::initializer_list<std::string_view> classic = {});
 
-/// The same of keyframes, with all its forms and times.
+/// A stream of keyframes, with all its forms and times.
 [[nodiscard]] protocol::EncodedStream encoded(const std::vector<protocol::Keyframe>& keyframes,
                                               int classic_min);
 

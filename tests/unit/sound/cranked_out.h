@@ -11,16 +11,16 @@
 
 namespace aucast::sound::test {
 
-/// A sound device that hears when the test turns its crank. What a test has to see lives outside,
-/// because the player owns the device.
+/// The state of a CrankedOut, a sound device that plays only while the test turns its crank. It
+/// lives outside the device, since the player owns that.
 struct Crank {
   std::vector<float> written;
   std::int64_t heard = 0;
-  std::int64_t misread = 0;  ///< what the device is wrong by when it is asked
-  double part = 0;           ///< of a sample that has been heard
+  std::int64_t misread = 0;  ///< by how much the device's heard() is wrong
+  double part = 0;           ///< how much of the next sample was heard
   bool lost = false;
 
-  /// So much time goes by for the device.
+  /// Lets so much time pass for the device.
   void turn(Duration time) {
     const double samples = seconds(time) * kRate + part;
     heard = std::min(heard + static_cast<std::int64_t>(samples),
@@ -43,7 +43,7 @@ class CrankedOut final : public SoundOut {
   Crank& crank_;
 };
 
-/// A track whose sample i is i / kWhole: what is heard tells where it is from.
+/// A track whose sample i is i / kWhole, so that a sample shows where in the track it is from.
 class CountingTrack final : public SoundTrack {
  public:
   static constexpr float kWhole = 10'000'000;

@@ -10,7 +10,7 @@ inline constexpr const char* kOpenFace2Header =
     "gaze_1_z,gaze_angle_x,gaze_angle_y,pose_Tx,pose_Ty,pose_Tz,pose_Rx,pose_Ry,pose_Rz,AU01_r,"
     "AU12_r,AU45_r,AU01_c,AU12_c,AU28_c,AU45_c\n";
 
-/// A row of it: looking straight into the camera.
+/// A row under kOpenFace2Header, of a face that looks straight into the camera.
 inline std::string openface2_row(int frame, const std::string& seconds, const std::string& aus,
                                  const std::string& face = "0",
                                  const std::string& sureness = "0.98,1") {
@@ -56,13 +56,13 @@ inline constexpr const char* kLiveLinkFace =
     "23:59:59:58.000,61,0.25,0.1,0.75,0.3,0,0.4,0.6,0.5,0,0,0,0.1,0.2,0,0.1,0.2,0\n"
     "00:00:00:00.000,61,0,0,0,0,0.2,1.05,0,0,0,0,0,-0.1,-0.2,0,-0.1,-0.2,0\n";
 
-/// As curves are published: the picture's number or nothing before them.
+/// Curves as people publish them, after the picture's number. Some tables lack that.
 inline constexpr const char* kMediaPipe =
     "frame,_neutral,eyeBlinkLeft,eyeBlinkRight,jawLeft,jawOpen,mouthSmileLeft\n"
     "0,0.01,0.25,0.75,0,0.4,0.5\n"
     "1,0.01,0,0,0.5,1,0\n";
 
-/// A detailed log: lines about the recording, then tabs.
+/// A detailed log: lines about the recording, then a table with tabs.
 inline constexpr const char* kFaceReader =
     "Video analysis detailed log\r\n"
     "Face Model:\tGeneral\r\n"
