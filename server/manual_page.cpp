@@ -22,16 +22,16 @@ void add_settings(ManualPage& page) {
   page.paragraph(
       "In the texts above, {-2} is the packet that ends a stream. A client of level 2 begins with "
       "a hello; a classic client, of level 1, sends none and gets AUs without intensities, sides "
-      "and times. protocol/PROTOCOL.md has both.");
+      "and times. protocol/PROTOCOL.md describes both.");
 }
 
 void add_the_rest(ManualPage& page) {
   page.section("SIGNALS");
   page.item(
       "SIGTERM, SIGINT",
-      "Stops accepting clients, sends {-2} to all of them and exits within 2 seconds. A second "
-      "signal ends it at once. With --drain-time the first signal starts the drain, the second "
-      "does this, and a third ends it at once.");
+      "Stops accepting clients, sends {-2} to those it has and exits within 2 seconds. A second "
+      "signal ends it at once. With --drain-time the first signal starts the drain, a second sends "
+      "{-2} to those that are left, and a third ends it at once.");
   page.item("SIGHUP",
             "Reads certificates, token and sources again, from the same places; not the settings "
             "file, the environment or other options. Connected clients keep their streams. If "
@@ -41,7 +41,7 @@ void add_the_rest(ManualPage& page) {
   page.paragraph(
       "au-transmitter stays in the foreground and speaks sd_notify(3): READY, RELOADING, STOPPING, "
       "STATUS and WATCHDOG. A listening socket that is passed (LISTEN_FDS) takes the place of "
-      "--bind and --port. au-transmitter.service and au-transmitter.socket come with it.");
+      "--bind and --port. au-transmitter.service and au-transmitter.socket are installed with it.");
   page.section("FILES");
   page.item("/etc/aucast/au-transmitter.toml", "The settings file that is read if it exists.");
   page.section("EXIT STATUS");
@@ -49,7 +49,7 @@ void add_the_rest(ManualPage& page) {
   page.item("1", "Failed while running.");
   page.item("2",
             "A mistake on the command line or in the environment; also a source whose name cannot "
-            "be a stream's, or is another one's.");
+            "be a stream's, or is that of another source.");
   page.item("3",
             "A source or the settings file is wrong; the message names file, line and column.");
   page.item("4", "A file cannot be read.");

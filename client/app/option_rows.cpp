@@ -146,8 +146,8 @@ Complaint read_live_delay(const std::string& word, playback::BufferOptions& buff
 std::vector<OptionRow> face_rows(FaceOptions& face) {
   return {
       {.option = {"face", "NAME", "default"},
-       .text = "name of a face, or its folder (default)",
-       .more = "The name of a face in data/faces, or its folder.",
+       .text = "name of a face (\"default\"), or the folder of one",
+       .more = "The name of a face in data/faces, or the folder of any face.",
        .value = word(face.face),
        .heading = "Face"},
       {.option = {"mixer", "MIXER", "maximum"},
@@ -175,9 +175,9 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
   using playback::Interpolation;
   return {
       {.option = {"speed", "MS"},
-       .text = "time of keyframes without one (250)",
-       .more = "Duration of keyframes without a time of their own, 1 to 1000 ms. Without it: 250 "
-               "ms, or what a server says.",
+       .text = "how long keyframes without a time last (250)",
+       .more = "How long keyframes without a time of their own last, 1 to 1000 ms. Without this "
+               "option: 250 ms, or what the server says.",
        .value = whole(playback.speed, 1, kSpeedMaxMs),
        .heading = "Animation"},
       {.option = {"interpolation", "KIND", "linear"},
@@ -192,7 +192,7 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
        .value = parsed(Kind::Word, read_blink, playback.blink)},
       {.option = {"idle", "SEED"},
        .text = "blinks, glances and breathing",
-       .more = "Adds blinks (--blink SEED unless given), saccades and breathing.",
+       .more = "Adds blinks (with this SEED, unless --blink is given), saccades and breathing.",
        .value = parsed(Kind::Number, read_idle, playback)},
   };
 }
@@ -207,8 +207,8 @@ std::vector<OptionRow> picture_rows(OutputOptions& output) {
        .heading = "Pictures"},
       {.option = {"background", "RRGGBB"},
        .text = "a plain colour behind the face, or none",
-       .more = "A plain background of this colour behind the face; with none, PNGs are transparent "
-               "there.",
+       .more = "A plain background of this colour behind the face. The word none in place of a "
+               "colour makes PNGs transparent there.",
        .value = parsed(Kind::Word, read_background, output)},
       {.option = {"show", "LAYER[,...]"},
        .text = "what is drawn: layers, see below (textured)",
@@ -231,8 +231,8 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
        .value = flag(sound.mute)},
       {.option = {"sound", "FILE.wav"},
        .text = "write the sound to a file",
-       .more = "Writes the sound to a WAV file, as long as the stream, and does not wait for the "
-               "clock.",
+       .more = "Writes the sound to a WAV file, which has the length of the stream, and does not "
+               "wait for the clock.",
        .value = word(sound.file)},
       {.option = {"no-sound"},
        .text = "no sound at all; videos are silent",
@@ -247,12 +247,13 @@ std::vector<OptionRow> sound_rows(SoundOptions& sound) {
 }
 
 OptionRow fps_row(OutputOptions& output) {
-  return {.option = {"fps", "N"},
-          .text = "frame rate of --record and --frames",
-          .more =
-              "Pictures a second, 1 to 240. In the window: of GLB files, and what , and . step by "
-              "(25).",
-          .value = whole(output.fps, 1, view::kVideoFpsMax)};
+  return {
+      .option = {"fps", "N"},
+      .text = "frame rate of --record and --frames",
+      .more =
+          "Pictures a second, 1 to 240. In the window: samples a second of GLB files; and the keys "
+          ", and . step by 1/N s (without --fps by a picture of the recording, or 1/25 s).",
+      .value = whole(output.fps, 1, view::kVideoFpsMax)};
 }
 
 std::vector<OptionRow> film_rows(PlayerOptions& options) {
@@ -260,12 +261,13 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
   return {
       {.option = {"frames", "DIR"},
        .text = "write PNGs: 50 per keyframe; with --fps N, N a second",
-       .more = "Writes DIR/frame_000001.png and so on: 50 a keyframe, or --fps N a second.",
+       .more = "Writes DIR/frame_000001.png and so on: 50 for each keyframe or, with --fps N, N a "
+               "second.",
        .value = word(output.frames)},
       {.option = {"record", "FILE"},
        .text = "write a video: .mp4, .webm or .gif",
-       .more = "Writes a video, .mp4, .webm or .gif: 30 pictures a second, or --fps N. It has the "
-               "sound, if there is any; a .gif has none.",
+       .more = "Writes a video, .mp4, .webm or .gif: 30 pictures a second or, with --fps N, N. It "
+               "has the sound, if there is any; a .gif has none.",
        .value = word(output.record)},
       {.option = {"sheet", "FILE.png"},
        .text = "write the keyframes to one page, at most 60",
@@ -284,10 +286,11 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        .value = word(output.stats)},
       {.option = {"onsets", "FILE.csv"},
        .text = "write the time at which each face was shown",
-       .more = "Writes when each face was on the display (CLOCK_MONOTONIC, s), its keyframe and "
-               "its AUs: for the clock of an experiment. The last column, reached, has the number "
-               "of a keyframe in the first picture that shows all of it ('3-5' where several have "
-               "ended since the picture before), and is empty in the others. Only with the window.",
+       .more = "Writes a row for each picture in which the face had moved: when the picture was on "
+               "the display (CLOCK_MONOTONIC, s), its keyframe and its AUs, for the clock of an "
+               "experiment. The last column is called reached. In the first picture that shows a "
+               "keyframe whole it has that keyframe's number ('3-5' if several have ended since "
+               "the picture before); in the other pictures it is empty. Only with the window.",
        .value = word(output.onsets)},
       {.option = {"headless"},
        .text = "no window; ends with the stream",
@@ -295,11 +298,11 @@ std::vector<OptionRow> film_rows(PlayerOptions& options) {
        .heading = "Program"},
       {.option = {"language", "CODE"},
        .text = "language of the window, such as fr",
-       .more = "The language of the window: en, or one of data/languages, such as fr. Otherwise "
-               "the one chosen there last, or that of the locale.",
+       .more = "The language of the window: en, or one of data/languages, such as fr. Without this "
+               "option: the one last chosen in the window, or that of the locale.",
        .value = word(options.display.language)},
       {.option = {"text-size", "N"},
-       .text = "size of its texts in percent, 75 to 200 (100)",
+       .text = "size of the window's texts, 75 to 200 percent (100)",
        .more = "The size of all that is written in the window, in percent: 75 to 200 (100).",
        .value = whole(options.display.text_percent, gui::kTextPercentMin, gui::kTextPercentMax)},
       {.option = {"exit-at-end"},
@@ -363,7 +366,8 @@ std::vector<OptionRow> pose_rows(PoseOptions& pose) {
       {.option = {"png", "FILE"}, .text = "write the picture", .value = word(pose.png)},
       {.option = {"obj", "FILE"},
        .text = "write the skin",
-       .more = "Writes the deformed skin as Wavefront OBJ, vertices in the order of the face.",
+       .more = "Writes the deformed skin as Wavefront OBJ, with the vertices in the order of the "
+               "face's mesh.",
        .value = word(pose.obj)},
       viewpoint_row(pose),
   };
@@ -383,8 +387,9 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
        .value = parsed(Kind::Words, read_sections, gallery.only)},
       {.option = {"sweep", "AUS|NAME|all"},
        .text = "frames and a video, from neutral to full and back",
-       .more = "From neutral to the apex and back, as frames, and as a video if ffmpeg is "
-               "installed: a set of AUs, an expression, or all of both. May be repeated.",
+       .more =
+           "From neutral to the apex and back, as frames, and as a video if ffmpeg is installed: "
+           "of a set of AUs, of an expression, or of all AUs and all expressions. May be repeated.",
        .value = words(gallery.sweeps)},
       viewpoint_row(options.pose),
   };
@@ -397,14 +402,14 @@ std::vector<OptionRow> export_rows(PlayerOptions& options) {
   fps.more = "Animation samples a second, 1 to 240.";
   std::vector<OptionRow> rows{
       {.option = {"files", "[STREAM] FILE.glb"},
-       .more = "A stream file or the table of a recogniser, which becomes the animation, and the "
-               "file to write; or the file alone, for the face without an animation.",
+       .more = "FILE.glb is the file to write. STREAM, a stream file or the table of a recogniser, "
+               "becomes its animation; without STREAM the face has no animation.",
        .value = words(options.exported.files),
        .where = Where::Positional},
       {.option = {"basis", "BASIS", "muscles"},
        .text = "morph targets: muscles or aus (muscles)",
-       .more = "What there is a morph target for: muscles, one for each muscle and lid, true to "
-               "the face; or aus, one for each Action Unit and side, to be driven by hand.",
+       .more = "muscles has a morph target for each muscle and lid, and is true to the face; aus "
+               "has one for each Action Unit and side, to be driven by hand.",
        .value = one_of<glb::Basis>(options.exported.basis,
                                    {{"muscles", glb::Basis::Muscles}, {"aus", glb::Basis::Aus}}),
        .heading = "File"},
@@ -421,9 +426,9 @@ std::vector<OptionRow> security_rows(net::SecurityOptions& security) {
        .heading = "TLS and tokens"},
       {.option = {"tls-ca", "FILE"},
        .text = "CAs to trust",
-       .more =
-           "Trust the authorities in FILE (PEM) and not the system's. Revocation lists in FILE are "
-           "heeded; each authority that signs for servers then needs one that is up to date.",
+       .more = "Trust the authorities in FILE (PEM) and not the system's. If FILE has revocation "
+               "lists, they are heeded; each authority that signs for servers then needs one that "
+               "is up to date.",
        .value = word(security.files.authorities)},
       {.option = {"tls-cert", "FILE"},
        .text = "certificate to show, if the server wants one",
@@ -434,8 +439,8 @@ std::vector<OptionRow> security_rows(net::SecurityOptions& security) {
        .value = word(security.files.key)},
       {.option = {"token-file", "FILE"},
        .text = "token to show to the server",
-       .more = "The file with the token that the server requires. It is sent over TLS, to this "
-               "computer, or with --insecure-token.",
+       .more = "The file with the token that the server requires. The token is sent only over TLS "
+               "or to this computer, unless --insecure-token is given.",
        .value = word(security.token)},
       {.option = {"insecure-token"},
        .text = "send the token even without TLS",
@@ -450,8 +455,8 @@ std::vector<OptionRow> table_rows(gui::TableSettings& table) {
   return {
       {.option = {"table-fps", "N"},
        .text = "pictures a second of a table without times",
-       .more = "Pictures a second that a recogniser's table was made from, 1 to 1000. Without it: "
-               "what its own times say.",
+       .more = "How many pictures a second a recogniser's table was made from, 1 to 1000. Without "
+               "this option the table's own times count.",
        .value = whole(table.fps, 1, gui::kTableFpsMax),
        .heading = "Tables of recognisers"},
       {.option = {"table-gain", "PERCENT"},
@@ -459,9 +464,9 @@ std::vector<OptionRow> table_rows(gui::TableSettings& table) {
        .more = "Multiplies the intensities of all AUs of a table, 1 to 1000 percent.",
        .value = whole(table.gain_percent, 1, gui::kTableGainPercentMax)},
       {.option = {"table-neutral", "S"},
-       .text = "subtract the face of the first S s, taken as neutral",
-       .more = "For how many seconds at first the face of a table is neutral, 1 to 60; the face "
-               "that it shows there is subtracted.",
+       .text = "the first S seconds show a neutral face: subtract it",
+       .more = "The first S seconds of a table, 1 to 60, show a neutral face, which is subtracted "
+               "from the whole table.",
        .value = whole(table.neutral_s, 1, gui::kTableNeutralMax)},
   };
 }
@@ -471,8 +476,9 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   std::vector<OptionRow> rows{
       {.option = {"buffer", "N", "100"},
        .text = "Receiver buffer: N AU sets (100), a time or auto",
-       .more = "Capacity of the Receiver buffer, 1 to 10000 sets. auto buffers by time instead, as "
-               "much as the link needs; a time such as 300ms, up to 60000ms, buffers that much.",
+       .more = "Capacity of the Receiver buffer, 1 to 10000 sets. With auto the buffer is counted "
+               "in time instead, as much as the link needs; with a time such as 300ms, up to "
+               "60000ms, it holds that much.",
        .value = parsed(Kind::Word, read_buffer, buffers),
        .heading = "Receiving"},
       {.option = {"playout", "N", "30"},
@@ -521,27 +527,29 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
 std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   std::vector<OptionRow> rows;
   if (command == Command::Watch) {
-    rows = {{.option = {"host", "HOST"},
-             .more = "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's "
-                     "address: aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. The "
-                     "next of several hosts is tried when one is lost (as with --reconnect), is "
-                     "full or does not have the stream yet; it gives up when all have refused, and "
-                     "without window and --reconnect also when none could be reached at first.",
-             .value = word(options.playback.endpoint),
-             .where = Where::Positional},
-            {.option = {"list"},
-             .more = "Prints the server's streams, one a line: on a terminal with \"live\" or "
-                     "their length, and their title, as far as the server tells; to a pipe or file "
-                     "the names alone.",
-             .value = flag(options.list)},
-            {.option = {"mirror"},
-             .more = "Begins with the window's Camera tab: your own face as others will see it, "
-                     "beside what the camera sees, with \"Go live\" there. In place of HOST stands "
-                     "the camera: camera (the default), camera:DEVICE, or a film to try it with. "
-                     "au-transmitter is started for it, and scripts/install_models.sh must have "
-                     "fetched the models that read faces. While it is live, guests must show the "
-                     "token of --token-file and come over TLS with --tls-cert and --tls-key.",
-             .value = flag(options.shows_mirror)}};
+    rows = {
+        {.option = {"host", "HOST"},
+         .more = "The server: HOST or HOST:PORT; the port is 4650 by default. Or a stream's "
+                 "address: aucast://HOST[:PORT][,HOST...][/STREAM], aucasts:// over TLS. Of "
+                 "several hosts, the next one is tried when one is lost (as with --reconnect), is "
+                 "full or does not have the stream yet. face-player gives up when all hosts have "
+                 "refused it. Without a window it also gives up when no host could be reached at "
+                 "first, unless --reconnect is given.",
+         .value = word(options.playback.endpoint),
+         .where = Where::Positional},
+        {.option = {"list"},
+         .more = "Prints the server's streams, one a line. On a terminal each has \"live\" or its "
+                 "length, and its title, as far as the server tells them; a pipe or a file gets "
+                 "the names alone.",
+         .value = flag(options.list)},
+        {.option = {"mirror"},
+         .more = "Opens the window at its Camera tab: your own face as others will see it, beside "
+                 "what the camera sees, and the button \"Go live\". HOST is a camera then: camera "
+                 "(the default), camera:DEVICE, or a film to try it with. face-player starts "
+                 "au-transmitter for this; scripts/install_models.sh must have fetched the models "
+                 "that read faces. While you are live, guests can watch. With --token-file they "
+                 "must show its token, and with --tls-cert and --tls-key they must come over TLS.",
+         .value = flag(options.shows_mirror)}};
   } else if (command == Command::Play) {
     rows = {{.option = {"file", "FILE"},
              .text = "a stream file or a recogniser's table",

@@ -44,47 +44,50 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
            "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
            "folder, whose .txt and .csv files become sources, in order of their names. A stream "
            "has the name of its file without the extension; a client that asks for no name, and "
-           "every classic one, gets the first. - (named live) and FIFOs are sent as they are "
-           "written, each keyframe to all clients at once. aucast://HOST[:PORT][,HOST...][/NAME] "
-           "is a stream of another au-transmitter, which this one relays: one connection there, "
-           "however many clients here; aucasts:// over TLS. When one of several hosts is lost, the "
-           "next is used. A stream that is live there is live here; a recorded one is kept, and "
-           "served from its beginning even while it is still arriving, in a loop if it is in one "
-           "there. SIGHUP leaves relayed streams as they are. nats://HOST[:PORT][,HOST...]/NAME is "
-           "a stream that --publish sends over NATS, with the module of the package aucast-nats; "
-           "natss:// over TLS. A film (.mp4, .mov, .mkv, .webm, .avi and others, through ffmpeg) "
-           "is read for the face in it; camera is the camera /dev/video0 and camera:DEVICE another "
-           "one, live; a film or a FIFO may stand in for DEVICE. Both need the models that "
-           "scripts/install_models.sh fetches.",
+           "every classic one, gets the first. - (stdin, as a stream named live) and FIFOs are "
+           "sent as they are written, each keyframe to all clients at once. "
+           "aucast://HOST[:PORT][,HOST...][/NAME] is a stream of another au-transmitter, which "
+           "this one relays over one connection, however many clients there are here; aucasts:// "
+           "is the same over TLS. When one of several hosts is lost, the next is used. A stream "
+           "that is live there is live here; a recorded one is kept, and served from its beginning "
+           "even while it is still arriving, in a loop if it is in one there. SIGHUP leaves "
+           "relayed streams as they are. nats://HOST[:PORT][,HOST...]/NAME is a stream that "
+           "another au-transmitter sends over NATS with --publish; natss:// is the same over TLS. "
+           "Both need the package aucast-nats. A film (.mp4, .mov, .mkv, .webm, .avi and others, "
+           "through ffmpeg) is read for the face in it. camera is the camera /dev/video0, live, "
+           "and camera:DEVICE another one; DEVICE may also be a film or a FIFO in place of a "
+           "camera. Films and cameras need the models that scripts/install_models.sh fetches.",
        .value = words(options.sources),
        .heading = "Sources",
        .where = Where::Positional},
       {.option = {"follow"},
        .text = "serve a file live: send what is appended to it",
-       .more = "Files are live sources too. What a file already holds is past; the face starts "
+       .more = "Files are live sources too. What a file already holds is past: the face starts "
                "from its last keyframe. A file that is rewritten, replaced or truncated is read "
                "from its beginning.",
        .value = flag(options.live_source.follow)},
       {.option = {"source-timeout", "S", "10"},
        .text = "end a live stream after S seconds of silence (10)",
-       .more = "Seconds, up to 86400; 0: never. The face holds for 0.5 s and returns to neutral "
-               "within 1 s. After S seconds the connected clients get the end of the stream, {-2}; "
-               "when the source comes back, the stream goes on. Stream files on stdin or FIFOs "
-               "have no such limit: only the end of input ends them.",
+       .more = "Seconds, up to 86400; 0: never. When the source falls silent, the face holds for "
+               "0.5 s, then returns to neutral within 1 s. After S seconds of silence the "
+               "connected clients get the end of the stream, {-2}; when the source comes back, the "
+               "stream goes on. The lines of a stream file on stdin or a FIFO are exempt: only the "
+               "end of input ends their stream.",
        .value = seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
       {.option = {"record", "FILE"},
        .text = "record a live source in FILE",
-       .more = "Records what is served, with its times. The file is complete at any moment and is "
-               "synced to the disk every second. Of several live sources the first is recorded; if "
-               "FILE is a folder, each is, to NAME-TIME.txt. A file that is not empty is never "
-               "overwritten. A full disk ends the recording but not the stream; the exit code is 1 "
-               "then. convert --mend repairs a recording that a power cut has truncated.",
+       .more =
+           "Records what is served, with its times. The file is complete at any moment and is "
+           "synced to the disk every second. Of several live sources only the first is recorded; "
+           "if FILE is a folder, all are, each to NAME-TIME.txt. A file that is not empty is never "
+           "overwritten. A full disk ends the recording but not the stream; the exit code is 1 "
+           "then. convert --mend repairs a recording that a power cut has truncated.",
        .value = word(options.record)},
       {.option = {"skip-bad"},
        .text = "leave broken sources out",
-       .more = "Without it, one broken source ends the start with code 3 or 4, or 2 if its name "
-               "cannot be a stream's, and SIGHUP changes nothing. If no source is left, the start "
-               "fails all the same.",
+       .more = "Without this option, one broken source makes the start fail, with exit code 3 or "
+               "4, or 2 if its name cannot be a stream's; and a SIGHUP that finds one changes "
+               "nothing. If no source is left, the start fails even with this option.",
        .value = flag(options.skip_bad)},
       {.option = {"check"},
        .text = "describe the sources, and serve nothing",
@@ -111,17 +114,18 @@ std::vector<OptionRow> upstream_rows(UpstreamSettings& upstream) {
        .heading = "Streams of other au-transmitters"},
       {.option = {"upstream-wait", "S", "10"},
        .text = "how long clients wait for a lost stream (10)",
-       .more = "Seconds, up to 86400. How long clients hold while nobody sends the stream of an "
-               "aucast:// source or of --accept-push. Then those of a live stream get {-2}, and "
-               "those of a recorded one that is incomplete are cut off; the servers are still "
-               "tried. A client that comes before the stream waits as long, but at most 8 s, and "
-               "is then refused.",
+       .more = "How long clients wait, with the face held, while nobody sends the stream of an "
+               "aucast:// source or of --accept-push: seconds, up to 86400. After that the clients "
+               "of a live stream get {-2}, and those of a recorded one that is incomplete are cut "
+               "off; its servers are still tried. A client that comes before the stream waits as "
+               "long, but at most 8 s, and is then refused.",
        .value =
            seconds(upstream.wait, 0, kTimeoutMax, "is not a number of seconds from 0 to 86400")},
       {.option = {"upstream-tls-ca", "FILE"},
        .text = "CAs to trust for aucasts://HOST",
-       .more = "The certificates of the authorities that the server of an aucasts:// source must "
-               "have its certificate from (PEM); without it those of the system.",
+       .more =
+           "The certificates of authorities (PEM), one of which must have signed the certificate "
+           "of an aucasts:// source's server. Without this option the system's authorities count.",
        .value = word(upstream.tls.authorities)},
   };
 }
@@ -130,11 +134,11 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
   return {
       {.option = {"publish", "URL"},
        .text = "send the first source over NATS, live",
-       .more =
-           "Publishes the first source over NATS under NAME, beside serving it, for "
-           "au-transmitters whose SOURCE is this address (protocol/ENGINE.md). "
-           "nats://HOST[:PORT][,HOST...]/NAME names several servers, which are tried in their "
-           "order; natss:// is over TLS. Implies --live. What comes within --batch goes together.",
+       .more = "Publishes the first source over NATS under NAME, and serves it all the same. It is "
+               "for au-transmitters whose SOURCE is this address (protocol/ENGINE.md). "
+               "nats://HOST[:PORT][,HOST...]/NAME names several servers, which are tried in their "
+               "order; natss:// is over TLS. Implies --live. What comes within the time of --batch "
+               "is sent together.",
        .value = word(engine.publish),
        .heading = "NATS"},
       {.option = {"nats-token-file", "FILE"},
@@ -144,7 +148,7 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        .value = word(engine.token)},
       {.option = {"nats-login", "FILE"},
        .text = "a file with NAME:PASSWORD",
-       .more = "A user of NATS and its password, NAME:PASSWORD, the only line of a file. It is "
+       .more = "A file whose only line is a user of NATS with the password, NAME:PASSWORD. It is "
                "sent only over TLS or to this host.",
        .value = word(engine.login)},
       {.option = {"nats-creds", "FILE"},
@@ -161,9 +165,9 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
        .value = word(engine.seed)},
       {.option = {"nats-tls-ca", "FILE"},
        .text = "CAs to trust for natss://HOST",
-       .more = "The certificates of the authorities that the servers of a natss:// address must "
-               "have theirs from (PEM); without it those of the system. A file with revocation "
-               "lists is refused, since NATS' library does not heed them.",
+       .more = "The certificates of authorities (PEM), one of which must have signed those of the "
+               "servers of a natss:// address. Without this option the system's authorities count. "
+               "A file with revocation lists is refused, since NATS' library does not heed them.",
        .value = word(engine.tls.authorities)},
       {.option = {"nats-tls-cert", "FILE"},
        .text = "the certificate to show to NATS servers",
@@ -180,12 +184,13 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
   return {
       {.option = {"push", "URL"},
        .text = "send a stream to the au-transmitter at URL",
-       .more = "Brings a stream to another au-transmitter, which is dialled from here, such as "
-               "from behind a home router: aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// "
-               "over TLS. It must run with --accept-push. NAME is the stream's name there. The "
-               "stream sent is the one called NAME here, or else the first; without NAME it is the "
-               "first, under its own name. When one of several hosts is lost, the next is used, "
-               "and all are tried again for ever. May be repeated, for several servers or streams.",
+       .more = "Brings a stream to another au-transmitter, which must run with --accept-push. It "
+               "is dialled from here, such as from behind a home router: URL is "
+               "aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. NAME is the "
+               "stream's name there. The stream that is sent is the one called NAME here or, if "
+               "there is none, the first; without NAME it is the first, under its own name. When "
+               "one of several hosts is lost, the next is used, and all are tried again for ever. "
+               "May be repeated, for several servers or streams.",
        .value = words(push.addresses),
        .heading = "Pushing"},
       {.option = {"push-token-file", "FILE"},
@@ -195,17 +200,17 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
        .value = word(push.token)},
       {.option = {"push-tls-ca", "FILE"},
        .text = "CAs to trust for aucasts:// URLs of --push",
-       .more = "The certificates of the authorities that the servers of --push aucasts:// must "
-               "have their certificates from (PEM); without it those of the system.",
+       .more = "The certificates of authorities (PEM), one of which must have signed those of the "
+               "servers of --push aucasts://. Without this option the system's authorities count.",
        .value = word(push.tls.authorities)},
       {.option = {"accept-push", "FILE"},
        .text = "serve what others push; FILE has their tokens",
        .more = "Streams that others bring by --push are served here too; a SOURCE is not needed "
                "then. FILE has one publisher a line: a token of at most 256 bytes and, after it, "
-               "the names of the streams that it may bring; without names, any. These tokens are "
-               "not those of viewers. A name has one publisher at a time, and cannot be the name "
-               "of one of this server's own streams. While a publisher is away, the clients of its "
-               "stream hold for --upstream-wait. SIGHUP reads FILE again.",
+               "the names of the streams that the publisher may bring; without names, any. These "
+               "tokens are not those of viewers. A name has one publisher at a time, and cannot be "
+               "the name of one of this server's own streams. While a publisher is away, the "
+               "clients of its stream hold for --upstream-wait. SIGHUP reads FILE again.",
        .value = word(credentials.publishers)},
   };
 }
@@ -234,8 +239,8 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        .heading = "Sending"},
       {.option = {"classic-min", "PERCENT", "20"},
        .text = "weakest AU sent to level 1 (classic) clients (20)",
-       .more = "For classic clients. Level 1 has no intensities: weaker AUs are left out, the "
-               "others are sent as fully active.",
+       .more = "For classic clients, since level 1 has no intensities: AUs weaker than this are "
+               "left out, all others are sent as fully active.",
        .value = whole(options.classic_min, 0, 100)},
       {.option = {"loop"},
        .text = "start again at the end",
@@ -251,15 +256,16 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        .text = "limit of kbit/s to each client (0: none)",
        .more = "Kilobits a second for each client, headers included, up to 1000000. The voice is "
                "subtracted first. Keyframes that come too soon are merged into the next one that "
-               "fits: the newest wins and takes the time of all of them, so the stream keeps its "
-               "length. Level 2 packets count with 52 bytes of TCP and IP headers each. --check "
-               "and --estimate show the result. A keyframe of a live source waits until it fits, "
-               "and a newer one replaces it.",
+               "fits: only the newest is sent, with the time of all of them, so the stream keeps "
+               "its length. Level 2 packets count with 52 bytes of TCP and IP headers each. "
+               "--check and --estimate show the result. A keyframe of a live source waits until it "
+               "fits, and a newer one replaces it.",
        .value = whole(options.max_kbits, 0, 1'000'000)},
       {.option = {"batch", "MS", "0"},
        .text = "send together what is due within MS (0: do not)",
-       .more = "Headers cost more than a packet, so what is written within this time goes out "
-               "together. Up to 1000 milliseconds, which delay the face by as much.",
+       .more = "Most packets are smaller than their TCP and IP headers, so what is written within "
+               "this time, up to 1000 milliseconds, goes out together. The face is delayed by up "
+               "to as much.",
        .value = whole(options.batch, 0, 1000)},
   };
 }
@@ -279,36 +285,36 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        .value = whole(options.port, 0, 65535)},
       {.option = {"reuse-port"},
        .text = "share the port with other au-transmitters",
-       .more =
-           "Several au-transmitters of one user, all with this option, listen on the same port "
-           "(and that of --web and --http), and the system spreads clients over them: one for each "
-           "processor core, or the next version beside this one. What they serve should be the "
-           "same: recordings, or streams that each relays. Each counts its own clients and limits.",
+       .more = "Several au-transmitters of one user, all with this option, listen on the same port "
+               "(and on those of --web and --http), and the system spreads clients over them. "
+               "Start one for each processor core, or the next version beside this one. What they "
+               "serve should be the same: recordings, or streams that each relays. Each counts its "
+               "own clients and limits.",
        .value = flag(options.reuse_port)},
       {.option = {"drain-time", "S", "0"},
        .text = "at exit, give clients S seconds to move elsewhere (0)",
-       .more =
-           "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, "
-           "clients of level 2 are cut off one by one, without {-2}, so that those with "
-           "--reconnect, relays and web pages go on with another au-transmitter at this address, "
-           "such as the next version with --reuse-port; a recorded stream resumes where it was. "
-           "Whoever is left then gets {-2}. A second signal, or S = 0, sends {-2} to all at once.",
+       .more = "At SIGTERM or SIGINT no new clients are accepted. Within S seconds, up to 3600, "
+               "clients of level 2 are cut off one by one, without {-2}, so that those with "
+               "--reconnect, relays and web pages go on with another au-transmitter at this "
+               "address, such as the next version with --reuse-port; a recorded stream resumes "
+               "where it was. Whoever is left after S seconds gets {-2}. A second signal, or S = "
+               "0, sends {-2} to all at once.",
        .value = seconds(options.drain_time, 0, kDrainSecondsMax,
                         "is not a number of seconds from 0 to 3600")},
       {.option = {"client-timeout", "S", "0"},
        .text = "drop clients that owe an answer for S s (0: never)",
-       .more = "Disconnects a client that has a keyframe to answer and sends no byte for so many "
-               "seconds, up to 86400; also one that takes no byte for so long, if its stream is "
-               "live or it has answered beforehand. The time does not run while a client is "
-               "paused, nor before its stream begins. TCP detects a vanished host, and a client "
-               "that stops reading, within a minute anyway.",
+       .more = "Disconnects a client that owes an answer to a keyframe and sends no byte for S "
+               "seconds, up to 86400. A client that takes no byte for as long is disconnected too, "
+               "if its stream is live or if it has sent its answers in advance. The time does not "
+               "run while a client is paused, nor before its stream begins. TCP detects a vanished "
+               "host, and a client that stops reading, within a minute anyway.",
        .value = seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {.option = {"max-clients", "N", "0"},
        .text = "most clients at a time (0: as the system allows)",
        .more = "The number of clients at a time. One client too many is closed, with {error 503 "
-               "...} if it sent a hello. 0 is as many as there are file descriptors, less 128, and "
-               "as free memory at the start is enough for, at 64 KiB each. The soft limit of "
-               "descriptors (ulimit -n) is raised to the hard limit at the start.",
+               "...} if it sent a hello. 0 allows the smaller of two numbers: the file descriptors "
+               "less 128, and the memory that is free at the start divided by 64 KiB. The soft "
+               "limit of descriptors (ulimit -n) is raised to the hard limit at the start.",
        .value = whole(options.max_clients, 0, kClientsMax)},
       {.option = {"max-clients-per-address", "N", "0"},
        .text = "most clients from one address (0: any number)",
@@ -334,9 +340,9 @@ std::vector<OptionRow> credential_rows(CredentialFiles& files) {
       {.option = {"tls-client-ca", "FILE"},
        .text = "require client certificates signed by these CAs",
        .more = "Clients must show a certificate that one of these authorities has signed (PEM). If "
-               "the file has revocation lists too, clients that are in one are refused, and so are "
-               "those of an authority whose list is missing or out of date. Only the client's own "
-               "certificate is looked up, not those of intermediate authorities.",
+               "the file has revocation lists too, a client whose certificate is in one is "
+               "refused, and so is one whose authority's list is missing or out of date. Only the "
+               "client's own certificate is looked up, not those of intermediate authorities.",
        .value = word(files.tls.authorities)},
       {.option = {"token-file", "FILE"},
        .text = "the token that viewers must show",
@@ -351,11 +357,11 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
   return {
       {.option = {"web", "ADDR:PORT"},
        .text = "serve the page for browsers at http://ADDR:PORT/",
-       .more =
-           "The player as a web page at / and the protocol over WebSocket at /aucast "
-           "(http://ADDR:PORT/). The line \"web on ADDR:PORT\" follows \"listening on\" when it is "
-           "ready. --max-clients, --token-file and all other limits hold for both. Without "
-           "--web-cert, viewers on other hosts should come through a proxy that speaks https.",
+       .more = "Serves the player as a web page at http://ADDR:PORT/, and the protocol over "
+               "WebSocket at /aucast there. The line \"web on ADDR:PORT\" follows \"listening on\" "
+               "when the page is ready. --max-clients, --token-file and all other limits hold for "
+               "its viewers as well. Without --web-cert, viewers on other hosts should come "
+               "through a proxy that speaks https.",
        .value = parsed(Kind::Word, read_address, web.address),
        .heading = "Page for browsers"},
       {.option = {"web-cert", "FILE"},
@@ -369,10 +375,10 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
        .value = word(files.key)},
       {.option = {"web-host", "NAME"},
        .text = "a further host name of the page",
-       .more = "A name that --web answers for, beside IP addresses, localhost and the names of "
-               "--web-cert: its own, or that of a proxy in front of it. Pages of these names may "
-               "watch by WebSocket too, such as a course page that holds a face. *.NAME stands for "
-               "one more label. May be repeated.",
+       .more = "A host name under which --web may be reached, beside IP addresses, localhost and "
+               "the names of --web-cert: its own, or that of a proxy in front of it. Pages of "
+               "these hosts may watch by WebSocket too, such as a course page that holds a face. "
+               "*.NAME stands for NAME with one more label before it. May be repeated.",
        .value = words(web.hosts)},
       {.option = {"web-trusted-proxy", "ADDR"},
        .text = "a reverse proxy in front of the page",
@@ -387,8 +393,8 @@ std::vector<OptionRow> status_rows(TransmitterOptions& options) {
   return {
       {.option = {"stats", "FILE.json"},
        .text = "write statistics at exit",
-       .more = "Statistics of every client, written completely or not at all. The totals cover "
-               "every client; the latest 1000 are listed.",
+       .more = "Writes totals over all clients, and a list of the latest 1000 with statistics of "
+               "each. The file is written completely or not at all.",
        .value = word(options.stats),
        .heading = "Status, settings, log"},
       {.option = {"http", "ADDR:PORT"},
@@ -405,13 +411,15 @@ std::vector<OptionRow> program_rows(TransmitterOptions& options) {
   return {
       {.option = {"config", "FILE"},
        .text = "read settings from FILE (TOML)",
-       .more = "These options as name = value, one per line. Read before the environment and the "
-               "command line. Without it /etc/aucast/au-transmitter.toml is read if it exists; "
-               "--config /dev/null reads none.",
+       .more =
+           "FILE has these options as name = value, one per line. It is read before the "
+           "environment and the command line, which win over it. Without this option "
+           "/etc/aucast/au-transmitter.toml is read if it exists; --config /dev/null reads none.",
        .where = Where::Typed},
       {.option = {"print-config"},
        .text = "print all settings, and where each comes from",
-       .more = "Each with where it comes from. The output is a settings file for --config.",
+       .more = "Prints each setting, and where it comes from. The output is a settings file for "
+               "--config.",
        .value = flag(),
        .where = Where::Typed},
       {.option = {"log-level", "LEVEL", "info"},

@@ -93,9 +93,10 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
   return {
       {.option = {"distance"},
        .text = "send the distance of the head as AUs 57, 58",
-       .more = "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 "
-               "(back), 100 % for 14 mm, relative to the neutral face or, without one, to the "
-               "first second. Heads move further than that: --gain 57=0.1,58=0.1 makes it 14 cm.",
+       .more =
+           "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 (back), "
+           "100 % for 14 mm, relative to the neutral face or, without one, to the first second. "
+           "Heads move further than that: --gain 57=0.1,58=0.1 makes 100 % stand for 14 cm.",
        .value = flag(options.distance)},
       {.option = {"neutral", "SECONDS"},
        .text = "subtract the face of the first SECONDS, or auto",
@@ -103,12 +104,12 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
                "of the rotations of head and eyes is the neutral face, which is subtracted from "
                "every row. While it measures, a live source subtracts the median so far. 0: no "
                "neutral face, whatever the profile has. auto, the default for films and cameras: "
-               "head and eyes count as straight where they mostly are, and the neutral face is "
-               "that of the moments with the weakest AUs; in a table only head and eyes are "
-               "straightened, and the AUs stay as they are.",
+               "head and eyes count as straight where they usually are, and the neutral face is "
+               "that of the moments with the weakest AUs. In a table, auto straightens only head "
+               "and eyes, and leaves the AUs as they are.",
        .value = parsed(OptionValue::Kind::Number, read_neutral, options)},
       {.option = {"gain", "LIST"},
-       .text = "factors: 1.2 for all AUs, 45=1.6 for AU 45 (1)",
+       .text = "factors, such as 1.2 for all or 45=1.6 for AU 45 (1)",
        .more = "Numbers from 0 to 10, separated by commas: a number alone is for every AU, 45=1.6 "
                "for AU 45, L12=1.2 for the left side of AU 12; later ones win. Applied after the "
                "neutral face is subtracted; the result is limited to 100 %.",
@@ -123,10 +124,10 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
       {.option = {"dead-band", "LIST"},
        .text = "least change sent, in percent, such as 3 or 45=0 (2)",
        .more = "Whole percents from 0 to 50, for all AUs or for some, as with --gain; 2 for every "
-               "AU that is not named. Without it, jitter makes up about half of the bytes. An "
-               "intensity is sent when it has changed by this much since it was last sent, so its "
-               "error stays below that; a change to 0 is always sent. 0 sends everything. Stream "
-               "files and convert are not affected.",
+               "AU that is not named. An intensity is sent when it has changed by this much since "
+               "it was last sent, so its error stays below that; a change to 0 is always sent. 0 "
+               "sends every change; because of jitter that takes about half as many bytes again. "
+               "Stream files and convert are not affected.",
        .value = parsed(OptionValue::Kind::Number, read_dead_band, options.dead_band)},
       {.option = {"profile", "FILE"},
        .text = "load a person's neutral face, gain, dead band, filter",
@@ -135,10 +136,11 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
                "for live sources too.",
        .value = word(options.profile)},
       {.option = {"save-profile", "FILE"},
-       .text = "save them to FILE",
-       .more = "Writes what profile and options amount to, completely or not at all: with "
-               "--neutral once the neutral face is measured, which requires a single source of a "
-               "recogniser; otherwise at the start. Load it with --profile FILE.",
+       .text = "save neutral face, gain, dead band, filter to FILE",
+       .more = "Writes the neutral face, gain, dead band and filter that profile and options "
+               "together give, completely or not at all. With --neutral it is written once the "
+               "neutral face is measured, which requires a single source of a recogniser; "
+               "otherwise at the start. Load it with --profile FILE.",
        .value = word(options.save_profile)},
   };
 }

@@ -81,12 +81,13 @@ std::vector<OptionRow> camera_rows(camera::CameraOptions& options) {
   return {
       {.option = {"camera-size", "WxH", "640x480"},
        .text = "size to ask a camera for (640x480)",
-       .more = "The size that a camera is asked for. Faces are read from 640 pixels at most.",
+       .more = "The size that a camera is asked for. Larger pictures are reduced to at most "
+               "640x640 pixels before faces are read in them.",
        .value = parsed(Kind::Word, read_size, options)},
       {.option = {"camera-fps", "N", "30"},
        .text = "pictures a second to ask a camera for (30)",
-       .more = "The pictures a second that a camera is asked for, 1 to 120. Those that come while "
-               "the one before is read are dropped.",
+       .more = "The pictures a second that a camera is asked for, 1 to 120. A picture that comes "
+               "while the one before is still being read is dropped.",
        .value = whole(options.fps, 1, 120)},
   };
 }
@@ -110,18 +111,18 @@ std::vector<OptionRow> recording_rows(SourceOptions& options) {
        .value = parsed(Kind::Number, read_au_scale, recording.au_scale)},
       {.option = {"min-confidence", "C", "0.5"},
        .text = "skip rows with less confidence, 0 to 1 (0.5)",
-       .more = "Rows with a lower confidence, 0 to 1, count as no data: the face holds for 0.5 s "
-               "and returns to neutral within 1 s.",
+       .more = "Rows with a lower confidence, 0 to 1, count as no data. While there is no data, "
+               "the face holds for 0.5 s, then returns to neutral within 1 s.",
        .value = real(recording.confidence_min, 0, 1, "is not a number from 0 to 1")},
       {.option = {"face-id", "N"},
        .text = "which of several faces, or all",
        .more =
            "Which of several faces. Without it: the most frequent one of a recording, the first "
-           "one of a live source, the clearest of a film or camera, whose faces count from 0 as "
-           "they are first seen. With all, each face is a stream of its own, STEM-FACE such as "
-           "webcam-0. A recording gives at most 64, the most frequent first. A live source gives "
-           "at most 16, each from when it is first seen; before them comes a stream without a "
-           "number, which exists from the start and follows one of the faces.",
+           "one of a live source, the clearest one of a film or camera. Faces of films and cameras "
+           "are counted from 0 as they are first seen. With all, each face is a stream of its own, "
+           "STEM-FACE such as webcam-0. A recording gives at most 64, the most frequent first. A "
+           "live source gives at most 16, each from when it is first seen; before them comes a "
+           "stream without a number, which exists from the start and follows one of the faces.",
        .value = parsed(Kind::Number, read_face_id, recording)},
   };
 }

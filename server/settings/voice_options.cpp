@@ -31,10 +31,10 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        .text = "sound of the first source (talk.wav for talk.txt)",
        .more = "A sound file (WAV, FLAC, Ogg Opus, Ogg Vorbis, MP3) beside a source, with the same "
                "name but .wav, .flac, .opus, .ogg or .mp3, is its voice, which clients that ask "
-               "for it get with the face; a .vtt file there has its captions. This option names "
-               "another file for the first source. For a live source it is - or a FIFO with raw "
-               "sound: 16-bit signed little-endian, 16000 Hz, mono, as arecord -f S16_LE -r 16000 "
-               "-c 1 -t raw writes it.",
+               "for it get with the face. A .vtt file there has the captions. This option names "
+               "another sound file for the first source. For a live source it is - (stdin) or a "
+               "FIFO with raw sound: 16-bit signed little-endian, 16000 Hz, mono, as arecord -f "
+               "S16_LE -r 16000 -c 1 -t raw writes it.",
        .value = word(options.file),
        .heading = "Voice"},
       {.option = {"no-voice"},
@@ -43,8 +43,8 @@ std::vector<OptionRow> voice_rows(VoiceOptions& options) {
        .value = flag(options.none)},
       {.option = {"voice-delay", "MS", "0"},
        .text = "delay the sound by MS (0)",
-       .more = "Milliseconds, -10000 to 10000: how much later the sound is heard with the face, "
-               "for a recogniser whose results come later than the sound from the microphone; a "
+       .more = "How much later than the face the sound is played: -10000 to 10000 milliseconds. It "
+               "is for a recogniser whose results come later than the sound from the microphone; a "
                "negative number makes the sound come earlier, for a microphone that is later than "
                "the recogniser.",
        .value = whole(options.delay, -kDelayMsMax, kDelayMsMax)},

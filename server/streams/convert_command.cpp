@@ -41,14 +41,15 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
       {.option = {"in", "IN"},
        .text = "a stream file, a table of a recogniser, or a film",
        .more = "A stream file, or a table of OpenFace 1 or 2, FACSvatar, Py-Feat, LibreFace, "
-               "FaceReader, iMotions, Live Link Face or MediaPipe, told by its columns; or a film "
-               "of a face, told by its ending (.mp4, .mov, .mkv, .webm, .avi and others).",
+               "FaceReader, iMotions, Live Link Face or MediaPipe, recognised by its columns; or a "
+               "film of a face, recognised by its extension (.mp4, .mov, .mkv, .webm, .avi and "
+               "others).",
        .value = word(options.in),
        .where = Where::Positional},
       {.option = {"out", "OUT"},
        .text = "the stream file; - for stdout; NAME.csv: OpenFace 2",
-       .more = "The stream file to write, or - for stdout. A name in .csv is written as a table of "
-               "OpenFace 2.",
+       .more = "The stream file to write, or - for stdout. If its name ends in .csv, it is written "
+               "as a table of OpenFace 2.",
        .value = word(options.out),
        .where = Where::Positional},
       {.option = {"more", "IN..."},
@@ -57,13 +58,12 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
        .where = Where::Positional},
       {.option = {"to", "DIR"},
        .text = "write each IN to DIR/NAME.txt, in place of OUT",
-       .more = "Every name is a source then, and each becomes a stream file of its name in this "
-               "folder.",
+       .more = "Then every IN is a source, and becomes a stream file of its name in this folder.",
        .value = word(options.to)},
       {.option = {"mend"},
        .text = "convert what is intact of IN, a truncated file",
-       .more =
-           "IN is a stream file truncated by a power cut: converts what is intact of it to OUT.",
+       .more = "IN is a stream file truncated by a power cut. What is intact of it is converted to "
+               "OUT.",
        .value = flag(options.mend)},
       {.option = {"keyframe", "MS", "250"},
        .text = "how long keyframes without a time last (250)",
@@ -75,8 +75,8 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
     if (row.option.name != "face-id") continue;
     row.text = "which of several faces";
     row.more =
-        "Which of several faces. Without it: the most frequent one of a recording, the clearest of "
-        "a film, whose faces count from 0 as they are first seen.";
+        "Which of several faces. Without it: the most frequent one of a recording, the clearest "
+        "one of a film. Faces of films are counted from 0 as they are first seen.";
   }
   rows.push_back(help_rows().front());
   return rows;
@@ -259,8 +259,8 @@ CommandPage convert_page() {
                     "au-transmitter convert [OPTIONS] --to DIR IN..."},
           .about =
               "Converts a recording, a film or a stream file to a stream file or an OpenFace\n"
-              "table. All changes are kept, however small: the dead band of a profile is not\n"
-              "applied.\n"
+              "table. Every change of an intensity is written, however small: the dead band of\n"
+              "a profile is not applied.\n"
               "In parentheses: defaults.\n",
           .rows = unbound(rows_of(described)),
           .examples = {"au-transmitter convert webcam.csv talk.txt",
