@@ -10,7 +10,6 @@
 #include "client/app/commands/clocked_run.h"
 #include "client/app/commands/export_command.h"
 #include "client/app/commands/pose_command.h"
-#include "client/app/film/film.h"
 #include "client/app/gallery/gallery_command.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
@@ -18,6 +17,7 @@
 #include "client/app/sound_device.h"
 #include "client/app/stream_files.h"
 #include "client/app/stream_table.h"
+#include "client/app/video/video_run.h"
 #include "client/app/window/settings/window_settings.h"
 #include "client/app/window/window_run.h"
 #include "client/net/remote_source.h"
@@ -154,7 +154,7 @@ Result<void> play(const PlayerOptions& given, const net::Security& security, Pla
     done =
         run_window(**assets, options, playback, std::move(sound_out), settings, stop_asked, stats);
   } else if (options.output.fast) {
-    done = run_film(**assets, options, *playback, track->get(), stop_asked, stats);
+    done = run_video(**assets, options, *playback, track->get(), stop_asked, stats);
   } else {
     run_clocked(**assets, options, *playback, std::move(sound_out), track->get(), stop_asked,
                 stats);

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 """Measures whether the lips that au-speaker makes are shut when the voice says p, b and m.
 
-    scripts/lips_check.py [--bin FOLDER] [--language L] [--film FILE] [--check] [TEXT]
+    scripts/lips_check.py [--bin FOLDER] [--language L] [--video FILE] [--check] [TEXT]
     scripts/lips_check.py --reading [--bin FOLDER] [--check] [TEXT]
 
 TEXT is a lecture as au-speaker reads it (scripts/lecture_words.txt; reading_words.txt).
 
 First form, a typed lecture. The truth is the WAV itself: before the burst of p and b, and during m,
-its energy above some 1000 Hz dips. The lips are those of the film: face-player draws a hundred
+its energy above some 1000 Hz dips. The lips are those of the video: face-player draws a hundred
 pictures a second, in which the mouth's dark and its teeth are counted (head still, --gestures 0).
 Prints how many closures are shut in the pictures, how far the middle of the shut lips is from the
 middle of the dip (lips that stay shut for more than 0.2 s are right all the while), and at which lag
-the mouth's opening and the voice's envelope agree best. --film: measures a film that was made so
+the mouth's opening and the voice's envelope agree best. --video: measures a video that was made so
 before; making it takes some minutes.
 
 Second form, a recorded voice with its transcript: another synthesiser (flite's slt, by its library)
@@ -107,10 +107,10 @@ def speak(options, folder, *more):
                     folder / "labels.txt", *more], check=True)
 
 
-def openings(film):
+def openings(video):
     """Of each picture: how many pixels of the mouth are dark inside or teeth."""
     process = subprocess.Popen(
-        ["ffmpeg", "-v", "error", "-i", film, "-vf", f"scale={SIZE}:{SIZE}", "-pix_fmt", "rgb24",
+        ["ffmpeg", "-v", "error", "-i", video, "-vf", f"scale={SIZE}:{SIZE}", "-pix_fmt", "rgb24",
          "-f", "rawvideo", "-"], stdout=subprocess.PIPE)
     left, right, top, bottom = BOX
     counts = []
@@ -140,14 +140,15 @@ def best_lag_ms(opening, loud):
 
 def typed(options, folder):
     speak(options, folder)
-    film = options.film
-    if film is None:
-        film = folder / "talk.mp4"
+    video = options.video
+    if video is None:
+        video = folder / "talk.mp4"
         subprocess.run([options.bin / "face-player", "play", folder / "talk.txt", "--headless",
-                        "--fps", str(FPS), "--size", f"{SIZE}x{SIZE}", "--record", film], check=True)
+                        "--fps", str(FPS), "--size", f"{SIZE}x{SIZE}", "--record", video],
+                       check=True)
     samples, rate = read_wav(folder / "talk.wav")
     sharp = smoothed(envelope(samples, rate, 2), 1)
-    opening = openings(film)
+    opening = openings(video)
     widest = sorted(opening)[len(opening) * 95 // 100]
     errors, open_ones = [], []
     sounds = [sound for sound in labels(folder / "labels.txt") if is_lips(sound[2])]
@@ -283,7 +284,7 @@ def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     parser.add_argument("--bin", type=pathlib.Path, default=root / "build" / "release" / "bin")
     parser.add_argument("--language", default="en-gb")
-    parser.add_argument("--film", type=pathlib.Path)
+    parser.add_argument("--video", type=pathlib.Path)
     parser.add_argument("--reading", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("text", nargs="?", type=pathlib.Path)

@@ -75,7 +75,7 @@ class TidyTest(unittest.TestCase):
             ("common", "common/sources"), ("common", "common/tls"), ("common", "common/link"),
             ("common/sources", "common/tls"), ("protocol", "common/sources"),
             ("server/live", "server/serve"), ("server/live", "client/face"),
-            ("client/face", "client/playback"), ("client/app/film", "client/app/window"),
+            ("client/face", "client/playback"), ("client/app/video", "client/app/window"),
             ("client/app/window", "server/live"),
         ):
             self.assertNotIn(other, tidy.MAY_INCLUDE[folder])

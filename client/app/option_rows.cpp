@@ -256,7 +256,7 @@ OptionRow fps_row(OutputOptions& output) {
       .value = whole(output.fps, 1, view::kVideoFpsMax)};
 }
 
-std::vector<OptionRow> film_rows(PlayerOptions& options) {
+std::vector<OptionRow> video_rows(PlayerOptions& options) {
   OutputOptions& output = options.output;
   return {
       {.option = {"frames", "DIR"},
@@ -586,7 +586,7 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   append(rows, face_rows(options.face));
   append(rows, rules_rows(options.face));
   append(rows, picture_rows(options.output));
-  if (plays) append(rows, film_rows(options));
+  if (plays) append(rows, video_rows(options));
   append(rows, program_rows(options));
   append(rows, help_rows());
   return rows;

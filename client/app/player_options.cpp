@@ -149,7 +149,7 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
       return usage_error("--onsets tells when the window showed a face: there is none");
     }
     if (options.output.fast && buffers.low_delay) {
-      return usage_error("--live is for watching; --fast and pictures run on the film clock");
+      return usage_error("--live is for watching; --fast and pictures run on the video clock");
     }
   }
   return {};
@@ -247,14 +247,14 @@ Command take_command(std::vector<std::string>& arguments) {
 
 }  // namespace
 
-bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output) {
+bool wants_video_sound(const SoundOptions& sound, const OutputOptions& output) {
   const std::string ending = file_ending(output.record);
   return !sound.none && (!sound.file.empty() || ending == ".mp4" || ending == ".webm");
 }
 
 bool PlayerOptions::wants_voice() const {
   if (sound.none) return false;
-  if (output.fast) return wants_film_sound(sound, output);
+  if (output.fast) return wants_video_sound(sound, output);
   return !headless || sound.device.has_value();
 }
 

@@ -92,8 +92,8 @@ struct SoundOptions {
   std::optional<std::string> device;  ///< --sound-device; "default" is the system's
 };
 
-/// Whether a video with sound is written.
-[[nodiscard]] bool wants_film_sound(const SoundOptions& sound, const OutputOptions& output);
+/// Whether sound is written: to the file of --sound or into a video.
+[[nodiscard]] bool wants_video_sound(const SoundOptions& sound, const OutputOptions& output);
 
 struct PoseOptions {
   std::string aus;  ///< for pose and rules; written as in a packet

@@ -32,7 +32,7 @@ struct Sampling {
 using AtSample = std::function<bool(double seconds, const pipeline::FaceState& face)>;
 
 /// Calls `at_sample` every 1 / fps seconds, from the neutral face at 0 s to the end of the last
-/// keyframe: the same faces as in a film's pictures.
+/// keyframe: the same faces as in a video's pictures.
 void for_each_sample(const pipeline::AuMapping& mapping,
                      std::span<const playback::Keyframe> keyframes, const Sampling& sampling,
                      const AtSample& at_sample);

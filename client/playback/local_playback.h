@@ -61,7 +61,7 @@ class LocalPlayback {
   void seek(Duration position, Instant now);
   /// Goes to the next keyframe's end (+1) or the previous one's (-1), and stays there.
   void step_keyframe(int direction, Instant now);
-  /// Steps likewise by the pictures that a film of the stream would have, `fps` a second from the
+  /// Steps likewise by the pictures that a video of the stream would have, `fps` a second from the
   /// stream's beginning. The stream's end counts as the last picture.
   void step_at_rate(int direction, int fps, Instant now);
   /// Steps likewise by the pictures of the source; there must be a picture_time(). Each keyframe is

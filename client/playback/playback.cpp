@@ -27,7 +27,7 @@ SourcePlayback::SourcePlayback(std::unique_ptr<KeyframeSource> source, const Opt
     : source_(std::move(source)), controller_(options.speed) {
   AUCAST_CHECK(source_ != nullptr);
   if (options.hold) controller_.set_hold(*options.hold);
-  if (options.film_clock) controller_.set_film_clock();
+  if (options.video_clock) controller_.set_video_clock();
 }
 
 std::optional<KeyframeBegun> SourcePlayback::advance(Instant now) {

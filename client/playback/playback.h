@@ -78,7 +78,7 @@ class SourcePlayback final : public Playback {
     std::optional<Milliseconds> speed{};  ///< the time of a keyframe that has none of its own;
                                           ///< nullopt: the server's default
     std::optional<Milliseconds> hold{};   ///< PlaybackController::set_hold()
-    bool film_clock = false;              ///< PlaybackController::set_film_clock()
+    bool video_clock = false;             ///< PlaybackController::set_video_clock()
   };
   SourcePlayback(std::unique_ptr<KeyframeSource> source, const Options& options);
 

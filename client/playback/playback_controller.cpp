@@ -151,7 +151,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
 
   time_ = keyframe->time ? *keyframe->time : speed_ ? *speed_ : source.status().keyframe_time;
   AUCAST_CHECK(time_ >= Milliseconds::zero());
-  if (film_clock_) {
+  if (video_clock_) {
     keyframe->pace_percent = 100;
     keyframe->arrived.reset();
     keyframe->due.reset();

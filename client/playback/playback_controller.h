@@ -74,9 +74,9 @@ class PlaybackController {
   /// default it never does.
   void set_hold(Milliseconds hold) { hold_ = hold; }
   static constexpr Milliseconds kEaseTime{1000};
-  /// The times handed in are those of a film clock, unrelated to arrivals: every keyframe takes its
-  /// own time, live or not, and no delay is measured.
-  void set_film_clock() { film_clock_ = true; }
+  /// The times handed in are those of a video clock, unrelated to arrivals: every keyframe takes
+  /// its own time, live or not, and no delay is measured.
+  void set_video_clock() { video_clock_ = true; }
   /// As Playback::set_clock().
   void set_clock(Duration ahead, Duration lead) {
     ahead_ = ahead;
@@ -140,7 +140,7 @@ class PlaybackController {
   DelayMeter delays_meant_;
   Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
-  bool film_clock_ = false;
+  bool video_clock_ = false;
   Duration ahead_{0};
   Duration lead_{0};
   std::optional<Milliseconds> place_;  ///< where the keyframe under way ends

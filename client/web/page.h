@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "client/app/film/face_view.h"
+#include "client/app/video/face_view.h"
 #include "client/net/stream_question.h"
 #include "client/pipeline/au_mapping.h"
 #include "client/playback/caption_line.h"

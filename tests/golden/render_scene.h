@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "client/app/film/face_scene.h"
+#include "client/app/video/face_scene.h"
 #include "client/face/face.h"
 #include "client/face/face_deformer.h"
 #include "client/view/scene.h"

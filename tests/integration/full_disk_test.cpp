@@ -34,11 +34,11 @@ class FullDisk : public ::testing::Test {
 };
 
 TEST_F(FullDisk, WhileRecordingFailsAndLeavesNoHalfVideo) {
-  const Finished done = run_on_small_disk(8, "--record DISK/film.mp4");
+  const Finished done = run_on_small_disk(8, "--record DISK/video.mp4");
   EXPECT_EQ(done.exit_code, 1) << done.err;
-  EXPECT_NE(done.err.find("film.mp4"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("video.mp4"), std::string::npos) << done.err;
   EXPECT_NE(done.err.find("No space left on device"), std::string::npos) << done.err;
-  EXPECT_EQ(done.out.find("film"), std::string::npos) << done.out;
+  EXPECT_EQ(done.out.find("video.mp4"), std::string::npos) << done.out;
 }
 
 TEST_F(FullDisk, WhileWritingPicturesFailsAndLeavesOnlyWholeOnes) {

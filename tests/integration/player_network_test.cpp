@@ -123,7 +123,7 @@ TEST(PlayerNetwork, SaysOfEveryLossThatThereIsNoConnection) {
   expect_two_losses_told({});
 }
 
-TEST(PlayerNetwork, SaysOfEveryLossInARunOnTheFilmClockToo) {
+TEST(PlayerNetwork, SaysOfEveryLossInARunOnTheVideoClockToo) {
   expect_two_losses_told({"--fast"});
 }
 

@@ -1,4 +1,4 @@
-// The real face-player with a voice: films by the film clock, and a device that nobody hears.
+// The real face-player with a voice: videos by the video clock, and a device that nobody hears.
 
 #include <gtest/gtest.h>
 

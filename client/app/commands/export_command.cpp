@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "client/app/assets.h"
-#include "client/app/film/glb_export.h"
 #include "client/app/stream_files.h"
+#include "client/app/video/glb_export.h"
 #include "client/sound/file_track.h"
 
 namespace aucast::app {

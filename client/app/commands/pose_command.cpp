@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "client/app/assets.h"
-#include "client/app/film/obj_writer.h"
-#include "client/app/film/picture_maker.h"
-#include "client/app/film/picture_notes.h"
+#include "client/app/video/obj_writer.h"
+#include "client/app/video/picture_maker.h"
+#include "client/app/video/picture_notes.h"
 #include "client/face/au_blender.h"
 #include "client/face/face_deformer.h"
 #include "client/face/side_word.h"

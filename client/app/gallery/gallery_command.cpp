@@ -11,11 +11,11 @@
 #include <sstream>
 
 #include "client/app/assets.h"
-#include "client/app/film/picture_maker.h"
-#include "client/app/film/picture_notes.h"
-#include "client/app/film/picture_sinks.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
+#include "client/app/video/picture_maker.h"
+#include "client/app/video/picture_notes.h"
+#include "client/app/video/picture_sinks.h"
 #include "client/gallery/gallery_manifest.h"
 #include "client/gallery/gallery_page.h"
 #include "client/gallery/gallery_plan.h"

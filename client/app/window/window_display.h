@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "client/app/assets.h"
-#include "client/app/film/face_view.h"
 #include "client/app/player_options.h"
 #include "client/app/start_times.h"
+#include "client/app/video/face_view.h"
 #include "client/app/window/pace_meter.h"
 #include "client/app/window/window_keys.h"
 #include "client/gui/model/gui_commands.h"

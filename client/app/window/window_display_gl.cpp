@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/app/film/shot.h"
 #include "client/app/steady.h"
+#include "client/app/video/shot.h"
 #include "client/app/window/close_nearest.h"
 #include "client/app/window/thumbnails/face_thumbnails.h"
 #include "client/app/window/thumbnails/keyframe_thumbnails.h"

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "client/app/film/picture_notes.h"
+#include "client/app/video/picture_notes.h"
 #include "client/app/window/playing/playing_stream.h"
 #include "client/app/window/settings/window_style.h"
 #include "client/gui/texts/texts.h"
@@ -68,10 +68,10 @@ void WindowPictures::toggle_video(Instant now) {
 }
 
 void WindowPictures::advance(Instant now) {
-  const auto film = [this](int width, int height) {
-    return display_.picture(width, height, Sharpness::Film, style());
+  const auto picture = [this](int width, int height) {
+    return display_.picture(width, height, Sharpness::Video, style());
   };
-  if (const auto shown = video_.record(film, now); !shown) complain(shown.error(), now);
+  if (const auto shown = video_.record(picture, now); !shown) complain(shown.error(), now);
   tell_of_video(now);
 }
 

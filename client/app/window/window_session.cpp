@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "client/app/film/glb_export.h"
 #include "client/app/gallery/gallery_command.h"
+#include "client/app/video/glb_export.h"
 #include "client/app/window/making/face_commands.h"
 #include "client/gui/model/view_text.h"
 #include "client/gui/texts/said_text.h"

@@ -191,11 +191,11 @@ TEST(PlayerOptions, LiveIsTheLowestDelayAndNoOther) {
       << "which is for recorded streams";
   EXPECT_NE(refused({"h", "--live", "--live-delay", "100"}).find("--live"), std::string::npos);
   EXPECT_NE(refused({"h", "--live", "--buffer", "100ms"}).find("--live"), std::string::npos);
-  EXPECT_NE(refused({"h", "--live", "--sheet", "s.png"}).find("film clock"), std::string::npos);
-  EXPECT_NE(refused({"h", "--live", "--fast"}).find("film clock"), std::string::npos);
+  EXPECT_NE(refused({"h", "--live", "--sheet", "s.png"}).find("video clock"), std::string::npos);
+  EXPECT_NE(refused({"h", "--live", "--fast"}).find("video clock"), std::string::npos);
 }
 
-TEST(PlayerOptions, PicturesRunOnTheFilmClock) {
+TEST(PlayerOptions, PicturesRunOnTheVideoClock) {
   for (const Arguments& output : {Arguments{"--frames", "d"}, Arguments{"--record", "f.mp4"},
                                   Arguments{"--sheet", "s.png"}, Arguments{"--fast"}}) {
     Arguments arguments{"play", "x.txt"};
@@ -277,10 +277,10 @@ TEST(PlayerOptions, TheMirrorsCameraStandsWhereAServerWould) {
   ASSERT_TRUE(plain);
   EXPECT_TRUE(plain->shows_mirror);
   EXPECT_EQ(plain->mirror.source, "camera");
-  const auto film = parse_player_options({"--mirror", "camera:/dev/video2", "--face", "marek"});
-  ASSERT_TRUE(film);
-  EXPECT_EQ(film->mirror.source, "camera:/dev/video2");
-  EXPECT_EQ(film->playback.endpoint, "");
+  const auto other = parse_player_options({"--mirror", "camera:/dev/video2", "--face", "marek"});
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->mirror.source, "camera:/dev/video2");
+  EXPECT_EQ(other->playback.endpoint, "");
   EXPECT_NE(refused({"--mirror", "--headless"}).find("--mirror"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--record", "a.mp4"}).find("--mirror"), std::string::npos);
   EXPECT_NE(refused({"--mirror", "--list"}).find("--mirror"), std::string::npos);

@@ -124,7 +124,7 @@ TEST_F(LocalPlaybackTest, StepsByKeyframeGoToTheNextFaceThatIsReached) {
   EXPECT_EQ(at(), Milliseconds(0));
 }
 
-TEST_F(LocalPlaybackTest, AStepByFrameIsAPictureOfAFilmHoweverLongTheKeyframes) {
+TEST_F(LocalPlaybackTest, AStepByFrameIsAPictureOfAVideoHoweverLongTheKeyframes) {
   const auto step = [this](int direction) { playback_.step_at_rate(direction, 25, clock_.now()); };
   step(-1);
   EXPECT_EQ(at(), Milliseconds(0));

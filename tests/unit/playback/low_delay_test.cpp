@@ -255,15 +255,15 @@ TEST(LowDelay, CountsFromTheArrivalToTheFace) {
   EXPECT_EQ(controller.delays_meant().all().median, 42ms);
 }
 
-TEST(LowDelay, OfAFilmIsNone) {
+TEST(LowDelay, OnTheVideoClockIsNone) {
   LinkSource source(40ms);
   PlaybackController controller(std::nullopt);
-  controller.set_film_clock();
+  controller.set_video_clock();
   source.arrive(ManualClock().now());
-  Instant film{};
-  EXPECT_TRUE(controller.advance(film, source));
-  film += 40ms;
-  EXPECT_FALSE(controller.advance(film, source));
+  Instant now{};
+  EXPECT_TRUE(controller.advance(now, source));
+  now += 40ms;
+  EXPECT_FALSE(controller.advance(now, source));
   EXPECT_EQ(controller.keyframes_played(), 1U) << "after its own time";
   EXPECT_EQ(controller.delays().all().keyframes, 0U);
 }

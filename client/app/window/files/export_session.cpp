@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "client/app/film/obj_writer.h"
+#include "client/app/video/obj_writer.h"
 #include "client/app/window/files/au_table.h"
 #include "client/app/window/making/composition_file.h"
 #include "client/face/face_deformer.h"

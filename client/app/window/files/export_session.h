@@ -22,7 +22,7 @@ namespace aucast::app {
 /// Thread: the player's.
 class ExportSession {
  public:
-  /// Writes a GLB file (film/glb_export.h); called on another thread.
+  /// Writes a GLB file (video/glb_export.h); called on another thread.
   using MakeGlb = std::function<Result<std::string>(
       const PlayerOptions& options, const std::vector<playback::Keyframe>& keyframes,
       const std::string& name, BackgroundWork::Course& course)>;

@@ -1,6 +1,6 @@
 #include "client/app/window/settings/window_style.h"
 
-#include "client/app/film/shot.h"
+#include "client/app/video/shot.h"
 
 namespace aucast::app {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "client/app/film/face_view.h"
-#include "client/app/film/shot.h"
+#include "client/app/video/face_view.h"
+#include "client/app/video/shot.h"
 
 namespace aucast::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/app/film/face_view.h"
+#include "client/app/video/face_view.h"
 #include "client/face/face.h"
 #include "client/gui/model/thumbnails.h"
 #include "client/render/picture_texture.h"

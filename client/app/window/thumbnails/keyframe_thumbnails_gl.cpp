@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "client/app/film/shot.h"
+#include "client/app/video/shot.h"
 
 namespace aucast::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "client/app/film/picture_maker.h"
+#include "client/app/video/picture_maker.h"
 
 namespace aucast::app {
 

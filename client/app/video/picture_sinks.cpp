@@ -1,4 +1,4 @@
-#include "client/app/film/picture_sinks.h"
+#include "client/app/video/picture_sinks.h"
 
 #include <unistd.h>
 
@@ -61,7 +61,7 @@ std::string FrameFolder::leftovers() const {
   if (more == 0) return {};
   return at_place(folder_.string(), counted(more, "picture") + " from " + frame_name(count_ + 1) +
                                         " on are of an earlier run; remove them before you make "
-                                        "a film of this folder");
+                                        "a video of this folder");
 }
 
 void Sheet::add(const view::Image& picture, std::string caption) {

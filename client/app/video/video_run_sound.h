@@ -12,21 +12,21 @@
 
 namespace aucast::app {
 
-/// The sound of a film, in step with its pictures to the sample, for the file of --sound and the
-/// videos of --record.
-class FilmSound {
+/// The sound of a run on the video clock, in step with its pictures to the sample, for the file of
+/// --sound and the videos of --record.
+class VideoRunSound {
  public:
   /// `track`: the sound of what is played, which must outlive this object; null: its voice.
-  FilmSound(playback::Playback& playback, sound::SoundTrack* track);
+  VideoRunSound(playback::Playback& playback, sound::SoundTrack* track);
 
   /// Begins the sound, if the options ask for any. Fails if its file cannot be written.
   [[nodiscard]] Result<void> open(const SoundOptions& sound, const OutputOptions& output);
-  /// Call it for each keyframe that begins. `end_ms`: when the keyframe ends, in the film's time.
+  /// Call it for each keyframe that begins. `end_ms`: when the keyframe ends, on the video clock.
   /// Takes the voice that has come and writes the sound up to `end_ms`.
   void keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms);
   /// How much sound is left after the last keyframe.
   [[nodiscard]] std::int64_t tail_ms() const;
-  /// Writes the sound after the last keyframe, up to `end_ms` of the film.
+  /// Writes the sound after the last keyframe, up to `end_ms` on the video clock.
   void tail(std::int64_t end_ms);
   /// The WAV file with all of the sound, for the videos; empty: there was none.
   [[nodiscard]] Result<std::filesystem::path> file();
@@ -44,8 +44,8 @@ class FilmSound {
   sound::SoundMixer mixer_;
   std::unique_ptr<sound::WavFile> wav_;  ///< null: no sound is wanted
   bool keep_ = false;                    ///< the file is the one of --sound and stays
-  std::int64_t place_ms_ = 0;            ///< the place in the stream that the film has reached
-  std::int64_t end_ms_ = 0;  ///< the time of the film up to which sound has been written
+  std::int64_t place_ms_ = 0;            ///< the place in the stream that the run has reached
+  std::int64_t end_ms_ = 0;  ///< the time on the video clock up to which sound has been written
   std::int64_t written_ = 0;
   std::vector<float> samples_;
 };

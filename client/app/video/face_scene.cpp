@@ -1,4 +1,4 @@
-#include "client/app/film/face_scene.h"
+#include "client/app/video/face_scene.h"
 
 #include <algorithm>
 #include <span>

@@ -1,4 +1,4 @@
-#include "client/app/film/obj_writer.h"
+#include "client/app/video/obj_writer.h"
 
 #include <cstdlib>
 

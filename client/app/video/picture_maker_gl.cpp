@@ -1,8 +1,8 @@
-#include "client/app/film/picture_maker.h"
+#include "client/app/video/picture_maker.h"
 
 #include <algorithm>
 
-#include "client/app/film/shot.h"
+#include "client/app/video/shot.h"
 #include "client/render/offscreen_context.h"
 
 namespace aucast::app {

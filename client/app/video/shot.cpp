@@ -1,4 +1,4 @@
-#include "client/app/film/shot.h"
+#include "client/app/video/shot.h"
 
 #include <algorithm>
 #include <limits>

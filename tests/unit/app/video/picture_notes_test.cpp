@@ -1,4 +1,4 @@
-#include "client/app/film/picture_notes.h"
+#include "client/app/video/picture_notes.h"
 
 #include <gtest/gtest.h>
 

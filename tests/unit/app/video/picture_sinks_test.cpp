@@ -1,4 +1,4 @@
-#include "client/app/film/picture_sinks.h"
+#include "client/app/video/picture_sinks.h"
 
 #include <set>
 #include <utility>
@@ -32,7 +32,7 @@ TEST(FrameFolder, TellsOfPicturesThatALongerRunHasLeft) {
   EXPECT_EQ(run(4), "");
   EXPECT_EQ(run(2), folder.path().string() +
                         ": 2 pictures from frame_000003.png on are of an earlier run; remove them "
-                        "before you make a film of this folder");
+                        "before you make a video of this folder");
 }
 
 TEST(FrameFolder, SaysWhyItCannotWrite) {

@@ -12,9 +12,9 @@
 
 namespace aucast::app {
 
-/// Film is for many pictures. A Still is drawn with four times the pixels and scaled down, so that
+/// Video is for many pictures. A Still is drawn with four times the pixels and scaled down, so that
 /// strands of hair and lashes are smooth, unless the driver cannot make so large a picture.
-enum class Sharpness : std::uint8_t { Film, Still };
+enum class Sharpness : std::uint8_t { Video, Still };
 
 /// A face with everything that turns activations into a picture: deformer, drawing of the muscles,
 /// renderer. The face must outlive it. Needs a current OpenGL context as long as it lives.

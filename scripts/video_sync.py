@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Measures, in a recorded video's pictures and samples, whether face and sound stay together.
 
-    scripts/film_sync.py [--bin FOLDER] [--minutes M] [--fps N] [--size WxH] [--film FILE] [--check]
+    scripts/video_sync.py [--bin FOLDER] [--minutes M] [--fps N] [--size WxH] [--video FILE] [--check]
 
 Makes a stream whose mouth opens and closes every two seconds, and a sound file that hums in just
 those moments; au-transmitter serves both, and face-player records them as an MP4 of M (10) minutes.
 Then, for each moment, the middle of what is seen (how dark the mouth is, weighted by time) is
 compared with the middle of what is heard. Prints the first, the last, the least and the most; above
-0 the face is early. --check exits 1 beyond -15 to +45 ms. --film measures a film that was made so
-before. Needs ffmpeg; a minute of film takes about a minute.
+0 the face is early. --check exits 1 beyond -15 to +45 ms. --video measures a video that was made so
+before. Needs ffmpeg; a minute of video takes about a minute.
 """
 
 import argparse
@@ -50,15 +50,15 @@ def write_talk(folder, count):
 
 
 def record(options, folder):
-    film = folder / "marks.mp4"
+    video = folder / "marks.mp4"
     with Transmitter(options.bin, folder / "marks.txt") as server:
         subprocess.run([options.bin / "face-player", "--headless", server.address, "--fps",
-                        str(options.fps), "--size", options.size, "--record", film], check=True)
-    return film
+                        str(options.fps), "--size", options.size, "--record", video], check=True)
+    return video
 
 
-def decoded(film, *how):
-    process = subprocess.run(["ffmpeg", "-v", "error", "-i", film, *how, "-"], check=True,
+def decoded(video, *how):
+    process = subprocess.run(["ffmpeg", "-v", "error", "-i", video, *how, "-"], check=True,
                              stdout=subprocess.PIPE)
     return process.stdout
 
@@ -72,10 +72,10 @@ def middle(values, begin, rate, base):
     return begin + sum(i * value for i, value in enumerate(above)) / whole / rate
 
 
-def darkness(film, options):
+def darkness(video, options):
     """Of the mouth's part of each picture."""
     width, height = 32, 32
-    pictures = decoded(film, "-vf", f"scale={width}:{height}", "-pix_fmt", "gray", "-f", "rawvideo")
+    pictures = decoded(video, "-vf", f"scale={width}:{height}", "-pix_fmt", "gray", "-f", "rawvideo")
     size = width * height
     left, right, top, bottom = width * 3 // 8, width * 5 // 8, height * 9 // 16, height * 13 // 16
     dark = []
@@ -86,10 +86,10 @@ def darkness(film, options):
     return dark
 
 
-def shifts(film, options):
+def shifts(video, options):
     """For each moment: how early the face is, in ms."""
-    dark = darkness(film, options)
-    sound = array.array("h", decoded(film, "-ac", "1", "-ar", str(SOUND_RATE), "-f", "s16le"))
+    dark = darkness(video, options)
+    sound = array.array("h", decoded(video, "-ac", "1", "-ar", str(SOUND_RATE), "-f", "s16le"))
     found = []
     for k in range(int(len(dark) / options.fps / PERIOD)):
         at = k * PERIOD + MIDDLE
@@ -112,18 +112,18 @@ def main():
     parser.add_argument("--minutes", type=float, default=10)
     parser.add_argument("--fps", type=int, default=25)
     parser.add_argument("--size", default="64x64")
-    parser.add_argument("--film", type=pathlib.Path)
+    parser.add_argument("--video", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        film = options.film
-        if film is None:
+        video = options.video
+        if video is None:
             write_talk(folder, int(options.minutes * 60 / PERIOD))
-            film = record(options, folder)
-        found = shifts(film, options)
+            video = record(options, folder)
+        found = shifts(video, options)
     if not found:
-        sys.exit("nothing was found in the film")
+        sys.exit("nothing was found in the video")
     print(f"{len(found)} moments: the face is early by {found[0]:.1f} ms at first and "
           f"{found[-1]:.1f} ms at last, {min(found):.1f} to {max(found):.1f} ms in between")
     good = ALLOWED_MS[0] <= min(found) and max(found) <= ALLOWED_MS[1]

@@ -1,4 +1,4 @@
-#include "client/app/film/face_diagram.h"
+#include "client/app/video/face_diagram.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "client/app/film/face_view.h"
+#include "client/app/video/face_view.h"
 
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "client/app/film/face_diagram.h"
-#include "client/app/film/face_scene.h"
-#include "client/app/film/shot.h"
+#include "client/app/video/face_diagram.h"
+#include "client/app/video/face_scene.h"
+#include "client/app/video/shot.h"
 #include "client/face/face_deformer.h"
 #include "client/render/face_renderer.h"
 #include "client/render/offscreen_target.h"
@@ -34,7 +34,7 @@ struct FaceView::State {
   std::unique_ptr<render::OffscreenTarget> target;
   int width = 0;  ///< of pictures
   int height = 0;
-  Sharpness sharpness = Sharpness::Film;
+  Sharpness sharpness = Sharpness::Video;
   int drawn_larger = 1;  ///< factor
 };
 

@@ -1,4 +1,4 @@
-#include "client/app/film/film_sound.h"
+#include "client/app/video/video_run_sound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@ constexpr std::int64_t kPortion = sound::kRate;
 
 }  // namespace
 
-FilmSound::FilmSound(playback::Playback& playback, sound::SoundTrack* track)
+VideoRunSound::VideoRunSound(playback::Playback& playback, sound::SoundTrack* track)
     : playback_(playback), track_(track != nullptr ? *track : voice_), mixer_(track_) {}
 
-Result<void> FilmSound::open(const SoundOptions& sound, const OutputOptions& output) {
-  if (!wants_film_sound(sound, output)) return {};
+Result<void> VideoRunSound::open(const SoundOptions& sound, const OutputOptions& output) {
+  if (!wants_video_sound(sound, output)) return {};
   keep_ = !sound.file.empty();
   auto wav = sound::WavFile::open(keep_ ? sound.file : output.record);
   if (!wav) return wav.error();
@@ -26,11 +26,11 @@ Result<void> FilmSound::open(const SoundOptions& sound, const OutputOptions& out
   return {};
 }
 
-void FilmSound::take_in() {
+void VideoRunSound::take_in() {
   while (auto voice = playback_.take_voice()) voice_.add(voice->place, std::move(voice->opus));
 }
 
-void FilmSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms) {
+void VideoRunSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms) {
   take_in();
   if (!begun.target.place) return write(std::nullopt, end_ms);
   place_ms_ = begun.target.place->count();
@@ -41,26 +41,26 @@ void FilmSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t end_
   write(playback::Passing{*begun.target.place, speed}, end_ms);
 }
 
-std::int64_t FilmSound::tail_ms() const {
+std::int64_t VideoRunSound::tail_ms() const {
   if (wav_ == nullptr) return 0;
   const std::int64_t end_ms = (track_.end() + sound::kSamplesPerMs - 1) / sound::kSamplesPerMs;
   return std::max<std::int64_t>(end_ms - place_ms_, 0);
 }
 
-void FilmSound::tail(std::int64_t end_ms) {
+void VideoRunSound::tail(std::int64_t end_ms) {
   place_ms_ += tail_ms();
   write(playback::Passing{Milliseconds(place_ms_), 1}, end_ms);
 }
 
-/// If the film has no sound at all, no silence is written for its videos.
-void FilmSound::write(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
+/// If the run has no sound at all, no silence is written for its videos.
+void VideoRunSound::write(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
   const std::int64_t begin_ms = std::exchange(end_ms_, end_ms);
   if (wav_ == nullptr || (!keep_ && track_.end() == 0)) return;
   mix(std::nullopt, begin_ms);
   mix(at_end, end_ms);
 }
 
-void FilmSound::mix(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
+void VideoRunSound::mix(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
   const std::int64_t due = end_ms * sound::kSamplesPerMs;
   while (written_ < due) {
     const std::int64_t count = std::min(due - written_, kPortion);
@@ -76,13 +76,13 @@ void FilmSound::mix(std::optional<playback::Passing> at_end, std::int64_t end_ms
   }
 }
 
-Result<std::filesystem::path> FilmSound::file() {
+Result<std::filesystem::path> VideoRunSound::file() {
   if (wav_ == nullptr || track_.end() == 0) return std::filesystem::path();
   if (auto flushed = wav_->flush(); !flushed) return flushed.error();
   return wav_->temporary();
 }
 
-Result<void> FilmSound::finish() {
+Result<void> VideoRunSound::finish() {
   return keep_ ? wav_->finish() : Result<void>();
 }
 

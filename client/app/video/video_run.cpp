@@ -1,4 +1,4 @@
-#include "client/app/film/film.h"
+#include "client/app/video/video_run.h"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "client/app/film/film_sound.h"
-#include "client/app/film/picture_maker.h"
-#include "client/app/film/picture_sinks.h"
 #include "client/app/loss_warnings.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
+#include "client/app/video/picture_maker.h"
+#include "client/app/video/picture_sinks.h"
+#include "client/app/video/video_run_sound.h"
 #include "client/pipeline/idle_face.h"
 #include "client/pipeline/player.h"
 #include "common/log.h"
@@ -34,14 +34,14 @@ std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) 
   return counted(pictures, "picture") + " drawn: " + places;
 }
 
-std::string how_far(std::uint64_t pictures, double film_ms) {
+std::string how_far(std::uint64_t pictures, double video_ms) {
   std::array<char, 80> text{};
   std::snprintf(text.data(), text.size(), "%" PRIu64 " pictures, %.1f s of the stream", pictures,
-                film_ms / 1000.0);
+                video_ms / 1000.0);
   return text.data();
 }
 
-/// Everything that gets the film's pictures.
+/// Everything that gets the run's pictures.
 struct Sinks {
   std::optional<FrameFolder> frames;
   std::unique_ptr<view::VideoEncoder> video;
@@ -72,10 +72,10 @@ Result<Sinks> open_sinks(const OutputOptions& output) {
 }
 
 /// One run, with what drawing a keyframe needs.
-class Film {
+class VideoRun {
  public:
-  Film(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
-       sound::SoundTrack* track, const std::function<bool()>& stop, PlayerStats& stats)
+  VideoRun(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
+           sound::SoundTrack* track, const std::function<bool()>& stop, PlayerStats& stats)
       : assets_(assets),
         options_(options),
         stop_(stop),
@@ -97,21 +97,21 @@ class Film {
     sinks_ = std::move(*sinks);
     const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
     auto maker = PictureMaker::create(assets_.face, options_.output, "front",
-                                      sheet_alone ? Sharpness::Still : Sharpness::Film);
+                                      sheet_alone ? Sharpness::Still : Sharpness::Video);
     if (!maker) return maker.error();
     maker_ = std::move(*maker);
     return {};
   }
 
-  /// Draws one keyframe that begins at `begin_ms` of the film, or as much of it as there is time
-  /// for before the user stops.
+  /// Draws one keyframe that begins at `begin_ms` on the video clock, or as much of it as there is
+  /// time for before the user stops.
   Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
     const std::int64_t takes_ms = begun.time.count();
     sound_.keyframe(begun, begin_ms + takes_ms);
     if (sinks_.frames) {
       if (auto drawn = frames(begin_ms, takes_ms); !drawn) return drawn;
     }
-    if (auto drawn = film(begin_ms, takes_ms); !drawn) return drawn;
+    if (auto drawn = video(begin_ms, takes_ms); !drawn) return drawn;
     if (sinks_.sheet && sinks_.sheet->wants_next()) {
       sinks_.sheet->add(draw(1.0, begin_ms + takes_ms), describe(assets_, begun.target.aus));
     }
@@ -124,7 +124,7 @@ class Film {
     if (takes_ms == 0) return {};
     sound_.tail(begin_ms + takes_ms);
     holds_ = true;
-    return film(begin_ms, takes_ms);
+    return video(begin_ms, takes_ms);
   }
 
   [[nodiscard]] pipeline::Player& player() { return player_; }
@@ -156,7 +156,7 @@ class Film {
   }
 
  private:
-  Result<void> film(std::int64_t begin_ms, std::int64_t takes_ms) {
+  Result<void> video(std::int64_t begin_ms, std::int64_t takes_ms) {
     if (!sinks_.video) return {};
     const auto add = [this](const view::Image& image) { return sinks_.video->add(image); };
     return timed(begin_ms, takes_ms, sinks_.video_fps, sinks_.video_next, add);
@@ -190,19 +190,19 @@ class Film {
     return {};
   }
 
-  view::Image draw(double mu, double film_ms) {
+  view::Image draw(double mu, double video_ms) {
     const Instant begin = steady_now();
     player_.pipeline().at(mu, drawn_);
-    idle_.apply({options_.playback.idle_seed, options_.playback.blink}, film_ms / 1000.0,
+    idle_.apply({options_.playback.idle_seed, options_.playback.blink}, video_ms / 1000.0,
                 drawn_.activations);
     view::Image image = maker_->picture(drawn_.activations);
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
     stats_.draw_seconds += seconds(steady_now() - begin);
-    progress_.show([&] { return how_far(stats_.frames_drawn, film_ms); });
+    progress_.show([&] { return how_far(stats_.frames_drawn, video_ms); });
     return image;
   }
-  view::Image draw(double mu, std::int64_t film_ms) {
-    return draw(mu, static_cast<double>(film_ms));
+  view::Image draw(double mu, std::int64_t video_ms) {
+    return draw(mu, static_cast<double>(video_ms));
   }
 
   const Assets& assets_;
@@ -214,7 +214,7 @@ class Film {
   pipeline::FaceState drawn_;
   ProgressLine progress_;
   pipeline::IdleFace idle_;
-  FilmSound sound_;
+  VideoRunSound sound_;
   bool holds_ = false;  ///< the last keyframe has been reached
   std::unique_ptr<PictureMaker> maker_;
   Sinks sinks_;
@@ -222,21 +222,21 @@ class Film {
 
 }  // namespace
 
-Result<void> run_film(const Assets& assets, const PlayerOptions& options,
-                      playback::Playback& playback, sound::SoundTrack* track,
-                      const std::function<bool()>& stop, PlayerStats& stats) {
-  Film film(assets, options, playback, track, stop, stats);
-  if (auto opened = film.open(); !opened) return opened;
+Result<void> run_video(const Assets& assets, const PlayerOptions& options,
+                       playback::Playback& playback, sound::SoundTrack* track,
+                       const std::function<bool()>& stop, PlayerStats& stats) {
+  VideoRun run(assets, options, playback, track, stop, stats);
+  if (auto opened = run.open(); !opened) return opened;
   std::optional<Instant> first;
-  std::int64_t film_ms = 0;
-  const auto film_now = [&film_ms] { return Instant(Milliseconds(film_ms)); };
+  std::int64_t video_ms = 0;
+  const auto video_now = [&video_ms] { return Instant(Milliseconds(video_ms)); };
   Result<void> drawn;
   const auto draw = [&](const playback::KeyframeBegun& begun) {
     if (!drawn) return;
     if (!first) first = steady_now();
     if (stats.first_frame_ms == 0) stats.first_frame_ms = since_start_ms();
-    drawn = film.keyframe(begun, film_ms);
-    film_ms += begun.time.count();
+    drawn = run.keyframe(begun, video_ms);
+    video_ms += begun.time.count();
     stats.playback_seconds = seconds(steady_now() - *first);
   };
   const auto told = [&](Result<void> result) {
@@ -246,19 +246,19 @@ Result<void> run_film(const Assets& assets, const PlayerOptions& options,
   };
   LossWarnings losses;
   while (!playback.over()) {
-    // The film clock stands still until the source has something or has ended.
+    // The video clock stands still until the source has something or has ended.
     while (!playback.wait_until(steady_now() + Milliseconds(50)) && !stop()) {
-      if (const std::string loss = losses.look_at(playback); !loss.empty()) film.warn(loss);
+      if (const std::string loss = losses.look_at(playback); !loss.empty()) run.warn(loss);
     }
     if (stop()) {
-      playback.stop(film_now());
+      playback.stop(video_now());
       break;
     }
-    film.player().advance(film_now(), draw);
+    run.player().advance(video_now(), draw);
     if (!drawn) return told(drawn);
   }
-  if (playback.state() == playback::PlaybackState::Ended) drawn = film.tail(film_ms);
-  return told(drawn ? film.finish() : drawn);
+  if (playback.state() == playback::PlaybackState::Ended) drawn = run.tail(video_ms);
+  return told(drawn ? run.finish() : drawn);
 }
 
 }  // namespace aucast::app

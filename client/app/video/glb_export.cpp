@@ -1,4 +1,4 @@
-#include "client/app/film/glb_export.h"
+#include "client/app/video/glb_export.h"
 
 #include <array>
 #include <cstdio>

@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "client/app/film/face_view.h"
 #include "client/app/player_options.h"
+#include "client/app/video/face_view.h"
 #include "client/face/face.h"
 #include "client/view/image.h"
 #include "common/result.h"
