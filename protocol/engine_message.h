@@ -34,7 +34,7 @@ struct EngineMessage {
   friend bool operator==(const EngineMessage&, const EngineMessage&) = default;
 };
 
-/// What a watcher sends: a request for the state, or for the batches that it missed.
+/// What an edge sends: a request for the state, or for the batches that it missed.
 struct EngineJoin {
   std::string origin;                  ///< the ID of the publisher that is to answer; empty: any
   std::optional<std::uint64_t> after;  ///< the last batch that it has; nullopt: it has none
@@ -49,7 +49,7 @@ struct EngineJoin {
 [[nodiscard]] Result<EngineMessage> parse_engine_message(std::string_view bytes);
 [[nodiscard]] Result<EngineJoin> parse_engine_join(std::string_view bytes);
 
-/// The packets with `by_ms` subtracted from the places of voice and captions, for a watcher whose
+/// The packets with `by_ms` subtracted from the places of voice and captions, for an edge whose
 /// clock began at `by_ms`. Voice that begins before `by_ms`, or has no place, is left out. Captions
 /// that begin before `by_ms` get the place 0.
 [[nodiscard]] std::string with_places_earlier(std::string_view packets, std::uint64_t by_ms);

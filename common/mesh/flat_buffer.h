@@ -34,7 +34,7 @@ class FlatBuffer {
     return value;
   }
 
-  /// The place that the offset stored at `place` points to.
+  /// The place that the number at `place` points to: it is so many bytes further on.
   [[nodiscard]] std::size_t target(std::size_t place) { return place + get<std::uint32_t>(place); }
   /// Where field `index` of the table at `table` is; kNone when the table does not have it.
   [[nodiscard]] std::size_t field(std::size_t table, std::size_t index);

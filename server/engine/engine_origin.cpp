@@ -94,7 +94,7 @@ void EngineOrigin::end() {
   if (batches_->waiting_bytes() > 0) flush();
 }
 
-/// Another channel has a clock of its own: who watches joins anew.
+/// Another channel has a clock of its own: the edges join anew.
 void EngineOrigin::begin(const std::shared_ptr<const protocol::LiveChannel>& channel) {
   end();
   channel_ = channel;

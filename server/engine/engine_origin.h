@@ -43,7 +43,7 @@ class EngineOrigin {
   [[nodiscard]] Result<void> start(const OpenBus& open);
   /// Call when a stream may have something new.
   void on_moment();
-  /// Tells those who watch that the stream has ended.
+  /// Tells the edges that the stream has ended.
   void stop();
   /// Adds its state.
   void describe(Status& status) const;

@@ -12,7 +12,7 @@ namespace {
 
 using protocol::EngineMessage;
 
-/// A voice packet with its place, so that a watcher can begin with any batch.
+/// A voice packet with its place, so that an edge can begin with any batch.
 std::string placed(const protocol::EncodedVoice& voice) {
   constexpr std::string_view kOpening = "{a";
   std::string packet(kOpening);

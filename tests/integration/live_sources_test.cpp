@@ -155,7 +155,7 @@ TEST_F(LiveSources, AFaceThatComesDisturbsNoRecordedStreamBesideIt) {
   RunningTransmitter server({"--live", "--loop", "--source-timeout", "0", "--face-id", "all",
                              recorded.string(), path.string()});
   std::string reply;
-  RawClient watcher = say_hello(server, "{hello v=2 window=0 stream=rec}", reply);
+  RawClient client = say_hello(server, "{hello v=2 window=0 stream=rec}", reply);
   EXPECT_NE(reply.find("live=1"), std::string::npos) << reply;
   const int writer = ::open(path.c_str(), O_WRONLY);
   const auto write = [writer](const std::string& text) {
@@ -165,7 +165,7 @@ TEST_F(LiveSources, AFaceThatComesDisturbsNoRecordedStreamBesideIt) {
   for (const char* face : {"1", "2", "3"}) {
     write(std::string(face) + ",0.04,1,4\n");
     EXPECT_TRUE(logs(server, std::string("is the stream room-") + face));
-    EXPECT_EQ(watcher.receive_until("{4;20}{1;20}{2;20}").find("{-2}"), std::string::npos);
+    EXPECT_EQ(client.receive_until("{4;20}{1;20}{2;20}").find("{-2}"), std::string::npos);
     RawClient later = say_hello(server, "{hello v=2 window=0 stream=rec}", reply);
     EXPECT_NE(later.receive_until("{4;20}").find("{4;20}"), std::string::npos);
   }

@@ -82,19 +82,19 @@ def parted(message):
     return word, dict(pair.split("=", 1) for pair in pairs), re.findall(r"\{[^}]*\}", packets)
 
 
-class Watcher(RawNats):
+class OtherEdge(RawNats):
     """An edge that was written from ENGINE.md alone: joins, and goes on with what follows."""
 
     def __init__(self, server):
         super().__init__(server)
         self.subscribe("au.talk.p")
-        self.subscribe("_INBOX.watcher")
+        self.subscribe("_INBOX.other")
         self.kept = [self.message()]  # whoever publishes answers
         self.origin, self.seq, self.place, self.packets = self.ask("join", "state")
 
     def ask(self, question, word):
         """The answer; batches that come meanwhile are kept."""
-        self.publish("au.talk.join", question.encode(), "_INBOX.watcher")
+        self.publish("au.talk.join", question.encode(), "_INBOX.other")
         while True:
             subject, _, message = self.next()
             told, keys, packets = parted(message)
@@ -200,11 +200,11 @@ class Nats(unittest.TestCase):
 
     def test_packets_are_passed_on_as_they_are(self):
         server = self.nats()
-        watcher = RawNats(server)
-        self.addCleanup(watcher.close)
-        watcher.subscribe("au.talk.p")
+        edge = RawNats(server)
+        self.addCleanup(edge.close)
+        edge.subscribe("au.talk.p")
         self.origin(server)
-        head, packets = watcher.message().split(b"\n", 1)
+        head, packets = edge.message().split(b"\n", 1)
         line = re.fullmatch(rb"batch origin=[0-9a-f]{12} seq=[0-9]+ place=([0-9]+)", head)
         self.assertTrue(line, head)
         first = 1 + int(line[1]) // nats_cluster.KEYFRAME_MS
@@ -382,24 +382,24 @@ class Nats(unittest.TestCase):
             samples = memoryview(heard.readframes(heard.getnframes())).cast("h")
         self.assertGreater(max(samples), 2000, "speech, no silence")
 
-    def test_another_program_may_watch(self):
+    def test_another_program_may_follow(self):
         server = self.nats()
         self.origin(server)
-        watcher = Watcher(server)
-        self.addCleanup(watcher.close)
-        self.assertIn(" live=1", watcher.packets[0])
-        self.assertEqual(len(watcher.packets), 2, "a hello and one full keyframe")
-        place = watcher.place + nats_cluster.KEYFRAME_MS
+        edge = OtherEdge(server)
+        self.addCleanup(edge.close)
+        self.assertIn(" live=1", edge.packets[0])
+        self.assertEqual(len(edge.packets), 2, "a hello and one full keyframe")
+        place = edge.place + nats_cluster.KEYFRAME_MS
         for _ in range(50):
-            begins, packets = watcher.batch()
+            begins, packets = edge.batch()
             if packets:
                 self.assertEqual(begins, place)
             for packet in packets:
                 place += nats_cluster.KEYFRAME_MS
                 self.assertTrue(packet.endswith(f"@{place}}}"), packet)
-        missed = watcher.seq - 5
-        _, seq, begins, packets = watcher.ask(f"join origin={watcher.origin} after={missed}", "since")
-        self.assertGreaterEqual(seq, watcher.seq)
+        missed = edge.seq - 5
+        _, seq, begins, packets = edge.ask(f"join origin={edge.origin} after={missed}", "since")
+        self.assertGreaterEqual(seq, edge.seq)
         self.assertEqual(len(packets), seq - missed)
         self.assertTrue(packets[0].endswith(f"@{begins + nats_cluster.KEYFRAME_MS}}}"), packets[0])
 

@@ -65,7 +65,7 @@ std::vector<AuBar> au_bars(const std::vector<AuTerm>& aus) {
   return bars;
 }
 
-std::string audience_text(const MirrorView& view) {
+std::string viewers_text(const MirrorView& view) {
   using Phase = MirrorView::Phase;
   switch (view.phase) {
     case Phase::Off:

@@ -71,7 +71,7 @@ struct AuBar {
 
 /// A sentence that says who sees the face: "Only you see this face.", "Live at 10.0.0.7:4650, 2
 /// watch."
-[[nodiscard]] std::string audience_text(const MirrorView& view);
+[[nodiscard]] std::string viewers_text(const MirrorView& view);
 
 /// What guests need in order to see the face, in a sentence or two.
 [[nodiscard]] std::string admission_text(const MirrorView& view);

@@ -178,7 +178,7 @@ void address_and_port(const Look& look, const MirrorView& mirror, MirrorForm& fo
   tip(tr("camera.port_tip"));
 }
 
-void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiCommands& commands) {
+void guests(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiCommands& commands) {
   heading(look, tr("camera.others"));
   const bool live = mirror.phase == Phase::Live;
   const bool film = mirror.phase == Phase::Off && is_film_source(form.source.data());
@@ -196,9 +196,9 @@ void audience(const Look& look, const MirrorView& mirror, MirrorForm& form, GuiC
   if (mirror.seen != nullptr && !mirror.trouble.empty()) {
     toned_text(mirror.expected ? Tone::Quiet : Tone::Bad, mirror.trouble);
   } else if (live) {
-    toned_text(Tone::Good, audience_text(mirror));
+    toned_text(Tone::Good, viewers_text(mirror));
   } else {
-    quiet_text(audience_text(mirror));
+    quiet_text(viewers_text(mirror));
   }
   quiet_text(admission_text(mirror));
   tip(tr("tip.admission"));
@@ -256,7 +256,7 @@ void mirror_panel(const Look& look, const GuiModel& model, MirrorForm& form,
   if (!form.filled || form.taken != mirror.source) fill_mirror_form(mirror, form);
   camera_buttons(look, mirror, form, commands);
   picture(look, mirror, form);
-  audience(look, mirror, form, commands);
+  guests(look, mirror, form, commands);
   face_bars(look, mirror, form.as_mirror);
 }
 

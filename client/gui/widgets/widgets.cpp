@@ -141,16 +141,16 @@ bool heading_with_button(const Look& look, const std::string& text, const char* 
 }
 
 void fitted_text(const std::string& text, float right, unsigned colour) {
-  const float offset = ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
+  const float shift = ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 from(at.x, at.y + offset);
+  const ImVec2 from(at.x, at.y + shift);
   const ImVec2 whole = ImGui::CalcTextSize(text.c_str());
   const ImVec2 to(std::max(right, from.x), from.y + whole.y);
   if (colour != 0) ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), from, to, to.x, to.x, text.c_str(), nullptr,
                             &whole);
   if (colour != 0) ImGui::PopStyleColor();
-  ImGui::Dummy(ImVec2(std::min(whole.x, to.x - from.x), whole.y + offset));
+  ImGui::Dummy(ImVec2(std::min(whole.x, to.x - from.x), whole.y + shift));
 }
 
 void label(const Look& look, const char* text, const char* help) {

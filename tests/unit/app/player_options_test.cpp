@@ -130,7 +130,7 @@ TEST(PlayerOptions, ReadWhatIsExported) {
   EXPECT_NE(refused({"export", "a.glb", "--basis", "bones"}).find("--basis"), std::string::npos);
 }
 
-TEST(PlayerOptions, ReadEverythingAWatcherMaySay) {
+TEST(PlayerOptions, ReadEverythingAViewerMaySay) {
   const PlayerOptions options =
       accepted({"--headless", "h",           "--buffer", "50",       "--playout",
                 "5",          "--threshold", "100",      "--speed",  "1000",

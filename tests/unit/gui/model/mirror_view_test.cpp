@@ -27,16 +27,16 @@ TEST(MirrorView, TurnsAreOneBarForBothWays) {
 
 TEST(MirrorView, SaysWhoSeesTheFace) {
   MirrorView view;
-  EXPECT_EQ(audience_text(view), "The camera is off.");
+  EXPECT_EQ(viewers_text(view), "The camera is off.");
   view.phase = MirrorView::Phase::Private;
-  EXPECT_EQ(audience_text(view), "Only you see this face.");
+  EXPECT_EQ(viewers_text(view), "Only you see this face.");
   view.phase = MirrorView::Phase::Live;
   view.live = "10.0.0.7:4650";
-  EXPECT_EQ(audience_text(view), "Live at 10.0.0.7:4650, nobody watches yet.");
+  EXPECT_EQ(viewers_text(view), "Live at 10.0.0.7:4650, nobody watches yet.");
   view.watching = 1;
-  EXPECT_EQ(audience_text(view), "Live at 10.0.0.7:4650, 1 watches.");
+  EXPECT_EQ(viewers_text(view), "Live at 10.0.0.7:4650, 1 watches.");
   view.watching = 2;
-  EXPECT_EQ(audience_text(view), "Live at 10.0.0.7:4650, 2 watch.");
+  EXPECT_EQ(viewers_text(view), "Live at 10.0.0.7:4650, 2 watch.");
 }
 
 TEST(MirrorView, SaysWhatOthersNeed) {
