@@ -25,38 +25,39 @@ class Child {
  public:
   enum class Flow : std::uint8_t { Fed, Read, Both };
 
-  /// `arguments[0]` is looked up in $PATH. Unreadable when there is no such program, Failed with
-  /// the system's reason when it cannot start. Standard input or output that `flow` does not pipe
-  /// is /dev/null.
+  /// `arguments[0]` is looked up in $PATH. Fails with Unreadable if there is no such program, with
+  /// ErrorKind::Failed and the system's reason if it cannot start. Standard input or output that
+  /// `flow` does not pipe is /dev/null.
   [[nodiscard]] static Result<std::unique_ptr<Child>> start(
       const std::vector<std::string>& arguments, Flow flow = Flow::Fed);
-  ~Child();  ///< kills what still runs
+  ~Child();  ///< kills the child if it still runs
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Blocks until the child has taken all bytes; false when it reads no more.
+  /// Blocks until the child has taken all bytes. Returns false when it reads no more.
   [[nodiscard]] bool feed(std::span<const std::uint8_t> bytes);
-  /// Waits at most `patience` for output of the child or its end, without reading. False: neither
-  /// came.
+  /// Waits at most `patience` until the child writes or ends; reads nothing. Returns false if the
+  /// child did neither.
   [[nodiscard]] bool await(Milliseconds patience);
-  /// Waits for its next output and reads as much of it as fits; returns the number of bytes, 0 at
-  /// the end.
+  /// Waits for the child's next output and reads as much of it as fits. Returns the number of
+  /// bytes; 0 at the end.
   [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
-  /// Sends a few bytes to a child that is both fed and read, without waiting; false when it does
-  /// not take all. From any thread, before wait() or destruction.
+  /// Sends a few bytes to a child that is both fed and read, without waiting. Returns false if the
+  /// child does not take all of them. From any thread, before wait() or destruction.
   [[nodiscard]] bool tell(std::string_view bytes) const;
   /// Ends the standard input of a child that is both fed and read. From any thread, before wait()
   /// or destruction.
   void end_input() const;
-  /// Kills it, so that read() finds the end. From any thread, before wait() or destruction.
+  /// Kills the child, so that read() finds the end. From any thread, before wait() or destruction.
   void stop() const;
   /// Closes the pipes and waits for the child to end. Returns its exit code, or 128 + the signal
-  /// that killed it; when called again, the same.
+  /// that killed it; a further call returns the same.
   [[nodiscard]] int wait();
-  /// The last 300 bytes that it wrote to stderr, or fewer, joined into one line and safe to print.
+  /// The last 300 bytes that the child wrote to stderr, or fewer, joined into one line and safe to
+  /// print.
   [[nodiscard]] std::string last_words() const;
-  /// The last line that it wrote to stderr, of at most 2048 bytes. Only what is not safe to print
-  /// is escaped, so that its words can be recognised and names of files read.
+  /// The last line that the child wrote to stderr, of at most 2048 bytes. Only what is not safe to
+  /// print is escaped, so that callers can recognise its words and users can read file names.
   [[nodiscard]] std::string last_line() const;
 
  private:
@@ -67,7 +68,7 @@ class Child {
 
   pid_t pid_;
   Descriptor flow_;    ///< a socket: send() can be told not to raise SIGPIPE
-  Descriptor errors_;  ///< until its end was seen
+  Descriptor errors_;  ///< closed once its end was seen
   std::string last_words_;
   std::optional<int> exit_code_;
 };

@@ -7,7 +7,7 @@
 
 namespace aucast {
 
-/// A file descriptor that closes itself; a negative one is none.
+/// A file descriptor that closes itself; a negative value means none.
 class Descriptor {
  public:
   explicit Descriptor(int value = -1) : value_(value) {}
@@ -15,7 +15,7 @@ class Descriptor {
     if (value_ >= 0) ::close(value_);
   }
   Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
-  /// What was open here is closed with `other`.
+  /// Swaps the two descriptors, so what this one had open is closed when `other` is destroyed.
   Descriptor& operator=(Descriptor&& other) noexcept {
     std::swap(value_, other.value_);
     return *this;
@@ -25,8 +25,8 @@ class Descriptor {
   [[nodiscard]] bool open() const { return value_ >= 0; }
   [[nodiscard]] int get() const { return value_; }
   [[nodiscard]] int release() { return std::exchange(value_, -1); }
-  /// Hands it over to an object of Asio, such as a stream_descriptor, which closes it from then on.
-  /// False: the object cannot take it, and this keeps it.
+  /// Hands the descriptor over to an object of Asio, such as a stream_descriptor, which closes it
+  /// from then on. Returns false and keeps the descriptor if the object cannot take it.
   template <typename Object>
   [[nodiscard]] bool hand_to(Object& object) {
     std::error_code error;
@@ -34,7 +34,7 @@ class Descriptor {
     if (!error) value_ = -1;
     return !error;
   }
-  /// Closes now and says whether that worked: some file systems report a full disk only here.
+  /// Closes now and returns whether that worked: some file systems report a full disk only then.
   [[nodiscard]] bool close() { return ::close(std::exchange(value_, -1)) == 0; }
 
  private:

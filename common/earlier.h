@@ -4,7 +4,7 @@
 
 namespace aucast {
 
-/// The earlier of two times, either of which may be missing (never); nullopt when both are.
+/// The earlier of two times. nullopt stands for a time that never comes.
 template <typename Time>
 [[nodiscard]] std::optional<Time> earlier(const std::optional<Time>& one,
                                           const std::optional<Time>& other) {

@@ -13,7 +13,7 @@ namespace aucast {
 inline constexpr std::size_t kReportedErrorsMax = 20;
 
 /// What is wrong with a file: the first kReportedErrorsMax errors with their places, and how many
-/// more there are. `file` must outlive it.
+/// more there are. `file` must outlive the list.
 class ErrorList {
  public:
   explicit ErrorList(std::string_view file) : file_(file) {}
@@ -21,9 +21,9 @@ class ErrorList {
   /// Line and column count from 1.
   void add(std::size_t line, std::size_t column, std::string_view reason);
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// BadData with one "file:line:column: reason" per line.
+  /// A BadData error with one "file:line:column: reason" per line.
   [[nodiscard]] Error error() const;
-  /// The same lines; the list is empty afterwards.
+  /// Returns the same lines and empties the list.
   [[nodiscard]] std::vector<std::string> take();
 
  private:

@@ -18,8 +18,8 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 
 /// Reads a whole regular file, and never blocks: a FIFO, a socket, a device (except /dev/null,
 /// which is empty) or a folder is Unreadable. So is a file of more than `bytes_max` bytes, whether
-/// it has that size when it is opened or grows to it. The message has the path and the cause. Asked
-/// to stop, it reads no further and returns stopped_early().
+/// it has that size when it is opened or grows to it. The message has the path and the cause. If
+/// asked to stop, reads no further and returns stopped_early().
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
                                             std::size_t bytes_max = kWholeFileBytesMax,
                                             const StopToken& stop = {});
@@ -27,11 +27,11 @@ inline constexpr std::size_t kWholeFileBytesMax = std::size_t{256} << 20U;
 /// Reads standard input, of whatever kind it is, to its end; waits for the writer.
 [[nodiscard]] Result<std::string> read_standard_input(std::size_t bytes_max = kWholeFileBytesMax);
 
-/// Opens a regular file for a library that does its own reading; the caller closes the descriptor.
-/// Refuses the kinds that read_file() refuses.
+/// Opens a regular file for a library that does its own reading. Refuses the kinds of files that
+/// read_file() refuses.
 [[nodiscard]] Result<Descriptor> open_file(const std::filesystem::path& path);
 
-/// `count` bytes of an open file from `position` on; fewer where it ends or cannot be read. The
+/// `count` bytes of an open file from `position` on; fewer if the file ends or cannot be read. The
 /// descriptor's own position stays as it is.
 [[nodiscard]] std::string bytes_at(int descriptor, std::int64_t position, std::size_t count);
 
@@ -50,23 +50,23 @@ struct SecretFile {
 [[nodiscard]] Result<SecretFile> read_secret_file(const std::filesystem::path& path,
                                                   std::size_t bytes_max);
 
-/// Writes the file whole or not at all: a temporary file beside it, synced, then a rename, which
-/// replaces a symbolic link and does not follow it. The mode of an existing file is kept. A device,
-/// a FIFO with a reader, and names by which the system means an open file, such as /dev/stdout, are
-/// written to directly. Failed, with the path and the cause, when it cannot be written; an existing
-/// file is then unchanged.
+/// Writes the file whole or not at all: writes and syncs a temporary file beside it, then renames
+/// that to `path`. The rename replaces a symbolic link and does not follow it. The mode of an
+/// existing file is kept. A device, a FIFO with a reader, and a name that stands for an open file,
+/// such as /dev/stdout, are written to directly. If the file cannot be written, fails with
+/// ErrorKind::Failed, the path and the cause; an existing file is then unchanged.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
 
-/// Whether write_file_atomically() would work now or, for a FIFO, as soon as somebody reads it.
-/// Changes nothing; a program that reads the FIFO sees no end of file.
+/// Succeeds if write_file_atomically() would succeed now or, for a FIFO, as soon as somebody reads
+/// it. Changes nothing; a program that reads the FIFO sees no end of file.
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
 /// After this call a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG instead of
 /// ending the program.
 void ignore_file_size_signal();
 
-/// Follows the name of the final file in the name of a file that is not complete yet.
+/// The temporary name of a file that is not complete yet is its final name, this mark and a number.
 inline constexpr std::string_view kTemporaryMark = ".part-";
 
 /// Creates an empty file beside `path`, for another program to write to. Its name is random, and it
@@ -84,8 +84,8 @@ inline constexpr std::string_view kTemporaryMark = ".part-";
 [[nodiscard]] std::filesystem::path whole_path(const std::filesystem::path& path);
 
 /// Where a user keeps files of one kind: `xdg`, the value of $XDG_..._HOME, else `usual` below
-/// `home`, the value of $HOME. Each is null when unset; a relative path counts as unset, as the
-/// specification wants. nullopt when neither is set.
+/// `home`, the value of $HOME. `xdg` and `home` are null when unset; a relative path counts as
+/// unset, as the XDG specification wants. nullopt when neither is set.
 [[nodiscard]] std::optional<std::filesystem::path> users_folder(const char* xdg, const char* home,
                                                                 const char* usual);
 
@@ -93,8 +93,8 @@ inline constexpr std::string_view kTemporaryMark = ".part-";
 [[nodiscard]] std::optional<std::filesystem::path> program_folder();
 
 /// The folder data/ of the project: `chosen` (from --data) if not empty, else $AUCAST_DATA, else
-/// data/ beside the executable, else ../share/aucast beside it. Never the current folder.
-/// Unreadable, naming the places tried, when there is none.
+/// data/ beside the executable, else ../share/aucast beside it. Never the current folder. If there
+/// is none, fails with Unreadable and a message that names the places tried.
 [[nodiscard]] Result<std::filesystem::path> find_data_folder(const std::filesystem::path& chosen);
 
 }  // namespace aucast

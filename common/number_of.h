@@ -31,7 +31,7 @@ std::from_chars_result from_chars(const char* begin, const char* end, T& value) 
 
 }  // namespace detail
 
-/// The whole word as a number; nullopt when it is none.
+/// The whole word as a number; nullopt when it is not a number.
 template <typename T>
 [[nodiscard]] std::optional<T> number_of(std::string_view word) {
   T value{};

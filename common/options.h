@@ -16,8 +16,9 @@
 
 namespace aucast {
 
-/// What is wrong with an option's word, that is, its value as typed. To be put after the option's
-/// name and the word: "is not a whole number from 0 to 65535". nullopt: the word is right.
+/// What is wrong with an option's word, that is, its value as typed. Messages put the complaint
+/// after the option's name and the word: "is not a whole number from 0 to 65535". nullopt: the word
+/// is right.
 using Complaint = std::optional<std::string>;
 
 /// How the words of an option become the value of a variable.
@@ -29,22 +30,22 @@ struct OptionValue {
     Words,   ///< several; read() gets one at a time
   };
   Kind kind = Kind::Word;
-  /// Stores the word's value, or returns a complaint. Empty: there is no variable, and the program
-  /// looks for the option in the TypedWords.
+  /// Stores the word's value, or returns a complaint. Empty: the option is bound to no variable,
+  /// and the program looks for it in the TypedWords.
   std::function<Complaint(const std::string& word)> read = {};
 };
 
-/// One option of a program, bound to a variable that must outlive it. The command line, the
+/// One option of a program, bound to a variable that must outlive the row. The command line, the
 /// environment, the settings file, --print-config, --help, the manual page and the completion all
 /// come from lists of such rows.
 struct OptionRow {
   enum class Where : std::uint8_t {
     Anywhere,    ///< on the command line and wherever else the program takes settings from
     Typed,       ///< on the command line only: it is not a setting
-    Positional,  ///< as Anywhere, but on the command line without a name, as its `argument`
+    Positional,  ///< as Anywhere, but typed without its name; --help shows its `argument`
   };
 
-  /// "port", "N", "4650".
+  /// For example "port", "N", "4650".
   struct Option {
     std::string_view name = {};      ///< without dashes
     std::string_view argument = {};  ///< stands for its word in --help; empty for a flag
@@ -77,12 +78,12 @@ void append(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
 using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 /// Sorts the arguments (without the program's name) by row. Fails with a usage error of one line
-/// for an unknown option (it names the nearest known one), a missing word or a word too many.
+/// for an unknown option (the line names the nearest known one), a missing word or a word too many.
 [[nodiscard]] Result<TypedWords> sort_arguments(const std::vector<OptionRow>& rows,
                                                 std::vector<std::string> arguments);
 
-/// Reads words into the variables of the rows, in the order of the rows. Usage error for the first
-/// word that is wrong.
+/// Reads words into the variables of the rows, in the order of the rows. Fails with a Usage error
+/// for the first word that is wrong.
 [[nodiscard]] Result<void> read_words(const std::vector<OptionRow>& rows, const TypedWords& words);
 
 /// Reads one word into the row's variable. Always complains about an empty word, which is what
@@ -98,7 +99,7 @@ using TypedWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 // === Values
 
-/// A flag that sets `out` to `given`, and with the word "false" to its opposite.
+/// A flag that sets `out` to `given`, or, with the word "false", to the opposite of `given`.
 [[nodiscard]] OptionValue flag(bool& out, bool given = true);
 
 /// A flag bound to no variable: the program looks for it in what was typed.

@@ -21,7 +21,7 @@ class Problems {
 
   void add(LinePosition place, const std::string& text);
   [[nodiscard]] bool none() const { return !first_.has_value(); }
-  /// Success, or BadData "file:line:column: ..." of the first problem.
+  /// Success, or a BadData error with the first problem, "file:line:column: ...".
   [[nodiscard]] Result<void> result() const;
 
  private:

@@ -18,7 +18,7 @@ enum class ErrorKind : std::uint8_t {
   BadData = 3,     ///< a file was read and is wrong; the message names file:line:column
   Unreadable = 4,  ///< a file is missing or cannot be read
   Network = 5,  ///< a peer cannot be reached, is silent, is lost, refuses or breaks the protocol;
-                ///< cannot listen
+                ///< or the program cannot listen
 };
 
 /// A failure as a value: its kind, and a sentence for the user that names the place, the cause and,

@@ -7,7 +7,7 @@
 namespace aucast {
 
 /// Writes `text` to stdout at once, for a program that may be waiting at the other end of a pipe.
-/// Failed, with the cause, when this or earlier output cannot be written.
+/// Fails with ErrorKind::Failed and the cause if this or earlier output cannot be written.
 [[nodiscard]] Result<void> print_now(std::string_view text = {});
 
 }  // namespace aucast

@@ -13,9 +13,9 @@ namespace aucast {
 
 /// Writes the log to a descriptor, usually stderr, and waits for no reader: a line that cannot be
 /// written at once (a pipe nobody reads, a stopped terminal) is dropped and counted, and the count
-/// is logged before the next line that can be. The descriptor stays blocking, since other programs
-/// may share it: if one fills the pipe between our look at it and our write, that write waits.
-/// Thread: any; spdlog's lock is held while it writes.
+/// is logged before the next line that can be written. The descriptor stays blocking, since other
+/// programs may share it: if one of them fills the pipe between our look at it and our write, our
+/// write waits. Thread: any; spdlog's lock is held while it writes.
 class StderrSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   /// `colours`: whether the level is coloured.

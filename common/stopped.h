@@ -11,8 +11,8 @@ namespace aucast {
 #if __has_include(<stop_token>)
 using StopToken = std::stop_token;
 #else
-/// The standard library of the page (WebAssembly) has no std::stop_token, and nothing stops what
-/// the page reads.
+/// The standard library of the web page (WebAssembly) has no std::stop_token, and nothing stops
+/// what the page reads.
 struct StopToken {
   [[nodiscard]] static bool stop_requested() { return false; }
 };

@@ -18,8 +18,8 @@ namespace aucast {
 template <typename T>
 class Task {
  public:
-  /// Call it only when not running(). Failed when the system has no thread left. `work` must not
-  /// throw.
+  /// Call this only when not running(). Fails with ErrorKind::Failed if the system has no thread
+  /// left. `work` must not throw.
   [[nodiscard]] Result<void> start(std::function<T()> work) {
     // Shared, since a std::function is copied.
     const auto task = std::make_shared<std::packaged_task<T()>>(std::move(work));
@@ -33,8 +33,8 @@ class Task {
   void wait() const {
     if (running()) answer_.wait();
   }
-  /// The answer, once, when it has come; nullopt before. Afterwards the task is no longer
-  /// running(), and the work and all that it owned are destroyed.
+  /// Returns nullopt until the answer has come, and then, once, the answer. After that the task is
+  /// no longer running(), and the work and all that it owned are destroyed.
   [[nodiscard]] std::optional<T> take() {
     if (!running() || answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
       return std::nullopt;

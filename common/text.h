@@ -20,12 +20,12 @@ namespace aucast {
   return static_cast<std::uint8_t>(bytes[at]);
 }
 
-/// Whether the byte is one of a UTF-8 character after its first.
+/// Whether the byte belongs to a UTF-8 character but is not its first.
 [[nodiscard]] constexpr bool is_continuation(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-/// The length of the UTF-8 character that `bytes` begins with; 0 when it begins with none.
+/// The length of the UTF-8 character that `bytes` begins with; 0 when there is none.
 [[nodiscard]] std::size_t utf8_length(std::string_view bytes);
 
 /// Whether the UTF-8 character is one of the control characters C0, DEL or C1.

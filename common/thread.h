@@ -7,7 +7,8 @@
 
 namespace aucast {
 
-/// Starts a thread, which the caller joins. Failed when the system has none left.
+/// Starts a thread, which the caller joins. Fails with ErrorKind::Failed if the system has no
+/// thread left.
 [[nodiscard]] Result<std::jthread> start_thread(std::function<void()> work);
 
 /// Starts a thread that nobody joins, for a call that cannot be interrupted and may take too long

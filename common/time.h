@@ -6,8 +6,8 @@
 
 namespace aucast {
 
-/// A time on the steady clock. Pure code takes it as an argument and never reads a clock, so that
-/// tests control it.
+/// A time on the steady clock. Pure code takes the time as an argument and never reads a clock, so
+/// that tests control time.
 using Instant = std::chrono::steady_clock::time_point;
 using Duration = std::chrono::steady_clock::duration;
 using Milliseconds = std::chrono::milliseconds;

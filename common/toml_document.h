@@ -39,7 +39,7 @@ struct TomlValue::Entry {
   TomlValue value;
 };
 
-/// The table of a whole file. BadData "file:line:column: ..." when the text is not TOML.
+/// The table of a whole file. Fails with BadData, "file:line:column: ...", if the text is not TOML.
 [[nodiscard]] Result<TomlValue> parse_toml(std::string_view bytes, std::string_view file);
 
 /// read_file(), then parse_toml().

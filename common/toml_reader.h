@@ -15,8 +15,8 @@ namespace aucast {
 
 /// Reads a table key by key. A value that is missing, of the wrong type or out of range is a
 /// problem, which is noted with its place; the caller gets a harmless value. finish() reports keys
-/// that were never asked for, each with the nearest key that was. The table and the problems must
-/// outlive it.
+/// that were never asked for, each with the nearest key that was asked for. The table and the
+/// problems must outlive the reader.
 class TableReader {
  public:
   TableReader(const TomlValue& table, Problems& problems) : table_(table), problems_(problems) {}

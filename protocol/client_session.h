@@ -32,8 +32,9 @@ struct DeliverKeyframe {
   std::optional<std::uint64_t> place_ms;
   bool changes_only = false;  ///< the packet was a changes-only one
 };
-/// A voice packet has come. Its place is on the client's clock: the granted `from` (0 if none) plus
-/// the times of the keyframes received. It is heard when the face comes to that place.
+/// A voice packet has come. Its place is on the client's clock, which shows the granted `from` (0
+/// if none) plus the times of the keyframes received. The packet is heard when the face comes to
+/// that place.
 struct DeliverVoice {
   VoicePacket packet;
 };
@@ -58,7 +59,7 @@ struct SessionFailed {
     Silent,         ///< no complete packet within silence_max
   };
   Why why = Why::Lost;
-  std::string reason;         ///< a sentence; peer text escaped
+  std::string reason;         ///< a sentence; text from the peer is escaped
   std::optional<int> code{};  ///< if Refused: the server's error code
 };
 using ClientEvent = std::variant<SendBytes, DeliverKeyframe, DeliverVoice, DeliverCaption, Granted,
@@ -75,7 +76,7 @@ class ClientSession {
   ClientSession& operator=(ClientSession&&) noexcept;
 
   [[nodiscard]] std::vector<ClientEvent> on_connected(Instant now);
-  /// Reads up to the end of the first packet in `bytes` and removes what it read from their front.
+  /// Reads `bytes` up to the end of the first packet; `bytes` is then only what comes after that.
   /// Call it again while bytes are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes);
   /// The server closed its side (`broke` is empty), or the connection broke (`broke` is the cause,
@@ -92,12 +93,13 @@ class ClientSession {
   [[nodiscard]] std::string pause();
   /// Room again: `-3`. It answers nothing; in classic, `-1` was the answer already.
   [[nodiscard]] std::string resume();
-  /// The user leaves: `-4`, once.
+  /// The user leaves: `-4`, at the first call only.
   [[nodiscard]] std::string stop();
 
   [[nodiscard]] Level level() const;
   /// How many keyframes the server may send before it waits for an answer; the owner keeps room for
-  /// as many. 1 in classic. If the server sends more, the owner holds it back: it stops reading.
+  /// as many. 1 in classic. If the server sends more, the owner stops reading, which holds the
+  /// server back.
   [[nodiscard]] int window() const;
   [[nodiscard]] bool paused() const;
   [[nodiscard]] std::size_t unanswered() const;

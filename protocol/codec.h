@@ -15,8 +15,8 @@ namespace aucast::protocol {
 // === Encoding. Canonical output: no spaces, AUs ascending, equal sides joined, no `:100`.
 
 /// {1,6,12,14}: the form for a level-1 peer, without sides, intensities and timing. AUs whose
-/// larger side is below `percent_min` are left out; {0} when nothing is left. Not for changes-only
-/// keyframes.
+/// stronger side is below `percent_min` are left out; {0} when nothing is left. Not for
+/// changes-only keyframes.
 [[nodiscard]] std::string encode_classic(const Keyframe& keyframe, int percent_min);
 
 /// {1:30,R12:80;40@73400}: the whole keyframe, in canonical form.
@@ -91,8 +91,8 @@ struct TextError {
                                                       Keyframe& out);
 
 /// Reads a set from a command line: `1,6,12`, `12:80,R14:50`, `{4C+9}`; FACS names may replace
-/// numbers: `Lip Corner Puller:80`. Timing and the changes-only form are refused. Fails with a
-/// Usage error that names the column.
+/// numbers: `Lip Corner Puller:80`. Fails with a Usage error that names the column; timing and the
+/// changes-only form are errors too.
 [[nodiscard]] Result<AuFrame> parse_au_set(std::string_view typed);
 
 /// The set as `1,6,R12:80`: canonical terms joined by commas, as `face-player rules` prints them.

@@ -24,10 +24,10 @@ enum class DecodeFault : std::uint8_t {
 struct ByteFault {
   DecodeFault fault = DecodeFault::IllegalByte;
   std::string reason;    ///< a sentence; the byte is escaped
-  std::size_t back = 0;  ///< BadField: the wrong byte is this many before the last one read
+  std::size_t back = 0;  ///< BadField: the wrong byte is this many bytes before the last one read
 };
 
-/// IllegalByte: "expected <what>, found '<byte>'".
+/// A fault IllegalByte with the reason "expected <expected>, found '<byte>'".
 [[nodiscard]] ByteFault unexpected(const std::string& expected, char byte);
 
 /// A fault with its position in the connection's bytes, counted from 0.

@@ -19,9 +19,9 @@ namespace aucast::protocol {
 template <typename Packet>
 class PacketDecoder {
  public:
-  /// Reads `bytes` up to the end of the first packet, removes what it read from their front and
-  /// returns the packet. nullopt: all bytes were read and the packet is not complete yet, or there
-  /// is an error().
+  /// Reads `bytes` up to the end of the first packet and returns the packet; `bytes` is then only
+  /// what comes after it. Returns nullopt if all bytes were read and the packet is not complete
+  /// yet, or if there is an error().
   [[nodiscard]] std::optional<Packet> next(std::string_view& bytes);
   [[nodiscard]] const std::optional<DecodeError>& error() const { return error_; }
   /// Whether a packet has begun and is not complete.
@@ -38,9 +38,10 @@ class PacketDecoder {
 
   [[nodiscard]] virtual std::optional<ByteFault> accept(char byte) = 0;
 
-  /// A blank between two packets.
+  /// Counts a blank between two packets. Returns a fault if too many have come in a row.
   [[nodiscard]] std::optional<ByteFault> blank();
-  /// Counts one more byte of the packet being read; a fault if it has more than `max` bytes now.
+  /// Counts one more byte of the packet being read. Returns a fault if the packet has more than
+  /// `max` bytes now.
   [[nodiscard]] std::optional<ByteFault> count(std::size_t max);
   void deliver(Packet packet);
   template <typename T>

@@ -36,14 +36,15 @@ class Delivery {
   /// does so even without `loop`.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
-  /// Changes the stream before anything was sent; answers and pauses received so far are kept.
+  /// Replaces the stream. Call it only before anything was sent; answers and pauses received so far
+  /// are kept.
   void choose(ServedStream stream) { stream_ = std::move(stream); }
   /// Changes to level 2 and grants as much of `asked` as possible. `keyframe_ms` is only copied
   /// into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
-  /// Appends everything that may be sent now. With a recorded stream it holds itself when `out` has
-  /// kOutputBytesMax; to send more, call hold(false) and then this again.
+  /// Appends everything that may be sent now. With a recorded stream it calls hold(true) as soon as
+  /// `out` has kOutputBytesMax bytes; to send more, call hold(false) and then pump() again.
   void pump(std::string& out);
   /// Like pump(), but for when a live channel has new moments: a client that keeps up gets each of
   /// them, even if several began at once.
@@ -56,12 +57,12 @@ class Delivery {
   /// no more will come.
   [[nodiscard]] bool broken_off() const;
 
-  /// Takes an answer: to the oldest keyframe in flight or, if none is in flight, to the next one
+  /// Counts an answer to the oldest keyframe in flight or, if none is in flight, to the next one
   /// that is sent.
   void answer();
   void pause() { paused_ = true; }
   void resume();
-  /// While `held` is true, no keyframe is sent.
+  /// With true, no keyframe is sent until a call with false.
   void hold(bool held) { held_ = held; }
 
   /// Whether keyframes may have to wait for the voice: the stream is recorded, and this client gets
@@ -80,7 +81,8 @@ class Delivery {
  private:
   [[nodiscard]] const EncodedStream& recorded() const;
   [[nodiscard]] const SpokenTrack* spoken() const { return stream_.recorded()->spoken.get(); }
-  /// Whether the first keyframe follows the last, here or at a client that repeats its one turn.
+  /// Whether the first keyframe comes again after the last: here, or at a client that repeats its
+  /// one turn.
   [[nodiscard]] bool in_loop() const { return loop_ || stream_.loops_there(); }
   [[nodiscard]] bool loops() const { return !one_turn_ && in_loop(); }
   [[nodiscard]] const PacketList& packets() const;
@@ -104,7 +106,7 @@ class Delivery {
 
   ServedStream stream_;
   bool loop_;
-  bool one_turn_ = false;  ///< the client repeats it itself
+  bool one_turn_ = false;  ///< only one turn is sent, and the client repeats it
   Level level_ = Level::Classic;
   std::size_t window_ = 1;
   bool delta_ = false;  ///< the changes-only form was granted
@@ -132,7 +134,7 @@ class Delivery {
   // Live only.
   bool full_next_ = true;                     ///< the next packet must not be changes-only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last moment sent
-  Milliseconds shift_{0};  ///< added to a place on the channel's clock, gives the client's
+  Milliseconds shift_{0};  ///< what to add to a place on the channel's clock to get the client's
 };
 
 }  // namespace aucast::protocol

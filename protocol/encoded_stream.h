@@ -22,8 +22,9 @@ using KeyframeTime = std::chrono::duration<std::uint32_t, std::milli>;
 /// How much of a recorded stream we have.
 enum class Extent : std::uint8_t {
   Whole,
-  Growing,    ///< a relay is still receiving it: clients that were sent all of it wait for more
-  BrokenOff,  ///< no more will come for now: such clients are cut off, and may try another server
+  Growing,    ///< a relay still receives it: clients that were sent all so far wait for more
+  BrokenOff,  ///< no more comes for now: clients that were sent all so far are cut off, and may
+              ///< try another server
 };
 
 /// A recorded stream, encoded once in every form it is sent in. Shared by all clients; immutable
@@ -84,13 +85,14 @@ class StreamEncoder {
   bool plain_ = true;
 };
 
-/// Encodes a stream that is in memory as keyframes. Asked to stop, it returns what it has so far.
+/// Encodes keyframes that are in memory. When asked to stop, returns what it has encoded so far.
 [[nodiscard]] EncodedStream encode_stream(std::span<const Keyframe> keyframes,
                                           std::uint32_t keyframe_ms, int classic_min,
                                           const StopToken& stop = {});
 
 /// How long a classic client takes to play the stream. Classic packets carry no times, so the
-/// client gives every keyframe the default time. nullopt: it is the stream's length, or not known.
+/// client gives every keyframe the default time. Returns nullopt if that is the stream's own
+/// length, or is not known.
 [[nodiscard]] std::optional<Milliseconds> classic_length(const EncodedStream& stream);
 
 }  // namespace aucast::protocol

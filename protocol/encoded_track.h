@@ -60,7 +60,7 @@ struct SpokenTrack {
   [[nodiscard]] bool has_captions() const { return captions_come || !captions.empty(); }
 };
 
-/// Whether clients would hear and read the same.
+/// Whether clients hear and read the same with either of them.
 [[nodiscard]] bool same_spoken(const std::shared_ptr<const SpokenTrack>& one,
                                const std::shared_ptr<const SpokenTrack>& other);
 

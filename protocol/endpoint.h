@@ -17,7 +17,7 @@ struct Endpoint {
   friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-/// Reads HOST, HOST:PORT, [V6]:PORT or [V6]. Usage error otherwise.
+/// Reads HOST, HOST:PORT, [V6]:PORT or [V6]. Fails with a Usage error for anything else.
 [[nodiscard]] Result<Endpoint> parse_endpoint(std::string_view text);
 
 /// The address of a stream, which may be at several servers.
@@ -28,18 +28,19 @@ struct StreamAddress {
   friend bool operator==(const StreamAddress&, const StreamAddress&) = default;
 };
 
-/// Whether the text begins like a stream's address, whether or not the rest is right.
+/// Whether the text begins like a stream's address; the rest is not checked.
 [[nodiscard]] bool is_stream_address(std::string_view text);
 
-/// Reads aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Usage error
-/// otherwise.
+/// Reads aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM], or aucasts:// for TLS. Fails with a Usage
+/// error for anything else.
 [[nodiscard]] Result<StreamAddress> parse_stream_address(std::string_view text);
 
-/// Whether the text begins like the address of a stream at NATS, whether or not the rest is right.
+/// Whether the text begins like the address of a stream at NATS; the rest is not checked.
 [[nodiscard]] bool is_engine_address(std::string_view text);
 
 /// Reads nats://HOST[:PORT][,HOST[:PORT]...]/STREAM, or natss:// for TLS: the address of a stream
-/// at servers of NATS (ENGINE.md). The stream must be named. Usage error otherwise.
+/// at servers of NATS (ENGINE.md). The stream must be named. Fails with a Usage error for anything
+/// else.
 [[nodiscard]] Result<StreamAddress> parse_engine_address(std::string_view text);
 
 }  // namespace aucast::protocol

@@ -18,7 +18,7 @@ inline constexpr std::uint16_t kEnginePort = 4222;  ///< the default port of NAT
 inline constexpr std::size_t kEngineBytesMax = 65536;
 inline constexpr std::size_t kEngineLineBytesMax = 256;
 
-/// What the origin sends: what is new, or an answer.
+/// What the origin sends: new packets, or an answer.
 struct EngineMessage {
   enum class Kind : std::uint8_t {
     Batch,  ///< new packets, to everybody
@@ -29,7 +29,7 @@ struct EngineMessage {
   std::string origin;  ///< the origin's ID
   std::uint64_t seq = 0;
   std::uint64_t place_ms = 0;  ///< on the publisher's clock: where the first keyframe begins
-  std::uint64_t after = 0;     ///< only for Since: the last batch that the watcher has
+  std::uint64_t after = 0;     ///< only for Since: the last batch that the edge has
   std::string packets;         ///< whole packets; may be empty
   friend bool operator==(const EngineMessage&, const EngineMessage&) = default;
 };
@@ -37,15 +37,15 @@ struct EngineMessage {
 /// What an edge sends: a request for the state, or for the batches that it missed.
 struct EngineJoin {
   std::string origin;                  ///< the ID of the publisher that is to answer; empty: any
-  std::optional<std::uint64_t> after;  ///< the last batch that it has; nullopt: it has none
+  std::optional<std::uint64_t> after;  ///< the last batch that the edge has; nullopt: it has none
   friend bool operator==(const EngineJoin&, const EngineJoin&) = default;
 };
 
 [[nodiscard]] std::string encode(const EngineMessage& message);
 [[nodiscard]] std::string encode(const EngineJoin& join);
 
-/// Reads what encode() makes. For anything else fails with BadData and a clause that says what is
-/// wrong. Of the packets only the first and the last byte are checked.
+/// Reads what encode() makes. Fails for anything else, with BadData and a clause that says what is
+/// wrong. Of `packets` only the first and the last byte are checked.
 [[nodiscard]] Result<EngineMessage> parse_engine_message(std::string_view bytes);
 [[nodiscard]] Result<EngineJoin> parse_engine_join(std::string_view bytes);
 

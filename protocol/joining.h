@@ -23,8 +23,8 @@ class Joining {
     bool silent = false;
     Duration after{};  ///< how long to wait before replying, to slow down guessing of tokens
   };
-  /// A stream that is here or may come (its state is never Refused), the refusal, a publisher whose
-  /// stream is taken, or the list of streams that was asked for.
+  /// A stream that is here or may come (never in the state Refused), the refusal, a publisher whose
+  /// stream is accepted, or the list of streams that was asked for.
   using Answer = std::variant<StreamChoice, Refusal, HandOver, StreamList>;
 
   /// The catalogue must outlive it.
@@ -49,7 +49,7 @@ class Joining {
   [[nodiscard]] Refusal wrong_token(const TokenWords& words, Instant now) const;
 
   const ServerCatalogue* catalogue_;
-  bool trusted_;                   ///< needs no token to watch
+  bool trusted_;                   ///< the client needs no token to watch
   const char* no_room_ = nullptr;  ///< why there is no room for this client; null: there is
   TokenCount token_count_;
   Silence silence_;

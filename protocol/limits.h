@@ -40,7 +40,7 @@ inline constexpr std::int64_t kPlaceMsMax = 1'000'000'000'000;  ///< about 31 ye
 inline constexpr std::chrono::milliseconds kDefaultKeyframeTime{250};
 inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< shortest wait for code or hello
 inline constexpr std::chrono::milliseconds kGraceMax{3000};  ///< longest wait for code or hello
-inline constexpr int kGraceRoundTrips = 3;  ///< the wait between these limits, in round trips
+inline constexpr int kGraceRoundTrips = 3;  ///< the wait in round trips, within these limits
 inline constexpr std::chrono::milliseconds kHelloTimeMax{5000};  ///< from its '{' to its '}'
 /// How long the refusal of a wrong token is held back.
 inline constexpr std::chrono::milliseconds kWrongTokenWait{1000};
@@ -51,13 +51,13 @@ inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};
 inline constexpr std::size_t kDrainBytesMax = 65536;
 /// Changes-only form: the most keyframe time between the beginnings of two full keyframes.
 inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
-/// Live: keyframe time that may be in flight to one client; bounds its window.
+/// Live: keyframe time that may be in flight to one client; limits the client's window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};
 
 // Limits of our programs that are not part of the protocol; other programs may choose their own.
 
-// A peer that vanished without closing is found within a minute: by TCP's keep-alive probes while
-// nothing is under way to it, and otherwise by bytes that it does not acknowledge.
+// A peer that vanished without closing is noticed within a minute: if nothing is under way to it,
+// by TCP's keep-alive probes; otherwise by bytes that it does not acknowledge.
 /// Silence before the first probe.
 inline constexpr std::chrono::milliseconds kKeepAliveIdle{30'000};
 inline constexpr std::chrono::milliseconds kKeepAliveInterval{10'000};  ///< between two probes
@@ -70,7 +70,8 @@ inline constexpr std::size_t kReadBytesMax = 1024;
 /// While this many bytes or more wait to be sent to a client, nothing is read from it. This is also
 /// about how much of a recorded stream is handed out at once.
 inline constexpr std::size_t kOutputBytesMax = 65536;
-/// The most wrong tokens from one address within kWrongTokensTime; then it must wait.
+/// The most wrong tokens from one address within kWrongTokensTime; after these the address must
+/// wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
 inline constexpr std::chrono::milliseconds kWrongTokensTime{1000};
 /// Longest wait of a client for a stream that a relay does not have yet. The client would give up
@@ -79,7 +80,8 @@ inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};
 inline constexpr std::size_t kPublisherFileBytesMax = 65536;  ///< the file of --accept-push
 
 inline constexpr std::size_t kWebFrameBytesMax = 65536;  ///< payload of a client's WebSocket frame
-/// Less than the 60 s of silence after which many proxies drop a connection.
+/// Silence of a client after which it is sent a Ping: less than the 60 s after which many proxies
+/// drop a connection.
 inline constexpr std::chrono::milliseconds kWebPingIdle{25'000};
 inline constexpr std::chrono::milliseconds kWebPongTimeMax{30'000};
 

@@ -14,8 +14,8 @@
 
 namespace aucast::protocol {
 
-/// A keyframe that everybody is sent now, in every form. `number` counts from 0 and goes on when a
-/// stream starts again: a client that was last sent n and is now to be sent n + 2 has missed one.
+/// A keyframe that everybody is sent now, in every form. `number` counts from 0, and counts on when
+/// a stream starts again: a client that was last sent n and is now to be sent n + 2 has missed one.
 struct LiveMoment {
   std::uint64_t number = 0;
   std::string classic;
@@ -46,7 +46,7 @@ class LiveChannel {
   [[nodiscard]] bool ended() const { return ended_; }
   /// Whether the moments have a changes-only form.
   [[nodiscard]] bool has_changes() const { return has_changes_; }
-  /// The length of the whole stream; nullopt: it has no end, or that is not known.
+  /// The length of the whole stream; nullopt: it has no end, or its length is not known.
   [[nodiscard]] std::optional<std::uint64_t> duration_ms() const { return duration_ms_; }
   /// Whether voice may come, and whether captions may.
   [[nodiscard]] bool has_voice() const { return spoken_.voice; }

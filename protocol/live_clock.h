@@ -21,7 +21,7 @@ class LiveClock {
   /// How late a moment may be without being skipped.
   static constexpr Milliseconds kLiveLagMax{1000};
 
-  /// `number` counts the moments from 0 and goes on when the stream starts again.
+  /// `number` counts the moments from 0, and counts on when the stream starts again.
   struct Moment {
     std::uint64_t number = 0;
     std::size_t keyframe = 0;
@@ -32,9 +32,10 @@ class LiveClock {
   /// are not copied and must outlive the clock.
   LiveClock(std::span<const KeyframeTime> times, bool loop, Instant begin);
 
-  /// Goes on to the next moment, or to the end, if that is due. Call it until it returns false.
+  /// Goes on to the next moment, or to the end, if that is due; else returns false. Call it until
+  /// then.
   bool advance(Instant now);
-  /// Goes through all moments that are due; false when none is.
+  /// Goes through all moments that are due; returns false if none is.
   bool advance_all(Instant now);
   /// The moments that the last advance() or advance_all() went through, the newest last; empty when
   /// it only reached the end.

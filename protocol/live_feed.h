@@ -44,7 +44,7 @@ class LiveFeed final : public LiveChannel {
   std::uint32_t keyframe_ms_;
   KeyframeEncoder encoder_;
   bool together_ = false;
-  bool moments_told_ = false;  ///< the next add() replaces those in latest()
+  bool moments_told_ = false;  ///< the next add() replaces the moments in latest()
   Milliseconds end_{0};        ///< of the newest moment
   double usual_ms_ = 33;       ///< recent mean time between two moments
 };

@@ -21,8 +21,8 @@ class LiveReplay final : public LiveChannel {
   LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
              std::shared_ptr<const SpokenTrack> spoken = nullptr);
 
-  /// Begins all moments that are due by `now`, or ends the stream; false when nothing was due.
-  /// Moments that are more than LiveClock::kLiveLagMax late are left out.
+  /// Begins all moments that are due by `now`, or ends the stream; returns false if nothing was
+  /// due. Moments that are more than LiveClock::kLiveLagMax late are left out.
   bool advance(Instant now);
   /// When to call advance() next; nullopt after the end.
   [[nodiscard]] std::optional<Instant> next_at() const { return clock_.next_at(); }

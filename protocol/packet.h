@@ -47,7 +47,8 @@ struct CaptionData {
 /// The only codec that `voice=` can name.
 inline constexpr std::string_view kVoiceCodec = "opus";
 
-/// The client's {hello ...}. Keys that are absent have these values; unknown keys are ignored.
+/// The client's {hello ...}. A key that is absent has the value given here; unknown keys are
+/// ignored.
 struct HelloAsked {
   int version = 2;
   int window = 1;  ///< 0-999999; more than 256 counts as 256; 0: no answers, for live streams only
@@ -73,13 +74,13 @@ struct HelloGranted {
   std::string stream;
   bool live = false;
   std::optional<std::uint64_t> duration_ms;  ///< of the whole stream; nullopt: unknown
-  std::uint32_t keyframe_ms = 250;           ///< time of a packet without one of its own
+  std::uint32_t keyframe_ms = 250;           ///< time of a keyframe without one of its own
   std::uint64_t from_ms = 0;  ///< of a recorded stream: where the first keyframe begins
   std::string voice{};        ///< kVoiceCodec: voice packets may come; empty: none will
   bool text = false;          ///< captions may come
   bool loop = false;          ///< only one turn of a looped stream is sent
   std::string title{};        ///< of the stream, for people; UTF-8
-  std::string servers{};      ///< the chain that it comes through (server_chain.h); for relays only
+  std::string servers{};      ///< the stream's chain (server_chain.h); for relays only
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
@@ -108,7 +109,7 @@ struct StreamList {
 /// {streams}, sent by a client instead of a hello.
 struct StreamsAsked {
   std::string token;
-  bool details = false;  ///< it reads more than names
+  bool details = false;  ///< the client can read more than names
   friend bool operator==(const StreamsAsked&, const StreamsAsked&) = default;
 };
 

@@ -51,8 +51,8 @@ struct ServedStream {
   [[nodiscard]] const std::string& known_name() const {
     return name.empty() && upstream() != nullptr ? upstream()->name : name;
   }
-  /// What a list of streams says of it. `loops`: a recorded one starts again at its end, and so has
-  /// no length.
+  /// What a list of streams says of it. `loops`: if recorded, the stream starts again at its end,
+  /// and so has no length.
   [[nodiscard]] ListedStream listed(bool loops) const;
   /// Whether the server that it comes from starts it again at its end.
   [[nodiscard]] bool loops_there() const { return upstream() != nullptr && upstream()->loop; }

@@ -6,13 +6,13 @@
 
 namespace aucast::protocol {
 
-// The servers through which a stream comes, by their IDs: `ID,ID,...`, first the one that makes it,
-// then each relay. It shows whether a relay would get its own stream back.
+// A chain: the IDs of the servers through which a stream comes, as `ID,ID,...`, first the server
+// that makes the stream, then each relay. It shows whether a relay would get its own stream back.
 
 /// Whether the text is 1 to kRelayHopsMax IDs.
 [[nodiscard]] bool is_server_chain(std::string_view text);
-/// Whether the text can be an ID: written as a stream's name is, of at most kServerIdBytesMax
-/// bytes.
+/// Whether the text can be an ID, which has the form of a stream's name and at most
+/// kServerIdBytesMax bytes.
 [[nodiscard]] bool is_server_id(std::string_view text);
 
 /// How many servers a chain names; 0 for an empty text.

@@ -26,7 +26,7 @@ struct ServerCatalogue {
   /// later.
   std::vector<ServedStream> streams;
   std::uint32_t keyframe_ms = 250;  ///< told in the hello
-  bool loop = false;                ///< recorded: start again at the end instead of {-2}
+  bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
   std::string id{};  ///< of this server, told to relays; empty: none
@@ -44,7 +44,8 @@ struct ServerCatalogue {
 struct SendBytes {
   std::string bytes;
 };
-struct ShutdownSending {};  ///< once all that was sent before is out; then go on reading
+/// Shut the sending side as soon as everything before this is sent; go on reading.
+struct ShutdownSending {};
 struct CloseConnection {
   enum class Why : std::uint8_t {
     Finished,       ///< everything was sent; then the peer closed its side, or the drain reached a
@@ -72,7 +73,7 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection, Ha
 /// Whether there is room for one more client, and whether it needs the token.
 enum class Admission : std::uint8_t {
   Welcome,
-  Trusted,      ///< welcome, also without the token
+  Trusted,      ///< welcome even without the token
   Full,         ///< a client that says hello gets {error 503 ...}, any other a plain close
   FullAddress,  ///< the same, because too many clients come from its address
 };
@@ -80,14 +81,14 @@ enum class Admission : std::uint8_t {
 /// How to treat a client that sends no hello.
 enum class Silence : std::uint8_t {
   Classic,  ///< as one of level 1
-  Refused,  ///< after kHelloTimeMax it gets {error 400 ...}: over a WebSocket
+  Refused,  ///< it gets {error 400 ...} after kHelloTimeMax: for WebSockets
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
-/// windowed sending, pause, stop, end, drain. A client of a live stream gets, whenever it may be
-/// sent something, the newest moment; those that it missed are skipped (Delivery). No socket and no
-/// clock: bytes and the current time go in, events come out. After CloseConnection or HandOver
-/// nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
+/// windowed sending, pause, stop, end, drain. Whenever a client of a live stream may be sent
+/// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
+/// and no clock: bytes and the current time go in, events come out. After CloseConnection or
+/// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
 /// keyframes; when more may be sent, the session is held() until hold(false) is called. The owner
 /// must not read on while much of what it has to send is still unsent: a peer that answers without
 /// reading would fill the owner's memory. Follows the table in PROTOCOL.md, section "Server".
@@ -112,11 +113,11 @@ class ServerSession {
   /// Call when a stream has something new: a live one has a new moment, or one that comes from
   /// another server has grown. Without effect unless this session waits for that.
   [[nodiscard]] std::vector<ServerEvent> on_moment(Instant now);
-  /// The voice of this session's stream has grown. Without effect where it has none.
+  /// Call when the voice of this session's stream has grown. Without effect if the stream has none.
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);
-  /// With true, when the socket takes no more, no keyframe is handed out until a call with false; a
-  /// live stream then goes on with its newest moment. A session that sends a recorded stream also
-  /// holds itself when a call has handed out kOutputBytesMax.
+  /// Call it with true when the socket takes no more: no keyframe is handed out until a call with
+  /// false. After that a live stream goes on with its newest moment. A session that sends a
+  /// recorded stream also holds itself when a call has handed out kOutputBytesMax.
   [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
   /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
@@ -132,14 +133,14 @@ class ServerSession {
 
   [[nodiscard]] Level level() const;
   [[nodiscard]] bool paused() const;
-  /// True while the peer owes an answer and has not paused: what --client-timeout measures.
+  /// True while the peer owes an answer and has not paused: --client-timeout limits this time.
   [[nodiscard]] bool awaiting_answer() const;
   /// Whether keyframes wait for hold(false).
   [[nodiscard]] bool held() const;
   /// True while this session sends keyframes of a live stream.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;
-  /// Null when the stream is live.
+  /// The stream's keyframes; null: it is not recorded, or not known yet.
   [[nodiscard]] const EncodedStream* recorded() const;
   [[nodiscard]] const SentCounts& sent() const;
 

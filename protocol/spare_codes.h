@@ -20,7 +20,7 @@ class SpareCodes {
   [[nodiscard]] bool spend(Instant now) {
     constexpr std::chrono::milliseconds kEach{1000 / kSpareCodesPerSecond};
     if (const auto earned = (now - counted_) / kEach; earned > 0) {
-      counted_ += earned * kEach;  // what is left of the time counts for the next one
+      counted_ += earned * kEach;  // what is left of the time counts for the next credit
       left_ = std::min(left_ + static_cast<std::size_t>(earned), kSpareCodesMax);
     }
     if (left_ == 0) return false;

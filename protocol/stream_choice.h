@@ -30,8 +30,8 @@ struct StreamChoice {
                                          const std::optional<HelloAsked>& asked);
 
 /// The refusal if a relay would get its own stream back, or if the stream would come through more
-/// than kRelayHopsMax relays; nullopt if not, or if `asked` is not a relay's hello. It may change
-/// when the stream comes another way.
+/// than kRelayHopsMax relays; nullopt if neither is so, or if `asked` is not a relay's hello. The
+/// answer may change when the stream comes another way.
 [[nodiscard]] std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
                                                       const ServedStream& stream,
                                                       const HelloAsked& asked);

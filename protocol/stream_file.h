@@ -37,7 +37,7 @@ struct StreamTitle {
   std::size_t line = 0;  ///< where it is
 };
 
-/// The title that a comment "# title: ..." before the first packet gives; empty: there is none.
+/// The title from a comment "# title: ..." before the first packet; empty: there is none.
 [[nodiscard]] StreamTitle stream_title(std::string_view text);
 
 /// Why no client gets this title, with its line in the stream file, which messages call `file`.
@@ -46,7 +46,7 @@ struct StreamTitle {
 
 /// Reads the whole text of a stream file, which messages call `file`. Fails with BadData and one
 /// line "file:line:column: reason" for each of the first kReportedErrorsMax errors, and a last line
-/// that counts the rest. Asked to stop, it returns stopped_early() at the next keyframe.
+/// that counts the rest. When asked to stop, fails with stopped_early() at the next keyframe.
 [[nodiscard]] Result<StreamFile> parse_stream_file(std::string_view text, std::string_view file,
                                                    const StopToken& stop = {});
 

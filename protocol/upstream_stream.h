@@ -17,8 +17,8 @@ struct RecordedStream {
   std::shared_ptr<const EncodedStream> encoded;  ///< never null
   /// The voice and captions, for clients that ask for them. Null: none.
   std::shared_ptr<const SpokenTrack> spoken{};
-  /// What these clients are sent instead of `encoded` where that does not suit the voice: see
-  /// voiced_stream(). Null: they are sent `encoded`.
+  /// What these clients are sent if `encoded` does not suit the voice (voiced_stream()). Null: they
+  /// are sent `encoded`.
   std::shared_ptr<const EncodedStream> voiced{};
 
   /// What clients that ask for voice or captions are sent. Never null.
@@ -33,9 +33,9 @@ struct RecordedStream {
   }
 };
 
-/// A stream that another server sends, as far as it is known; at first it may be recorded or live.
-/// Shared by all its sessions. Its receiver writes it; what has become known does not change, but a
-/// recorded stream grows.
+/// A stream that another server sends, as far as it is known; at first not even whether it is
+/// recorded or live. Shared by all its sessions. Its receiver writes it; what has become known does
+/// not change, but a recorded stream grows.
 /// Thread: that of the sessions.
 struct UpstreamStream {
   std::string name;  ///< empty: not known yet

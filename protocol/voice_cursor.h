@@ -13,9 +13,9 @@ namespace aucast::protocol {
 class VoiceCursor {
  public:
   /// Appends the packet to `out`: {a DATA} if it begins where the last one ended, else {a@PLACE
-  /// DATA}. `shift` is added to a place on the packet's clock to get the client's. Returns false if
-  /// the packet was left out because it would begin before the end of the last one, or before 0 on
-  /// the client's clock.
+  /// DATA}. `shift` is added to a place on the packet's clock to get the place on the client's
+  /// clock. Returns false if the packet was left out because it would begin before the end of the
+  /// last one, or before 0 on the client's clock.
   bool send(const EncodedVoice& voice, Milliseconds shift, std::string& out);
 
  private:

@@ -10,8 +10,8 @@
 namespace aucast::protocol {
 
 /// Counts the wrong tokens of the last kWrongTokensTime, by the address from which they came. After
-/// kWrongTokensMax of them, no token from that address is compared, not even the right one. Closed
-/// connections' wrong tokens count too; otherwise guessing would be as fast as connecting.
+/// kWrongTokensMax from one address, no token from there is compared, not even the right one. Wrong
+/// tokens of closed connections count too; otherwise guessing would be as fast as connecting.
 /// Thread: none of its own.
 class WrongTokens {
  public:

@@ -34,9 +34,9 @@ struct Cepstrum {
 /// not with its square.
 [[nodiscard]] AlignmentPath align(const Cepstrum& a, const Cepstrum& b);
 
-/// Moves a synthesiser's speech onto a narration of the same words, mono at `rate`. Returns the
-/// phonemes, words and sentence ends of `spoken` at the times at which they come in the narration,
-/// and the narration as the samples.
+/// Moves a synthesiser's speech onto a narration of the same words; the narration is mono, at
+/// `rate`. Returns the phonemes, words and sentence ends of `spoken` at the times at which they
+/// come in the narration, and the narration as the samples.
 [[nodiscard]] Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate);
 
 }  // namespace aucast::speaker

@@ -14,8 +14,9 @@ struct VoiceOptions {
   int pitch = 50;               ///< 0-99
 };
 
-/// Speaks the text with espeak-ng. Usage error when there is no such voice, Failed when espeak-ng's
-/// data is missing. Not from two threads at once: the library keeps its state in globals.
+/// Speaks the text with espeak-ng. Fails with a Usage error if there is no such voice, with
+/// ErrorKind::Failed if espeak-ng's data is missing. Do not call it from two threads at once: the
+/// library keeps its state in globals.
 [[nodiscard]] Result<Speech> speak(const std::string& text, const VoiceOptions& options);
 
 /// One line for every voice, its language and its name with a tab between: "en-gb", tab, "English

@@ -11,7 +11,7 @@ namespace aucast::speaker {
 
 struct GestureOptions {
   std::uint64_t seed = 1;
-  float amount = 1;  ///< of the movements of brows and head, 0-2; there are always blinks
+  float amount = 1;  ///< factor on the movements of brows and head, 0-2; not on blinks
 };
 
 /// Adds to the curves what a speaker does besides moving the lips: blinks (after sentences, and

@@ -19,8 +19,9 @@ struct Narration {
 };
 
 /// Reads the narration of a text; `said` is how long the synthesiser takes to speak that text.
-/// Unreadable as SoundFile::open(). BadData when the file is no sound or is damaged, or when it
-/// lasts longer than `longest`, less than a quarter of `said` or more than four times `said`.
+/// Fails with Unreadable as SoundFile::open() does. Fails with BadData if the file is no sound or
+/// is damaged, or if it lasts longer than `longest`, less than a quarter of `said` or more than
+/// four times `said`.
 [[nodiscard]] Result<Narration> read_narration(const std::filesystem::path& path, Milliseconds said,
                                                Milliseconds longest = kNarrationMax);
 

@@ -23,7 +23,7 @@ using Expressions = std::map<std::string, std::vector<AuTerm>, std::less<>>;
 [[nodiscard]] Expressions sets_of(const std::vector<Expression>& expressions);
 
 /// Checks that every cue is known: a name of `expressions` or "smile", perhaps with a percent after
-/// it ("smile 60"), or AUs as in a packet ("6,12:60"). BadData with file:line:column.
+/// it ("smile 60"), or AUs as in a packet ("6,12:60"). Fails with BadData and file:line:column.
 [[nodiscard]] Result<void> check_cues(const Script& script, const Expressions& expressions,
                                       std::string_view file);
 

@@ -9,7 +9,7 @@
 
 namespace aucast::speaker {
 
-/// A cue: from here on the text asks for an expression.
+/// A cue: a place from which on the text asks for an expression.
 struct Cue {
   std::string name;    ///< as written
   std::size_t at = 0;  ///< how many characters of the text come before it
@@ -27,17 +27,17 @@ struct Script {
 };
 
 /// Reads a text, which messages call `file`: empty lines separate paragraphs, a line that begins
-/// with # is a comment, a word in brackets such as [smile] is a cue. BadData for bytes that are not
-/// UTF-8, a bracket that is not closed on its line, and a text without words.
+/// with # is a comment, a word in brackets such as [smile] is a cue. Fails with BadData for bytes
+/// that are not UTF-8, a bracket that is not closed on its line, or a text without words.
 [[nodiscard]] Result<Script> parse_script(std::string_view bytes, std::string_view file);
 
 /// The number of characters (code points).
 [[nodiscard]] std::size_t characters(std::string_view utf8);
 
-/// Finds parts of a text by character; the positions are counted only once.
+/// Finds parts of a text by character. The characters are counted only once, in the constructor.
 class Characters {
  public:
-  /// `utf8` must outlive it.
+  /// `utf8` must outlive this object.
   explicit Characters(std::string_view utf8);
   [[nodiscard]] std::size_t count() const { return begins_.size() - 1; }
   /// The bytes of `count` characters from character `at` on, or fewer at the end; a view into the

@@ -33,7 +33,7 @@ struct Viseme {
 /// The viseme with which a diphthong ends, that of its last vowel; null for other sounds.
 [[nodiscard]] const Viseme* glide_of(std::string_view ipa);
 
-/// The lips close for a p or b this long before espeak-ng's mark, which is at the burst; 0 for
+/// How long before espeak-ng's mark, which is at the burst, the lips close for a p or b; 0 for
 /// other sounds.
 [[nodiscard]] int closure_before_ms(std::string_view ipa);
 

@@ -25,7 +25,7 @@ struct Assets {
   std::map<int, std::string> au_looks;  ///< what each AU looks like, in words
 };
 
-/// Reads the texts of data/action_units.toml, by AU number.
+/// Reads from data/action_units.toml what each AU looks like, by AU number.
 [[nodiscard]] Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file);
 
 /// Reads face, rules and expressions, and logs Face::remarks.

@@ -25,7 +25,7 @@ class BackgroundWork {
       done_ = done;
     }
     [[nodiscard]] bool cancelled() const { return cancel_.stop_requested(); }
-    /// For work that waits: the token asks it to stop when it is cancelled.
+    /// For work that waits: a token that asks for a stop when the work is cancelled.
     [[nodiscard]] std::stop_token stop() const { return cancel_.get_token(); }
 
    private:

@@ -10,8 +10,8 @@ namespace aucast::app {
 /// Reports each loss of the connection once, if the player tries to connect again.
 class LossWarnings {
  public:
-  /// The warning of a loss that has not been reported yet; else empty. Call it often while there is
-  /// nothing to play.
+  /// Returns a warning about a loss that has not been reported yet; empty if there is none. Call it
+  /// often while there is nothing to play.
   [[nodiscard]] std::string look_at(const playback::Playback& playback);
 
  private:

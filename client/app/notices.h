@@ -22,7 +22,7 @@ class Notices {
     if (now >= until_) clear();
   }
   [[nodiscard]] const gui::Notice& view() const { return notice_; }
-  /// When the sentence disappears. Only meaningful while there is one.
+  /// When the sentence disappears. Only meaningful while there is a sentence.
   [[nodiscard]] Instant until() const { return until_; }
 
  private:

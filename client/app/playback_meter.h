@@ -18,7 +18,7 @@ class PlaybackMeter {
   /// Call it whenever `playback` was advanced to `now`: counts what has been played up to then.
   /// Returns true once, when the first keyframe has begun.
   [[nodiscard]] bool count(const playback::Playback& playback, Instant now);
-  /// Call it when something else is played.
+  /// Call it when another stream begins to play.
   void begin_again();
 
  private:

@@ -55,7 +55,7 @@ struct PlaybackOptions {
   bool voice = false;  ///< ask for the stream's voice, because it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
   bool reconnect = false;
-  bool one_round = false;         ///< several hosts, no --reconnect: fails if none answers
+  bool one_round = false;         ///< without --reconnect, each of several hosts is tried only once
   Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
   net::SecurityOptions security;  ///< TLS with its files, and the token's file
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking
@@ -102,11 +102,11 @@ struct PoseOptions {
   std::filesystem::path png;
   std::filesystem::path obj;
   std::string viewpoint = "front";  ///< --camera
-  bool list = false;                ///< --list: what can be named
+  bool list = false;                ///< --list: print the names that can be given
   bool explain = false;             ///< rules --explain
 };
 
-/// What `gallery` makes; viewpoint, size, mixer and rules are those of the other commands.
+/// What `gallery` makes. Viewpoint, size, mixer and rules are in the other structs.
 struct GalleryOptions {
   std::filesystem::path folder;     ///< gallery DIR
   std::vector<std::string> only;    ///< --only: names of sections; empty: all
@@ -160,8 +160,8 @@ struct PlayerOptions {
 /// The manual page face-player(1) in roff.
 [[nodiscard]] std::string manual_page();
 
-/// The script by which a shell completes face-player's options and commands, if the arguments ask
-/// for it: --help-completion [bash|zsh|fish]; else nullopt.
+/// If the arguments are --help-completion [bash|zsh|fish], returns the script by which that shell
+/// completes face-player's options and commands; else nullopt.
 [[nodiscard]] std::optional<std::string> completion(const std::vector<std::string>& arguments);
 
 }  // namespace aucast::app

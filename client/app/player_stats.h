@@ -31,8 +31,9 @@ struct PlayerStats {
   bool live = false;
   /// Live: the time from the arrival of a keyframe until the face had reached it.
   playback::DelaySummary delay_measured;
-  std::optional<Duration> delay_aimed_at;  ///< the median of the delays aimed at, or the last of
-                                           ///< them; nullopt: not live
+  std::optional<Duration> delay_aimed_at;  ///< with --live, the median of the times from a
+                                           ///< keyframe's arrival until it is due; else the delay
+                                           ///< that the source aims at; nullopt: not live
   std::uint64_t keyframes_dropped = 0;     ///< live: skipped to catch up
   std::uint64_t voice_left_out = 0;        ///< packets for which the source had no room
   std::uint64_t captions_left_out = 0;     ///< likewise
@@ -44,7 +45,7 @@ struct PlayerStats {
 
   /// Takes the counts of a source.
   void take(const playback::SourceStatus& status);
-  /// Takes the counts of playing, but not those of its source.
+  /// Takes the counts of `playback`, but not those of its source.
   void take(const playback::Playback& playback);
 };
 

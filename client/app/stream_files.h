@@ -11,7 +11,7 @@
 
 namespace aucast::app {
 
-/// What a stream file has.
+/// What read_stream() returns.
 struct TitledStream {
   std::vector<playback::Keyframe> keyframes;  ///< at least one
   std::string title;                          ///< byte for byte as in the file; empty: none
@@ -24,7 +24,7 @@ struct TitledStream {
 struct OpenedStream {
   std::vector<playback::Keyframe> keyframes;  ///< at least one
   std::string found;  ///< a sentence about a recogniser's table; empty for a stream file
-  std::vector<std::string> warnings;  ///< what the reader finds odd in the file, a sentence each
+  std::vector<std::string> warnings;  ///< one sentence for each oddity of the file
 };
 
 /// The names by which messages call the settings of a table: those of the file dialog (file.fps and
@@ -33,8 +33,8 @@ inline constexpr sources::SettingNames kDialogNames{"Pictures/s", "'Neutral, s'"
 inline constexpr sources::SettingNames kOptionNames{"--table-fps", "--table-neutral"};
 
 /// Reads a stream file or the table of a recogniser, and tells them apart by their content.
-/// `settings`: for tables; messages call them by `names`. Fails with Unreadable, with BadData and a
-/// line for each error, or with Usage if a table needs a setting.
+/// `settings`: how to read a table; `names`: what messages call the settings. Fails with
+/// Unreadable, with BadData and a line for each error, or with Usage if a table needs a setting.
 [[nodiscard]] Result<OpenedStream> open_stream(const std::filesystem::path& file,
                                                const gui::TableSettings& settings,
                                                const sources::SettingNames& names);

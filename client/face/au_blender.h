@@ -43,12 +43,12 @@ struct AuShare {
   friend bool operator==(const AuShare&, const AuShare&) = default;
 };
 
-/// A rule that fired, in the form in which people are shown it.
+/// A rule that fired, in the form that is shown to people.
 struct RuleExplained {
   const Rule* rule = nullptr;
   Side side = Side::Both;       ///< Both if it did the same on both sides
-  std::vector<AuShare> before;  ///< its AUs that were present
-  std::vector<AuShare> after;   ///< the AUs that it changed; 0: gone
+  std::vector<AuShare> before;  ///< the rule's AUs that were present
+  std::vector<AuShare> after;   ///< the AUs that the rule changed; 0 %: the AU is gone
 };
 
 /// What the rules of one blend() did, left side first. A rule that did the same on both sides is

@@ -18,7 +18,7 @@
 
 namespace aucast::face {
 
-/// The side of something at `x` (mesh units): Both within 0.05 of the middle.
+/// The side of something at `x` (mesh units). It is Both if `x` is within 0.05 of the middle.
 [[nodiscard]] Side side_at(float x);
 
 /// One thing that can be driven: a muscle, the jaw, a lid, an eye, the head, a crease. Its
@@ -33,17 +33,17 @@ struct Channel {
   bool takes_largest = false;
 };
 
-/// The jaw turns about the x axis through `hinge`: a vertex by degrees_per_unit x activation x its
-/// weight in the map "jaw".
+/// The jaw turns about the x axis through `hinge`: each vertex by degrees_per_unit x activation x
+/// its weight in the map "jaw".
 struct Jaw {
   glm::vec3 hinge{0};
   float degrees_per_unit = 1;
   float forward_per_rad = 0;  ///< mesh units; the condyle slides forward as the jaw opens
 };
 
-/// Both lids turn about the x axis through the eye's centre, a vertex by its weight in the map
-/// "lid_angle" (radians at full closure, signed) x closure. Raising turns them the other way, by up
-/// to raise_max of that angle.
+/// Both lids turn about the x axis through the eye's centre: each vertex by its weight in the map
+/// "lid_angle" (radians at full closure, signed) x closure. Raising turns the lids the other way,
+/// by up to raise_max times the angle of full closure.
 struct Lids {
   float raise_max = 0.2F;
 
@@ -97,7 +97,7 @@ struct Face {
   std::vector<Muscle> muscles;  ///< muscles[i] is driven by channels[i]
   std::optional<Jaw> jaw;
   std::optional<Lids> lids;
-  std::vector<Eye> eyes;  ///< left one first
+  std::vector<Eye> eyes;  ///< the left eye first
   std::optional<HeadPose> head;
   AuRecordings recordings;
   /// Messages to be shown to the user once: about duplicates that were dropped and AUs that this

@@ -44,7 +44,7 @@ class FaceDeformer {
   FaceDeformer(FaceDeformer&&) noexcept;
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
-  /// `activations`: one per channel, clamped to [0, activation_max]; one that is not finite is
+  /// `activations`: one per channel, clamped to [0, activation_max]; a value that is not finite is
   /// taken as 0. If all are 0, the positions are those of the face's own mesh bit for bit. The
   /// result is valid until the next call. Nothing is allocated after the first call.
   const DeformedFace& deform(std::span<const float> activations);

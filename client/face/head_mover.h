@@ -11,7 +11,7 @@
 
 namespace aucast::face {
 
-/// Moves vertices with the head: tilt, then nod about the axis through its ears, turn and shift.
+/// Moves vertices with the head: tilt, then nod about the axis through the ears, turn and shift.
 /// Thread: one object per thread.
 class HeadMover {
  public:

@@ -18,7 +18,7 @@ inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 // classic folders 0..4). It is zero outside the zone of influence and linear in a (for a
 // LinearMuscle, up to its cap).
 
-/// Pulls skin towards the attachment inside a cone. P' = P - (P - v1) min(a G, cap) A r with
+/// Pulls the skin inside a cone towards the attachment. P' = P - (P - v1) min(a G, cap) A r with
 /// G = sec(zone) - 1, A = (cos th - cos zone) / (1 - cos zone), r = 1 up to falloff_start and
 /// cos(90 deg (D - Rs) / (Rf - Rs)) from there, where D = |P - v1| and th is the angle at v1
 /// between P and v2 (Waters' released program; thesis eq. 3.1-3.4, read so that the displacement is

@@ -8,8 +8,8 @@
 
 namespace aucast::face {
 
-/// Reads the [[muscle]] tables of a muscles.toml (data/faces/FORMAT.md); mirrored ones become two,
-/// left before right. Masks must be maps of `mesh`. Errors are added to `problems`.
+/// Reads the [[muscle]] tables of a muscles.toml (data/faces/FORMAT.md). A mirrored table becomes
+/// two muscles, left before right. Masks must be maps of `mesh`. Errors are added to `problems`.
 [[nodiscard]] std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh,
                                                Problems& problems);
 

@@ -27,8 +27,8 @@ class MuscleSums {
   /// Prepares at() for these blocks, until the next take().
   void list(const BlockSet& blocks);
 
-  /// Sets `place` to a listed block as all muscles displace it. The displacements are always added
-  /// in the same order.
+  /// Sets `place` to the vertices of a listed block, displaced by all muscles. The displacements
+  /// are always added in the same order.
   void at(std::size_t block, VertexBlock& place) const;
 
   [[nodiscard]] const std::vector<VertexBlock>& rest() const { return rest_; }
@@ -54,15 +54,15 @@ class MuscleSums {
   std::vector<Reach> reaches_;       ///< one per muscle
   std::vector<float> activations_;   ///< capped, one per muscle
   std::vector<std::uint32_t> acts_;  ///< 1 for a muscle that is active, else 0
-  bool others_act_ = false;          ///< which muscles are active has changed since blocks were
-                                     ///< last listed
+  bool others_act_ = false;          ///< since blocks were last listed, a muscle has become
+                                     ///< active or inactive
   BlockSet listed_;                  ///< the blocks for which at() may be called
   std::vector<Factors> factors_;     ///< one per muscle
   PullTable<Lanes> along_;           ///< the pulls of muscles with a way, as shares of it
   PullTable<VertexBlock> free_;      ///< the pulls of all other muscles, per unit of activation
 };
 
-/// MuscleSums in portions of about a millisecond. The face must outlive it.
+/// Makes MuscleSums in portions of about a millisecond. The face must outlive it.
 class MuscleSums::Making {
  public:
   explicit Making(const Face& face);

@@ -17,8 +17,8 @@ namespace aucast::face {
 /// Vertex normals, weighted by the triangles' areas; creases take no light and have no normals.
 /// Only normals near moved vertices are computed again. The triangles round a vertex make up a
 /// polygon, whose area vector (along its normal) does not depend on how the polygon is cut up. So
-/// it is cut into quadrangles, which are half as many as triangles: either kind takes one cross
-/// product each.
+/// it is cut into quadrangles: half as many are needed as triangles, and a quadrangle takes one
+/// cross product, as a triangle does.
 /// Thread: one field per thread.
 class NormalField {
  public:
@@ -60,15 +60,15 @@ class NormalField {
   /// first point, which saves a shift.
   std::vector<std::uint32_t> corners_;
   std::vector<std::uint32_t> corners_begin_{0};
-  /// Likewise for each block: the block itself and those that share a triangle with it; none if it
-  /// has only creases.
+  /// The neighbours of block b, stored likewise: b itself and the blocks that share a triangle with
+  /// b; none if b has only creases.
   std::vector<Neighbours> neighbours_;
   std::vector<std::uint32_t> neighbours_begin_{0};
   BlockSet moved_;    ///< the argument of the last touch()
   BlockSet touched_;  ///< the blocks whose normals may change when moved_ have moved
 };
 
-/// NormalField in portions of about a millisecond. The mesh must outlive it.
+/// Makes a NormalField in portions of about a millisecond. The mesh must outlive it.
 class NormalField::Making {
  public:
   explicit Making(const FaceMesh& mesh);

@@ -28,8 +28,8 @@ inline constexpr std::size_t kPlyPartsMax = 64;
 /// Reads the bytes of a mesh.ply (data/faces/FORMAT.md). Quads become two triangles along the
 /// diagonal from their first corner; triangles are sorted by part and otherwise keep the file's
 /// order. `maps` gets the file's maps; `occlusion` and `gloss` are filled with 1 if the file has
-/// none. Fails with BadData, naming `file` and the header's line, the vertex or the polygon (both
-/// count from 0).
+/// none. Fails with BadData and a message that names `file` and the line of the header, the vertex
+/// or the polygon. Vertices and polygons are counted from 0.
 [[nodiscard]] Result<FaceMesh> parse_ply(std::string_view bytes, std::string_view file);
 
 /// The bytes of a mesh.ply. parse_ply() reads the same mesh back: colours to the nearest of 256

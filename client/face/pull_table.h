@@ -47,7 +47,7 @@ class PullTable {
 
   /// Lists the pulls of active muscles for acting(), in the order of `blocks`. `acts`: 1 for each
   /// active muscle, else 0. `muscle_bytes`: the size of an element of the caller's table of
-  /// muscles. It has no branches, because no processor could predict them here.
+  /// muscles. The function has no branches, because no processor could predict them here.
   void list_acting(std::span<const std::uint32_t> acts, std::size_t muscle_bytes,
                    const BlockSet& blocks) {
     std::uint32_t count = 0;

@@ -25,9 +25,9 @@ struct GallerySetting {
 /// The text of manifest.csv: a line of column names, then a line for each picture and for each
 /// video of a sweep. `videos`: the sweeps whose videos were written, as indices into
 /// GalleryPlan::sweeps. Lines end with CR LF. In fields with several values (aus, intensities in
-/// percent, sides, expression, muscles) blanks separate them, and the order is the same in each;
-/// fields that do not apply are empty. onset_ms to end_ms are the times at which the phases of a
-/// sweep begin or end; strength is 100 * sweep_strength() of a frame.
+/// percent, sides, expression, muscles) the values are separated by blanks and have the same order
+/// in each field; fields that do not apply are empty. onset_ms to end_ms are the times at which the
+/// phases of a sweep begin or end; strength is 100 * sweep_strength() of a frame.
 [[nodiscard]] std::string format_manifest(const GalleryPlan& plan, const GallerySetting& setting,
                                           const std::vector<std::size_t>& videos);
 

@@ -129,7 +129,7 @@ struct GalleryInput {
 /// The AUs of the thesis' appendix C (tables 1 and 2), and any others that the face has.
 [[nodiscard]] std::vector<Coverage> coverage_of(const face::Face& face);
 
-/// A set of AUs as part of a file's name, made of letters, digits, '.', '-' and '_':
+/// A set of AUs in a form for file names, with only letters, digits, '.', '-' and '_':
 /// au06_au12-80_auR14.
 [[nodiscard]] std::string file_stem(const AuFrame& aus);
 

@@ -35,7 +35,7 @@ struct Carried {
   std::array<std::uint8_t, 4> joints{};
   std::array<float, 4> shares{1, 0, 0, 0};
 
-  /// The one joint that carries all of it; nullopt if several do.
+  /// The one joint that carries the whole vertex; nullopt if several carry it.
   [[nodiscard]] std::optional<std::size_t> wholly() const;
 };
 

@@ -42,7 +42,7 @@ class GlbFile {
   [[nodiscard]] int colours(std::span<const glm::vec4> colours);
   [[nodiscard]] int texture_places(std::span<const glm::vec2> places);
   [[nodiscard]] int joints(std::span<const std::array<std::uint8_t, 4>> joints);
-  /// For each vertex the shares sum to 1, and still do so when rounded to 16 bits.
+  /// The shares of each vertex must sum to 1. They are rounded to 16 bits such that they still do.
   [[nodiscard]] int shares(std::span<const std::array<float, 4>> shares);
   [[nodiscard]] int triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
                               std::size_t vertex_count);

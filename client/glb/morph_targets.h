@@ -21,9 +21,9 @@ struct Target {
   std::size_t channel = 0;  ///< a muscle, a lid or the jaw; unused if `au` is not 0
   int au = 0;               ///< 0: the target is a channel's
   Side side = Side::Both;   ///< of the AU
-  /// True for a second target of a channel, which adds how vertices leave the straight line when a
-  /// lid turns or a muscle reaches its cap. Its weight is 4 w (1 - w), where w is the weight of the
-  /// channel's first target.
+  /// True for a second target of a channel, which adds how far vertices leave the straight line
+  /// when a lid turns or a muscle reaches its cap. Its weight is 4 w (1 - w), where w is the weight
+  /// of the channel's first target.
   bool arc = false;
   std::vector<float> pose;  ///< activations at weight 1, one per channel of the face
   std::vector<Change> places;

@@ -16,7 +16,7 @@ namespace aucast::glb {
 /// ones.
 [[nodiscard]] view::Image strand_picture(bool grey);
 
-/// The factor for hair's own colours that makes up for the picture, whose mean is below 1.
+/// The factor by which to multiply hair's own colours, because the picture's mean is below 1.
 [[nodiscard]] float strand_picture_gain(bool grey);
 
 /// Where the vertices of hair lie on that picture.

@@ -23,7 +23,7 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< into `vertices`
   std::vector<std::uint32_t> creases;  ///< Look::Creases: for each vertex, the number of its crease
 
-  /// Whether muscles move it.
+  /// Whether muscles move this surface.
   [[nodiscard]] bool morphs() const {
     return look == Look::Skin || look == Look::Mouth || look == Look::Brows ||
            look == Look::Creases;

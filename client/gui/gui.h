@@ -12,8 +12,8 @@
 namespace aucast::gui {
 
 /// The panels over the face, drawn with Dear ImGui. Owns the ImGui context, its font and its style.
-/// The caller has ImGui's backends for platform and renderer, so that the same panels can be drawn
-/// in a window and in tests without one.
+/// The caller provides ImGui's backends for platform and renderer, so that the same panels can be
+/// drawn in a window and in tests without one.
 /// Thread: the player's. Only one may exist at a time.
 class Gui {
  public:
@@ -23,11 +23,11 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Makes font and style for this language and size of letters, if these have changed. Returns
-  /// true if so: the font's texture must then be made anew before the backends begin their frame.
+  /// If the language or the size of letters has changed, makes font and style for them and returns
+  /// true. The font's texture must then be made anew before the backends begin their frame.
   [[nodiscard]] bool prepare(const DisplayView& display);
 
-  /// Call it with the model of the next frames before their input is taken, because a dialog has
+  /// Call it with the model of the next frames before their input is taken, because a dialog gets
   /// the keys from its first frame on.
   void expect(const GuiModel& model);
 
@@ -48,7 +48,7 @@ class Gui {
   [[nodiscard]] Thumbnails& keyframes();
 
   void toggle_panel();
-  /// Shows only the face, or panel and bar again.
+  /// Shows only the face, or shows panel and bar again.
   void toggle_bare();
   /// Shows panel and bar again; returns whether that makes a visible difference.
   bool end_bare();
@@ -56,7 +56,8 @@ class Gui {
   bool show_panel();
   /// Hides panel, bar and pointer for now, or shows them again.
   void set_hidden(bool hidden);
-  /// Whether the keyboard focus is shown: arrows, Space and the like are for the item that has it.
+  /// Whether the keyboard focus is shown. Arrows, Space and the like then go to the item that has
+  /// the focus.
   [[nodiscard]] bool focus_shown() const;
   /// Hides the keyboard focus; returns whether it was shown.
   bool hide_focus();

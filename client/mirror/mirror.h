@@ -20,8 +20,8 @@ namespace aucast::mirror {
 /// Thread: it has one of its own; its public functions are called from one other thread.
 class Mirror final : public OwnCamera {
  public:
-  /// Fails with Unreadable if au-transmitter is not installed, with ErrorKind::Failed if it cannot
-  /// be started.
+  /// Fails with Unreadable if au-transmitter is not installed, or with ErrorKind::Failed if it
+  /// cannot be started.
   [[nodiscard]] static Result<std::unique_ptr<Mirror>> start(const MirrorOptions& options);
   /// Calls end(), and kills the child if it has not ended within kPatience.
   ~Mirror() override;
@@ -41,8 +41,8 @@ class Mirror final : public OwnCamera {
   struct Course {
     MirrorState state;
     bool asked_to_end = false;
-    bool reading = true;  ///< the child's output has not ended, so it may still be given orders, or
-                          ///< be killed
+    bool reading = true;  ///< the child's output has not ended, so the child may still be given
+                          ///< orders, or be killed
   };
 
   std::unique_ptr<Child> child_;

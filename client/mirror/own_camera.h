@@ -16,9 +16,9 @@ struct Trouble {
     None,
     Said,        ///< `said` has the program's own message
     NoPictures,  ///< no more pictures came: a film has ended, or the camera was unplugged
-    Ended,       ///< it ended without a message
-    Signalled,   ///< it was ended by `signal`
-    Silent,      ///< it does not take orders
+    Ended,       ///< the child ended without a message
+    Signalled,   ///< the child was ended by `signal`
+    Silent,      ///< the child does not take orders
   };
   Kind kind = Kind::None;
   std::string said{};
@@ -33,7 +33,7 @@ struct MirrorState {
   std::size_t watching = 0;                   ///< how many guests watch
   Trouble refused;                            ///< why the last order was not carried out
   bool over = false;                          ///< the child has ended
-  Trouble ended;                              ///< why it ended; None if it was asked to
+  Trouble ended;                              ///< why the child ended; None if it was asked to end
 };
 
 /// The user's own camera as the window knows it: a Mirror, or a substitute in tests.
@@ -47,7 +47,7 @@ class OwnCamera {
 
   /// Gives the child an order. The result shows in state().
   virtual void order(const preview::Order& order) = 0;
-  /// Asks the child to end; before it does, it tells its guests.
+  /// Asks the child to end. The child first lets its guests know.
   virtual void end() = 0;
   [[nodiscard]] virtual MirrorState state() const = 0;
 };

@@ -19,13 +19,13 @@ class AnswerLedger {
   struct Wishes {
     bool user_paused = false;
     bool full = false;   ///< there is no room for more keyframes
-    bool voice = false;  ///< the stream has a voice, so the link may be slow: answers are sent
-                         ///< several at a time
+    bool voice = false;  ///< the stream has a voice; answers are then sent several at a time, as
+                         ///< the link may be slow
   };
 
-  /// A keyframe has come.
+  /// Call it when a keyframe has come: one more answer is owed.
   void owe(Instant now);
-  /// The connection is gone, and no answers are owed any more.
+  /// Call it when the connection is gone: no answers are owed any more.
   void forget() { owed_ = 0; }
   [[nodiscard]] bool has_room() const { return owed_ < protocol::kOwedAnswersMax; }
 

@@ -36,7 +36,7 @@ struct AuReaderOptions {
   std::size_t hosts = 1;   ///< how many are tried in turn
 };
 
-/// What the connection's owner has to do: send `send`, then what `next` says.
+/// What the connection's owner has to do: send `send`, then do what `next` says.
 struct Reaction {
   enum class Next : std::uint8_t {
     GoOn,
@@ -55,8 +55,9 @@ struct Reaction {
 /// server to pause while they are full. It has no clock: the current time is handed in.
 ///
 /// Room: every keyframe answered by `1` and not yet taken is in the buffers, in `kept_` or in
-/// `first_`. `kept_` has those that were under way when the buffers became full, at most the
-/// window. A server that does not wait for answers is read no faster than the player makes room.
+/// `first_`. `kept_` has the keyframes that were under way when the buffers became full, at most as
+/// many as the window allows. A server that does not wait for answers is read no faster than the
+/// player makes room.
 ///
 /// Classic: when the first thing that follows our hello is a keyframe, the reader answers that
 /// keyframe, but keeps it in `first_` until a second one or {-2} comes. If the server closes the
@@ -105,7 +106,7 @@ class AuReader {
   // === The player's side.
 
   [[nodiscard]] std::optional<playback::Keyframe> take();
-  /// As KeyframeSource's.
+  /// As KeyframeSource's functions of these names.
   [[nodiscard]] std::optional<playback::Voice> take_voice();
   [[nodiscard]] std::optional<playback::Caption> take_caption();
   /// True when take() would return a keyframe, or no more will ever come.
@@ -123,7 +124,7 @@ class AuReader {
  private:
   /// How the next connection is begun.
   struct Manner {
-    bool hello = true;    ///< it sends a hello; in classic it sends none
+    bool hello = true;    ///< it begins with a hello of ours; false: classic
     bool answers = true;  ///< it asks for a window
   };
 
@@ -187,10 +188,11 @@ class AuReader {
   LiveTiming timing_;
   Milliseconds clock_{0};        ///< the sum of the times of all keyframes received, over all
                                  ///< connections
-  Milliseconds clock_shift_{0};  ///< a place of this connection plus this is the place on clock_
+  Milliseconds clock_shift_{0};  ///< what to add to a place of this connection to get the place on
+                                 ///< clock_
   SpokenQueue spoken_;           ///< its places are on clock_
   Attempts attempts_;
-  Received lost_;  ///< over earlier connections, which were lost
+  Received lost_;  ///< what came over earlier connections, which were lost
 };
 
 }  // namespace aucast::net

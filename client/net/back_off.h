@@ -19,7 +19,7 @@ class BackOff {
     wait_ = std::min(wait_ * 2, kWaitMax);
     return wait;
   }
-  /// An attempt has succeeded.
+  /// Call it when an attempt has succeeded: the next wait is kFirst again.
   void reset() { wait_ = kFirst; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace aucast::net {
 
-/// How to dial a server, whatever it is asked afterwards. `turn` is the number of the attempt;
-/// attempts go round `options.host` and all of `options.others`.
+/// How to dial a server, whether for a stream or for the list of its streams. `turn` is the number
+/// of the attempt; attempts go round `options.host` and all of `options.others`.
 [[nodiscard]] inline link::DialOptions dial_options(const RemoteOptions& options,
                                                     std::size_t turn = 0) {
   const Security& security = options.security;

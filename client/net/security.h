@@ -26,8 +26,9 @@ struct Security {
   std::string warning{};  ///< for the log; empty: none
 };
 
-/// Reads the files. Fails with Unreadable or BadData, naming the file and the cause; with Usage if
-/// the token would go over the network to `host` unencrypted and `insecure_token` is not set.
+/// Reads the files. Fails with Unreadable or BadData and a message that names the file and the
+/// cause, or with Usage if the token would go over the network to `host` unencrypted and
+/// `insecure_token` is not set.
 [[nodiscard]] Result<Security> load_security(const SecurityOptions& options, std::string_view host);
 
 }  // namespace aucast::net

@@ -60,7 +60,7 @@ class ServerConnection final : public link::LinkUser {
   const Owner owner_;
   std::shared_ptr<link::Link> link_;  ///< null: there is none
   bool open_ = false;
-  bool link_over_ = false;   ///< it has closed; bytes that came before may still wait for room
+  bool link_over_ = false;   ///< the link has closed; bytes from it may still wait for room
   bool peer_ended_ = false;  ///< the peer has closed its side, and the reader does not know yet
   std::string broke_;        ///< why the connection broke; empty: the peer closed its side
   bool leaving_ = false;

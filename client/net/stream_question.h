@@ -13,7 +13,7 @@
 
 namespace aucast::net {
 
-/// Asks a server which streams it has, with all that it says of them: one question over one link.
+/// Asks a server which streams it has and what it says about each: one question over one link.
 /// `answered` is called once, and never from within a call of this object's functions, except
 /// abandon().
 /// Thread: that of the link.
@@ -24,8 +24,8 @@ class StreamQuestion final : public link::LinkUser {
   struct Terms {
     std::string server;    ///< its name in messages
     std::string token{};   ///< empty: none
-    Instant until{};       ///< when waiting for the answer ends with a failure
-    std::string remedy{};  ///< what the user can do then, as a clause; empty: nothing
+    Instant until{};       ///< if no answer has come by then, the question fails
+    std::string remedy{};  ///< what the user can do about that failure, as a clause; empty: nothing
   };
   StreamQuestion(Terms terms, Answered answered);
   ~StreamQuestion() override;

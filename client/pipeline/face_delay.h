@@ -13,11 +13,11 @@ class FaceDelay {
  public:
   /// Adds the face of the time `at`, one activation per channel. The times must not go back.
   void add(Instant at, const std::vector<float>& activations);
-  /// From now on at() will not be asked for any time before `at`.
+  /// Says that at() will not be asked for any time before `at` from now on.
   void forget_before(Instant at);
-  /// The face at `at`, interpolated between its neighbours; before the first face the first, after
-  /// the last one the last. Earlier faces are forgotten. At least one face must have been added.
-  /// Valid until the next call.
+  /// The face at `at`, interpolated between its neighbours; the first face if `at` is before it,
+  /// the last one if `at` is after it. Earlier faces are forgotten. At least one face must have
+  /// been added. Valid until the next call.
   [[nodiscard]] const std::vector<float>& at(Instant at);
   [[nodiscard]] bool empty() const { return faces_.empty(); }
   void clear() { faces_.clear(); }

@@ -25,13 +25,13 @@ class IdleFace {
  public:
   explicit IdleFace(const face::Face& face);
 
-  /// Adds all that the options ask for, as it is at `seconds` >= 0.
+  /// Adds all movements that the options ask for, for the time `seconds` >= 0.
   void apply(const IdleOptions& options, double seconds, std::span<float> activations) const;
 
-  /// Closes both lids by at least `closure`, in [0,1].
+  /// Closes both lids to `closure`, in [0,1]. A lid that is closed further stays as it is.
   void blink(float closure, std::span<float> activations) const;
 
-  /// Turns the eyes away from where they look. With the breath it nods the head upwards by half a
+  /// Turns the eyes away from where they look. With the breath, nods the head upwards by half a
   /// degree and moves it 0.7 mm forward.
   void move(const playback::IdleMotion& motion, std::span<float> activations) const;
 

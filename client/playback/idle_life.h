@@ -8,7 +8,7 @@ namespace aucast::playback {
 struct IdleMotion {
   double gaze_left_deg = 0;  ///< to the subject's left
   double gaze_up_deg = 0;
-  double breath = 0;  ///< 0 breathed out, up to 1 breathed in
+  double breath = 0;  ///< from 0, breathed out, to 1, breathed in
 };
 
 /// Small saccades and breath as a pure function of time: the same seed does the same at the same

@@ -52,13 +52,13 @@ inline constexpr std::size_t kReceiverSetsByTime = 2000;
 /// `live_delay` is left.
 ///
 /// With `low_delay`, playing of a live stream starts with one keyframe, and pace_percent stays 100.
-/// While playback is waiting, the limit is the time from the newest keyframe's arrival until it is
-/// due (its own time if it has no due time). Once more than the limit + kStandingLagMax is
-/// buffered, the oldest are dropped until the limit is left.
+/// Let `wanted` be the time from the newest keyframe's arrival until it is due, or its own time if
+/// it has no due time. While playback is waiting and more than `wanted` + kStandingLagMax is
+/// buffered, the oldest are dropped until `wanted` is left.
 ///
 /// With `by_time`, a recorded stream waits for two keyframes and `live_delay` too; with `adapt` as
-/// well, each stall doubles `live_delay`, up to 10 s. A delay that is longer than that from the
-/// beginning is not changed.
+/// well, each stall doubles `live_delay`, up to 10 s. A `live_delay` of more than 10 s is
+/// left as it was set.
 ///
 /// Thread: none of its own; the owner serialises the calls.
 class KeyframeBuffers {

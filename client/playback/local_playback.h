@@ -25,12 +25,10 @@ class LocalPlayback {
  public:
   static constexpr int kSpeedMin = 10;  ///< percent
   static constexpr int kSpeedMax = 1000;
-  /// The speeds that are offered, in percent, ascending. One step faster or slower leads to the
-  /// next of them.
+  /// The speeds that are offered, in percent, ascending. change_speed() goes from one to the next.
   static constexpr std::array kSpeeds = {10, 25, 50, 75, 100, 125, 150, 200, 300, 500, 1000};
 
-  /// `times`: the time of each keyframe, at least one, none negative. It begins paused, at position
-  /// 0.
+  /// `times`: the time of each keyframe, at least one, none negative. Begins paused, at position 0.
   explicit LocalPlayback(const std::vector<Milliseconds>& times);
 
   [[nodiscard]] Duration total() const { return ends_.back(); }
@@ -74,7 +72,7 @@ class LocalPlayback {
   /// Sets the marks of a loop at the position of `now`: first A, then B, which may be before A; the
   /// third call removes both.
   void mark_loop(Instant now);
-  /// Whether it begins anew at the end. A loop between two marks takes precedence.
+  /// Sets whether playing begins anew at the end. A loop between two marks takes precedence.
   void set_repeat(bool repeats, Instant now);
 
   /// Keyframes reached by playing, and the sum of their times. All rounds of a loop count.

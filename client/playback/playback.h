@@ -48,7 +48,7 @@ class Playback {
   /// Where playing is, as of the last advance(). After the end the place goes on, for sound that
   /// lasts longer than the face. Nullopt if no places are known.
   [[nodiscard]] virtual std::optional<Passing> passing() const = 0;
-  /// As KeyframeSource's.
+  /// As KeyframeSource's functions of these names.
   [[nodiscard]] virtual std::optional<Voice> take_voice() { return std::nullopt; }
   [[nodiscard]] virtual std::optional<Caption> take_caption() { return std::nullopt; }
   /// Says that the times handed in from now on are `ahead` of the steady clock, and that a face is

@@ -28,7 +28,8 @@ enum class PlaybackState : std::uint8_t {
 
 [[nodiscard]] std::string_view name(PlaybackState state);
 
-/// Ended, Stopped or Lost: nothing moves any more, except that a lost face eases to neutral.
+/// Whether `state` is Ended, Stopped or Lost: nothing moves any more, except that in Lost the face
+/// eases to neutral.
 [[nodiscard]] bool is_over(PlaybackState state);
 
 /// A keyframe that has just begun: the face goes from where it is to `target`.
@@ -50,11 +51,11 @@ struct PlaybackProgress {
 
 /// The playback controller of the thesis (figure 5.15), on a clock that is handed in. Each keyframe
 /// begins with the face and at the exact time at which the previous one ended, so that nothing
-/// drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A
-/// keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due time takes
-/// until then, but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while a
-/// voice is heard). After a stall, such a keyframe begins when it arrived, but not before the
-/// previous call of advance(). The times handed in must not go back. Thread: the player's.
+/// drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe
+/// of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due time lasts until
+/// that time, but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while a voice
+/// is heard). After a stall, such a keyframe begins when it arrived, but not before the previous
+/// call of advance(). The times handed in must not go back. Thread: the player's.
 class PlaybackController {
  public:
   /// The longest time that --speed gives a keyframe.

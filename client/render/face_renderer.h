@@ -9,8 +9,8 @@
 namespace aucast::render {
 
 /// Draws a face with OpenGL 3.3 core or OpenGL ES 3.0 into whatever framebuffer is bound, in a
-/// window or without one. Needs a current context from create() until it is destroyed. Thread: the
-/// one the context is current on.
+/// window or without one. Needs a current context as long as it lives. Thread: the one the context
+/// is current on.
 class FaceRenderer {
  public:
   /// Fails with the compiler's messages if the shaders do not build.

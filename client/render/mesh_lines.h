@@ -5,8 +5,8 @@
 
 namespace aucast::render {
 
-/// If the style's layers ask for them, draws the edges and corners of `mesh`, not rounded, with the
-/// program `lines`. The vertices must be bound.
+/// Draws the edges and corners of `mesh`, not rounded, with the program `lines`, as far as the
+/// style's layers ask for edges or corners. The vertices must be bound.
 void draw_mesh_lines(const Program& lines, const MeshBuffers& mesh, const view::Style& style);
 
 }  // namespace aucast::render

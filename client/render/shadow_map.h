@@ -22,7 +22,7 @@ class ShadowMap {
   /// Afterwards the programs still use the light's camera.
   void draw(const Program& depth, const std::function<void()>& draw_casters);
   void bind(GLenum unit) const;
-  /// Takes a place to coordinates in [0,1] on the map, and its depth.
+  /// The matrix from a place to its coordinates on the map (x and y) and its depth (z), in [0,1].
   [[nodiscard]] const glm::mat4& world_to_texture() const { return world_to_texture_; }
 
  private:

@@ -21,7 +21,7 @@ class FileTrack final : public SoundTrack {
   /// Samples at voice::kEncoderRate, in [-1,1].
   explicit FileTrack(const std::vector<float>& samples);
 
-  /// As voice::SoundFile's.
+  /// As voice::SoundFile::complaint().
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
   void read(std::int64_t begin, std::span<float> samples) override;
@@ -36,7 +36,7 @@ class FileTrack final : public SoundTrack {
 };
 
 /// The sound file of the same name beside a stream file: .wav, .flac, .opus, .ogg or .mp3, the
-/// first of them that exists.
+/// first of them that exists; nullopt: none does.
 [[nodiscard]] std::optional<std::filesystem::path> sound_beside(
     const std::filesystem::path& stream_file);
 

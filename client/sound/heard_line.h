@@ -37,7 +37,7 @@ class HeardLine {
   Duration stood_{0};
   Instant begin_{};  ///< what `ahead` is counted from
   Instant last_at_{};
-  Duration ahead_{0};                  ///< how far the line is ahead of the steady clock, likewise
+  Duration ahead_{0};                  ///< how far the line is ahead, counted as in Reading
   Duration last_{0};                   ///< what at() returned last
   std::optional<Reading> drift_from_;  ///< a point of the line after it had settled
 };

@@ -15,7 +15,8 @@ namespace aucast::sound {
 
 /// A face that plays with its sound. The player of the face is advanced by the SoundPlayer's clock,
 /// which is ahead of what is heard; activations() are those of the face that belongs to what is
-/// heard now. Without sound the two are the same. The mapping and what is opened must outlive it.
+/// heard now. Without sound both faces are the same. The mapping and what is opened must outlive
+/// it.
 /// Thread: the player's.
 class HeardPlayer {
  public:
@@ -23,7 +24,7 @@ class HeardPlayer {
       : face_(mapping, interpolation) {}
 
   /// Opens what plays from the next advance() on; the face begins from the activations `from`. If
-  /// `playback` is null, nothing plays and the face stays as it begins.
+  /// `playback` is null, nothing plays and the face stays at `from`.
   void open(playback::Playback* playback, std::span<const float> from);
   [[nodiscard]] playback::Playback* playback() const { return face_.playback(); }
 

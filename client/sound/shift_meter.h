@@ -10,7 +10,7 @@ namespace aucast::sound {
 /// How far the face was from the sound heard with it; above 0 the face was early.
 struct ShiftSummary {
   std::uint64_t count = 0;  ///< 0: nothing was measured
-  Duration median{};        ///< this and the next two: to a tenth of a millisecond
+  Duration median{};        ///< to a tenth of a millisecond, as are low and high
   Duration low{};           ///< 5 % are below
   Duration high{};          ///< 5 % are above
 };

@@ -29,10 +29,10 @@ struct SoundCounts {
 };
 
 /// Plays the sound of a playback, and is the clock by which the face moves. Playback is advanced to
-/// now(), which is ahead of what is heard by lead(), so that its sound is written in time. The face
-/// to be shown is that of shown(), whose sound is being heard. While there is no sound, both times
-/// go on with the steady clock from where they were. Neither ever goes back. The lead is kLeadMin
-/// at first and grows by kLeadStep each time the device runs out of sound, up to kLeadMax. A device
+/// now(), which is lead() ahead of what is heard, so that sound is written in time. The face to be
+/// shown is that of shown(), whose sound is being heard. While there is no sound, both times go on
+/// with the steady clock from where they were. Neither ever goes back. The lead is kLeadMin at
+/// first and grows by kLeadStep each time the device runs out of sound, up to kLeadMax. A device
 /// that is lost, or that plays nothing for kDeafMax, is given up.
 /// Thread: the player's.
 class SoundPlayer {
@@ -75,7 +75,7 @@ class SoundPlayer {
 
   void set_volume(int percent);
   void set_muted(bool muted);
-  /// As SoundMixer's, for what plays; 0 while nothing does.
+  /// SoundMixer::peak() of what plays; 0 while nothing plays.
   [[nodiscard]] float peak() const { return sounds_ ? mixer_->peak() : 0; }
 
   /// The counts of everything that has been opened so far.

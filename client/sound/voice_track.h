@@ -29,7 +29,7 @@ class VoiceTrack final : public SoundTrack {
     // Packets that were not heard, by cause.
     std::uint64_t too_late = 0;      ///< their time had passed
     std::uint64_t left_out = 0;      ///< there was no room for them
-    std::uint64_t out_of_order = 0;  ///< they began before the end of another that waits
+    std::uint64_t out_of_order = 0;  ///< they began before the end of another packet that waits
     std::uint64_t unreadable = 0;    ///< they are not valid Opus
 
     Counts& operator+=(const Counts& more);

@@ -15,8 +15,8 @@ namespace aucast::sound {
 /// Thread: none of its own.
 class WavFile {
  public:
-  /// The most samples, some 12 hours, because a WAV file's sizes have 32 bits. Samples beyond that
-  /// are dropped.
+  /// The most samples, some 12 hours, because a WAV file's sizes have 32 bits. Further samples are
+  /// dropped.
   static constexpr std::size_t kSamplesMax = std::size_t{0x7fff'0000};
 
   /// Fails if the file cannot be written there.

@@ -38,10 +38,10 @@ struct MaterialRange {
   Material material;
   std::uint32_t triangle_begin = 0;
   std::uint32_t triangle_count = 0;
-  int eye = -1;              ///< an eyeball's index into eye_centres; -1: it is none
+  int eye = -1;              ///< an eyeball's index into eye_centres; -1: no eyeball
   bool translucent = false;  ///< some vertex has alpha below 1, so it is drawn after the opaque
                              ///< ranges
-  int crease = -1;           ///< a crease's index into creases; -1: it is none
+  int crease = -1;           ///< a crease's index into creases; -1: no crease
   bool rounded = false;      ///< drawn with RoundedMesh, so that its outline shows no corners
 };
 
@@ -85,8 +85,8 @@ struct Viewpoint {
 struct Background {
   glm::vec3 centre{0.28F, 0.30F, 0.33F};  ///< linear RGB
   glm::vec3 edge{0.055F, 0.062F, 0.075F};
-  bool transparent = false;  ///< files get no background; where there must be one, it has these
-                             ///< colours
+  bool transparent = false;  ///< picture files get no background; where there must be a background,
+                             ///< it has these colours
   float squares_px = 0;  ///< the size of the squares of a chequer in both colours; 0: no chequer
 };
 

@@ -45,8 +45,7 @@ inline constexpr std::array<LayerName, 8> kLayerNames{{{"polygons", &Layers::pol
                                                        {"eye-tags", &Layers::eye_tags}}};
 
 /// Reads a list such as "muscles,wireframe": exactly these are drawn, except that "transparent"
-/// without a surface means the textured surface. Any other word is a Usage error, which names all
-/// layers.
+/// without a surface adds "textured". Any other word is a Usage error, which names all layers.
 [[nodiscard]] Result<Layers> parse_layers(std::string_view text);
 /// The list that parse_layers() reads.
 [[nodiscard]] std::string format_layers(const Layers& layers);
@@ -59,7 +58,8 @@ struct KeyLight {
   friend bool operator==(const KeyLight&, const KeyLight&) = default;
 };
 
-/// The key light at `yaw_deg` to the subject's left and `pitch_deg` up, each -80 to 80.
+/// The key light at `yaw_deg` to the subject's left and `pitch_deg` up. The pitch is clamped to -80
+/// to 80.
 [[nodiscard]] KeyLight key_light(float yaw_deg, float pitch_deg, float strength);
 
 /// A straight line of constant width in the picture; a dot if both ends are the same.

@@ -19,7 +19,8 @@ struct ViewMatrices {
 };
 
 /// Sizes below 1 count as 1. A picture narrower than 0.87 of its height shows as much from side to
-/// side as one that is 0.87 wide, so that a face, even tilted, is never cut at its sides.
+/// side as one whose width is 0.87 of its height, so that a face, even tilted, is never cut at its
+/// sides.
 [[nodiscard]] ViewMatrices view_matrices(const Viewpoint& viewpoint, int width, int height);
 
 enum class ViewpointPreset : std::uint8_t { Front, ThreeQuarter, Profile };

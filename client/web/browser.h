@@ -24,8 +24,8 @@ void end_socket(std::uint32_t socket);
 /// Drops the socket at once. Nothing is called for it any more.
 void drop_socket(std::uint32_t socket);
 
-/// Has Timer::ring() called once after `milliseconds`, never from within this call. This replaces
-/// the time set before; a negative time only cancels the earlier one.
+/// Makes the browser call Timer::ring() once after `milliseconds`, never from within this call.
+/// This replaces the time set before; a negative time only cancels the earlier one.
 void set_timer(std::uint32_t timer, double milliseconds);
 
 /// Plays these samples after those written before. Ignored while the browser does not allow sound.

@@ -47,7 +47,7 @@ class Page {
     std::string server;  ///< its name in messages
     std::string stream;  ///< empty: the server's first
     std::string token;   ///< empty: none
-    bool voice = false;  ///< ask for its voice; needs a decoder
+    bool voice = false;  ///< ask for the stream's voice; needs a decoder
   };
   void play(const Wanted& wanted);
   void stop();

@@ -11,8 +11,8 @@
 namespace aucast::web {
 
 /// A link over a WebSocket of the browser, to the page's only server. The browser cannot be kept
-/// from reading a WebSocket: what comes while reading is off is kept, up to kHeldMax bytes, beyond
-/// which the link ends; the socket's end is kept too. Thread: the page's.
+/// from reading a WebSocket: what comes while reading is off is kept, and so is the socket's end.
+/// If more than kHeldMax bytes are kept, the link ends. Thread: the page's.
 class SocketLink final : public link::Link, public std::enable_shared_from_this<SocketLink> {
  public:
   static constexpr std::size_t kHeldMax = std::size_t{1} << 20U;
@@ -47,8 +47,8 @@ class SocketLink final : public link::Link, public std::enable_shared_from_this<
   const std::uint32_t id_;
   link::LinkUser* user_ = nullptr;
   Timer timer_;
-  Timer later_;  ///< hands out what was kept, so that it does not happen within the user's own
-                 ///< calls
+  Timer later_;  ///< hands out what was kept, because that must not happen within a call that the
+                 ///< LinkUser makes
   std::string held_;
   bool open_ = false;
   bool reading_ = true;

@@ -24,16 +24,16 @@ namespace aucast::camera {
 struct Sight {
   mesh::Picture picture;
   const mesh::Landmarks* landmarks = nullptr;  ///< of the first face; null: no face is seen
-  std::vector<AuTerm> aus;                     ///< as FaceTable::terms(); empty without a face
+  std::vector<AuTerm> aus;                     ///< as FaceTable::terms() gives them; empty: no face
 };
 /// Called on the feed's thread that reads faces, once for each picture that it has read.
 using OnSight = std::function<void(const Sight&)>;
 
-/// Turns a camera into rows (FaceTable), which come through a pipe as a recogniser's would. One
-/// thread takes pictures from ffmpeg, another reads the faces of the newest picture. Pictures that
-/// come while it is busy are dropped, so on a slow machine there are fewer rows, but none is late.
-/// A row's time is when its picture came.
-/// Thread: its owner's; two of its own, which end with it.
+/// Turns a camera into rows (FaceTable), which come through a pipe as a recogniser's rows would.
+/// One thread takes pictures from ffmpeg, a second one reads the faces of the newest picture.
+/// Pictures that come while the second one is busy are dropped, so on a slow machine there are
+/// fewer rows, but none is late. A row's time is when its picture came.
+/// Thread: that of its owner. The feed has two threads of its own, which its destructor ends.
 class CameraFeed {
  public:
   /// Waits for the first picture until one comes, CameraOptions::patience ends or `given_up`
@@ -48,10 +48,10 @@ class CameraFeed {
   CameraFeed(const CameraFeed&) = delete;
   CameraFeed& operator=(const CameraFeed&) = delete;
 
-  /// The end of the pipe from which rows are read. Call it only once.
+  /// Gives away the end of the pipe from which rows are read. Call this only once.
   [[nodiscard]] Descriptor take_rows() { return std::move(rows_); }
-  /// Call it after the rows have ended: why ffmpeg ended, in one line; empty when it reported no
-  /// error.
+  /// Returns in one line why ffmpeg ended; empty when it reported no error. Call it after the rows
+  /// have ended.
   [[nodiscard]] std::string complaint();
 
  private:
@@ -61,7 +61,7 @@ class CameraFeed {
   };
 
   struct Seen {
-    std::optional<TimedPicture> newest;  ///< not read yet; nullopt: there is none
+    std::optional<TimedPicture> newest;  ///< whose faces are not read yet; nullopt: none
     bool ended = false;
   };
 
@@ -76,10 +76,10 @@ class CameraFeed {
   FaceModels models_;
   FaceOptions faces_;
   OnSight on_sight_;
-  Descriptor rows_;   ///< the end for reading, until it is taken
-  Descriptor write_;  ///< the other end, which the thread `reading_` closes
+  Descriptor rows_;   ///< the end of the pipe for reading, until take_rows()
+  Descriptor write_;  ///< the end for writing, which the thread `reading_` closes
   Shared<Seen> seen_;
-  // The threads come last: they use all of the above.
+  // The threads are declared last, since they use all of the above.
   std::jthread taking_;
   std::jthread reading_;
 };

@@ -15,8 +15,8 @@ struct FaceModels {
   mesh::AuWeights weights;
 };
 
-/// Loads them from the project's data folder (find_data_folder). Unreadable, with the remedy, when
-/// the models are not there.
+/// Loads nets and weights from the project's data folder (find_data_folder()). Fails with
+/// Unreadable and the remedy if the nets are not there.
 [[nodiscard]] Result<FaceModels> load_face_models();
 
 /// The same from the data folder `data`.

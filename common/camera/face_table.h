@@ -17,15 +17,16 @@ namespace aucast::camera {
 /// eyes may be above 100.
 class FaceTable {
  public:
-  /// `several`: rows have a `face_id`.
+  /// `several`: whether rows have a `face_id`.
   explicit FaceTable(const mesh::AuWeights& weights, bool several = false);
 
   /// The line with the names of the columns.
   [[nodiscard]] const std::string& header() const { return header_; }
-  /// One line; without a face its `success` is 0 and its AUs are empty.
+  /// The line of one face. If `face` is nullopt, `success` is 0 and the AUs are empty. `number`:
+  /// the `face_id`.
   [[nodiscard]] std::string row(double seconds, double confidence,
                                 const std::optional<AuFrame>& face, std::size_t number = 0) const;
-  /// The AUs of row() in whole percent: one term for each column.
+  /// The AUs of row() in whole percent: one term for each column of an AU.
   [[nodiscard]] std::vector<AuTerm> terms(const AuFrame& face) const;
 
  private:

@@ -21,34 +21,34 @@ struct CameraOptions {
   int width = 640;
   int height = 480;
   int fps = 30;
-  Milliseconds patience{10'000};  ///< the longest wait for its first picture
+  Milliseconds patience{10'000};  ///< the longest wait for the first picture
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
 /// Called again and again while a camera's first picture is awaited; returns true to stop waiting.
 using GivenUp = std::function<bool()>;
 
-/// Pictures of a film or a camera, decoded by ffmpeg as a child: upright, with square pixels, no
-/// larger than 640x640. A film of more than 30 pictures a second is reduced to 30.
+/// Pictures of a film or a camera, decoded by ffmpeg as a child process: upright, with square
+/// pixels, no larger than 640x640. A film of more than 30 pictures a second is reduced to 30.
 /// Thread: one at a time, except for stop().
 class PictureSource {
  public:
-  /// Failed when ffmpeg is missing (the message says what to install); Unreadable for a file that
-  /// cannot be read; BadData when ffmpeg finds no pictures in it.
+  /// Fails with ErrorKind::Failed if ffmpeg is missing (the message says what to install), with
+  /// Unreadable if the file cannot be read, with BadData if ffmpeg finds no pictures in it.
   [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
-  /// The device may also be a film, which then plays at its own speed, or a FIFO. Failed, with
-  /// ffmpeg's own words, when no picture comes in time or the caller gives up.
+  /// The device may also be a film, which then plays at its own speed, or a FIFO. Fails with
+  /// ErrorKind::Failed and ffmpeg's own words if no picture comes in time or the caller gives up.
   [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options,
                                                          const GivenUp& given_up = {});
 
   [[nodiscard]] const Y4mReader& format() const { return *pictures_; }
   [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb) { return pictures_->next(rgb); }
-  /// Makes next() find the end. From any thread.
+  /// Makes next() find the end. May be called from any thread.
   void stop() const { ffmpeg_->stop(); }
   /// Waits for ffmpeg to end. Returns its error messages in one line; empty when it succeeded.
   [[nodiscard]] std::string complaint();
-  /// The same at the end of a film. There ffmpeg succeeds even if it could not decode a part, or if
-  /// the last picture is cut off; this reports both.
+  /// The same for a film that was read to its end. For a film, ffmpeg succeeds even if it could not
+  /// decode a part or if the last picture is cut off; this function reports both.
   [[nodiscard]] std::string film_complaint();
 
  private:

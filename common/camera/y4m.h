@@ -18,19 +18,19 @@ namespace aucast::camera {
 /// in video range. Pure: bytes come from `read`.
 class Y4mReader {
  public:
-  /// Reads at most as many bytes as fit and returns how many it read; 0 at the end.
+  /// Fills the span or a part of it and returns how many bytes it read; 0 at the end.
   using Read = std::function<std::size_t(std::span<std::uint8_t>)>;
 
-  /// BadData, without a place, when the first line is not of this format; nullopt when there are no
-  /// bytes at all.
+  /// Fails with BadData and a message without a place if the first line is not of this format.
+  /// Returns nullopt if there are no bytes at all.
   [[nodiscard]] static Result<std::optional<Y4mReader>> open(Read read);
 
   [[nodiscard]] std::size_t width() const { return width_; }
   [[nodiscard]] std::size_t height() const { return height_; }
   /// Pictures a second, above 0.
   [[nodiscard]] double fps() const { return fps_; }
-  /// Reads the next picture into `rgb`, rows from the top; false at the end. A picture that is cut
-  /// off is left out.
+  /// Reads the next picture into `rgb`, rows from the top. Returns false at the end. A picture that
+  /// is cut off is left out.
   [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb);
   /// Whether the end came in the middle of a picture.
   [[nodiscard]] bool torn() const { return torn_; }

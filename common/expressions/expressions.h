@@ -27,11 +27,11 @@ struct Expression {
   AuFrame aus;
   std::vector<ExpressionMuscle> muscles;
   std::string source;
-  std::optional<std::array<float, 2>> pad;  ///< where it is on the axes sad-happy and calm-excited
+  std::optional<std::array<float, 2>> pad;  ///< its place on the axes sad-happy and calm-excited
 };
 
-/// Reads a file in the form of data/expressions.toml, which has at least one expression. Fails as
-/// Unreadable, or as BadData with file:line:column.
+/// Reads a file in the form of data/expressions.toml. Fails with Unreadable, or with BadData and
+/// file:line:column; a file without any expression is BadData.
 [[nodiscard]] Result<std::vector<Expression>> load_expressions(const std::filesystem::path& file);
 
 }  // namespace aucast

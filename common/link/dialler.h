@@ -26,9 +26,9 @@ struct DialOptions {
   /// How long looking up the name, connecting and the TLS handshake may take together.
   Milliseconds time_max{10'000};
   std::optional<tls::Context> tls{};  ///< nullopt: no TLS
-  /// A secret will be sent: only TLS, or a connection to this computer, is allowed.
+  /// Whether a secret will be sent: then only TLS, or a connection to this computer, is allowed.
   bool secret = false;
-  /// The remedy in the message for a connection that is neither.
+  /// The remedy in the message about a connection that `secret` forbids.
   const char* secret_remedy = "--tls, or --insecure-token";
   Limits limits{};
   int held_back_max = 0;  ///< see tcp_link()
@@ -42,11 +42,11 @@ struct DialFailure {
 
 using Dialled = std::variant<std::shared_ptr<Link>, DialFailure>;
 
-/// Makes connections, one at a time: looks the name up and tries its addresses in turn; each may
-/// take an equal share of the time that is left. The link that it makes is not started yet. With
+/// Makes connections, one at a time: looks the name up and tries its addresses in turn. Each
+/// address may take an equal share of the time that is left. The new link is not started yet. With
 /// TLS, once an address has answered, the rest of `time_max` is for the handshake, which checks
 /// that the certificate is for `host`.
-/// Thread: that of the io_context, which must outlive it.
+/// Thread: that of the io_context, which must outlive this object.
 class Dialler {
  public:
   using OnDialled = std::function<void(Dialled)>;

@@ -11,8 +11,8 @@
 namespace aucast::link {
 
 /// A link whose bytes go through a Layer (tls::Layer, web::Layer) over the link below: what all
-/// such links have in common. A call from the link below keeps this object alive until it returns,
-/// since the user may drop it meanwhile.
+/// such links have in common. During a call from the link below, this object stays alive even if
+/// its user drops it.
 template <typename Layer>
 class LayerLink : public Link,
                   public LinkUser,
@@ -71,7 +71,7 @@ class LayerLink : public Link,
   Layer layer_;
   LinkUser* user_ = nullptr;
   bool finishing_ = false;
-  std::optional<Ending> ending_;  ///< reported once what waits has been drained
+  std::optional<Ending> ending_;  ///< why this link ends; reported when the link below has closed
 };
 
 }  // namespace aucast::link

@@ -19,15 +19,15 @@ struct Ending {
     NotTls,     ///< the peer does not speak TLS
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
     TlsFailed,  ///< anything else that went wrong with TLS, such as a slow handshake
-    NotMade,    ///< a link that dials itself never opened
+    NotMade,    ///< a link that makes its own connection never opened
     WebSocketFailed,  ///< the peer's frames break the rules of WebSocket
   };
   Why why = Why::Finished;
-  std::string reason{};  ///< a clause for the user; peer text escaped
+  std::string reason{};  ///< a clause for messages; text from the peer is escaped
 };
 
-/// What a link tells its user. It makes none of these calls from within a call by its user, except
-/// on_open() from within start().
+/// What a link tells its user. The link makes none of these calls from within a call by its user,
+/// except on_open() from within start().
 class LinkUser {
  public:
   virtual ~LinkUser() = default;
@@ -42,21 +42,22 @@ class LinkUser {
   virtual void on_room() {}
   /// The time asked for by wake_at() has come.
   virtual void on_time() = 0;
-  /// TLS or the WebSocket has failed. What is still to be sent is drained, then on_closed() says
-  /// the same.
+  /// TLS or the WebSocket has failed. What is still to be sent is drained; then on_closed() gets
+  /// the same Ending.
   virtual void on_failure(const Ending& /*failure*/) {}
   /// The link has closed; it makes no more calls. Not called after close().
   virtual void on_closed(const Ending& ending) = 0;
 };
 
-/// One byte connection: dialled or accepted, plain, TLS or WebSocket, over TCP or over another
-/// link. Its user sees plain bytes, one timer and now(), and knows neither socket nor clock.
+/// A connection that carries bytes: dialled or accepted, plain, TLS or WebSocket, over TCP or over
+/// another link. Its user sees plain bytes, one timer and now(), and knows neither socket nor
+/// clock.
 ///
 /// finish() drains, in every kind of link alike: all that was written is sent, the sending side is
 /// shut, and what the peer still sends is read and dropped until it ends, so that no reset loses
-/// the last bytes. Limits bounds the time and the bytes.
-/// Thread: that of the executor it was made with. A link that tells its user something stays alive
-/// until the call has returned, so the user may let go of it there.
+/// the last bytes. Limits::drain_time and drain_bytes limit this.
+/// Thread: that of the executor it was made with. A link stays alive until a call to its user has
+/// returned, so the user may let go of the link in that call.
 class Link {
  public:
   Link() = default;
@@ -70,14 +71,16 @@ class Link {
   virtual void hand_over(LinkUser& user) = 0;
   /// Sends at once what the system takes; the rest waits. Ignored after finish().
   virtual void write(std::string_view bytes) = 0;
-  /// Nothing more will be written: drains, then calls on_closed(). No other call comes before that.
+  /// Nothing more will be written: drains, then calls on_closed(). The user gets no other call
+  /// before on_closed().
   virtual void finish() = 0;
   /// Closes at once, whatever is under way.
   virtual void close() = 0;
   /// With false no new read is started, so that flow control holds the peer back; one on_bytes()
   /// may still come. Ignored after finish(), which reads until the peer ends.
   virtual void set_reading(bool reading) = 0;
-  /// Asks for one on_time(); replaces what was asked before. nullopt: no call.
+  /// Asks for one call of on_time() at `when`, instead of any that was asked for before. nullopt:
+  /// asks for no call.
   virtual void wake_at(std::optional<Instant> when) = 0;
 
   [[nodiscard]] virtual Instant now() const = 0;

@@ -33,8 +33,9 @@ struct ListenOptions {
 };
 
 /// Accepts connections at one address and hands them out. When the system is out of descriptors or
-/// memory it logs that once, waits and goes on: connected clients do not notice.
-/// Thread: that of the io_context, which must outlive it together with the callback's captures.
+/// memory, the Listener logs that once, waits and goes on: connected clients do not notice.
+/// Thread: that of the io_context. The io_context and all that the callback uses must outlive this
+/// object.
 class Listener {
  public:
   using OnSocket = std::function<void(asio::ip::tcp::socket, const asio::ip::tcp::endpoint& peer)>;
@@ -44,8 +45,8 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   /// Listens on `bind`, an address or a name (brackets allowed), and `port`, 0 for any free one.
-  /// Fails with a Network error that names both, the cause, and the remedy in terms of the options
-  /// that set them.
+  /// Fails with Network and a message that names the address, the port, the cause, and the option
+  /// to change.
   [[nodiscard]] Result<void> open(const std::string& bind, std::uint16_t port,
                                   const ListenOptions& options = {});
   /// Takes over a socket that is already listening.

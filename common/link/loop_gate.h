@@ -11,18 +11,18 @@
 
 namespace aucast::link {
 
-/// The way from other threads to an event loop: work that is posted runs there, in order, until the
-/// gate is closed. Every thread that may still post holds the gate; the work may use whatever lives
-/// until the gate is closed.
-/// Thread: any; close() only that of the loop.
+/// The way from other threads to an event loop: work that is posted runs on the loop, in order,
+/// until the gate is closed. Every thread that may still post holds a shared_ptr to the gate. The
+/// work may use whatever lives until the gate is closed.
+/// Thread: any, but for close() only that of the loop.
 class LoopGate : public std::enable_shared_from_this<LoopGate> {
  public:
   using Work = std::function<void()>;
   /// How many bytes of work from post_if_room() may wait for the loop. More is left out and
   /// counted.
   static constexpr std::size_t kBytesMax = std::size_t{4} << 20U;
-  /// How many bytes each piece of such work counts on top of its own: about the memory that it
-  /// takes while it waits, so that empty pieces are limited too.
+  /// Each waiting piece of such work counts as this many bytes more than its data: about the memory
+  /// that the piece itself takes. So pieces without data are limited too.
   static constexpr std::size_t kBytesEach = 256;
 
   /// `on_full`: runs on the loop when something is left out for the first time.
@@ -33,10 +33,10 @@ class LoopGate : public std::enable_shared_from_this<LoopGate> {
   /// Posts work that is never left out, because there is little of it, such as the answer to a
   /// question.
   void post(Work work);
-  /// Posts work of which any amount may come, or leaves it out. `bytes`: the size of the data from
-  /// outside that it owns.
+  /// Posts work of which any amount may come; leaves it out if kBytesMax would be exceeded.
+  /// `bytes`: the size of the data from outside that the work owns.
   void post_if_room(Work work, std::size_t bytes);
-  /// No work runs any more, and the loop is not touched again.
+  /// From now on no work runs, and the loop is not touched.
   void close();
   [[nodiscard]] bool is_open() const;
   [[nodiscard]] std::uint64_t left_out() const;

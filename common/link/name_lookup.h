@@ -18,7 +18,7 @@ namespace aucast::link {
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
 
 /// The addresses of a host that needs no look-up: a numeric address, or localhost. Empty for any
-/// other.
+/// other host.
 [[nodiscard]] Addresses known_addresses(const std::string& host, std::uint16_t port);
 
 /// Finds the addresses of a host. The system's own look-up cannot be interrupted, so it runs in a
@@ -28,7 +28,8 @@ class NameLookup {
  public:
   /// `failure`: cause and remedy; empty when there are addresses.
   using OnFound = std::function<void(const std::string& failure, Addresses found)>;
-  /// Blocks. Adds the addresses of a host, whose ports do not matter, and returns the failure.
+  /// Blocks. Adds the addresses of a host to `found`; their ports do not matter. Returns the
+  /// failure; empty when there is none.
   using Resolve = std::function<std::string(const std::string& host, Addresses& found)>;
 
   explicit NameLookup(asio::io_context& io);
@@ -39,8 +40,8 @@ class NameLookup {
   NameLookup& operator=(const NameLookup&) = delete;
 
   /// Calls `on_found` once in the thread of the io_context, never from within start(), and not at
-  /// all if it is cancelled before. One question at a time: a new one cancels the previous one. If
-  /// a look-up of the same host still runs, it answers the new question.
+  /// all if cancel() or another start() comes before. A look-up of the same host that still runs
+  /// answers the new question.
   void start(const std::string& host, std::uint16_t port, OnFound on_found);
   void cancel() { on_found_ = nullptr; }
 
@@ -51,7 +52,7 @@ class NameLookup {
   const std::shared_ptr<LoopGate> gate_;
   const Resolve resolve_;
   std::set<std::string> running_;  ///< hosts that are being looked up
-  std::uint64_t question_ = 0;     ///< the number of the latest
+  std::uint64_t question_ = 0;     ///< the number of the latest question
   std::string host_;               ///< of the latest question, like port_
   std::uint16_t port_ = 0;
   OnFound on_found_;  ///< null: nothing is asked

@@ -8,13 +8,13 @@
 
 namespace aucast::link {
 
-/// A WebSocket over `below`, an open link whose user has read the client's request for one. start()
-/// takes that link over, sends `answer`, the reply to the request, and opens. What is written
+/// A WebSocket over `below`, an open link from which the client's request for a WebSocket was read.
+/// start() takes `below` over, sends `answer`, the reply to the request, and opens. What is written
 /// becomes text messages; the text that comes is handed on as bytes. A peer that sends its Close,
-/// or ends without one, is reported as lost, since a WebSocket cannot be half-closed. So is a peer
-/// that is silent for limits.ping_idle and then does not answer a Ping: a proxy in between may keep
-/// the connection although the other end has vanished. Pings also stop a proxy from dropping an
-/// idle connection.
+/// or ends without a Close, is reported as lost, since a WebSocket cannot be half-closed. So is a
+/// peer that is silent for limits.ping_idle and then does not answer a Ping: a proxy in between may
+/// keep the connection although the other end has vanished. Pings also stop a proxy from dropping
+/// an idle connection.
 [[nodiscard]] std::shared_ptr<Link> web_link(std::shared_ptr<Link> below, std::string answer,
                                              const Limits& limits);
 

@@ -44,7 +44,7 @@ struct AuWeights {
   };
 
   Measures typical;  ///< the neutral face of an average person
-  /// By how much each measure seems to change per radian by which the head is raised. The landmarks
+  /// How much each measure seems to change for each radian that the head is raised. The landmarks
   /// are flatter than a real face, so undoing the turn leaves an error in front of and behind the
   /// eyes.
   std::array<double, kSideMeasures> raised_side{};
@@ -57,7 +57,7 @@ struct AuWeights {
 [[nodiscard]] Measures levelled(const AuWeights& weights, const Measures& seen,
                                 const Measures& neutral);
 
-/// BadData with file:line when the text is no file of weights.
+/// Fails with BadData and file:line if the text is no file of weights.
 [[nodiscard]] Result<AuWeights> parse_au_weights(std::string_view text, std::string_view file);
 
 }  // namespace aucast::mesh

@@ -16,7 +16,7 @@ namespace aucast::mesh {
 /// Thread: one at a time.
 class FaceFinder {
  public:
-  /// BadData, beginning with `file`, when the bytes are not this net.
+  /// Fails with BadData and a message that begins with `file` if the bytes are not this net.
   [[nodiscard]] static Result<FaceFinder> make(std::span<const std::uint8_t> bytes,
                                                std::string_view file);
 

@@ -22,18 +22,18 @@ class FaceRoll {
   /// Whether any face is followed.
   [[nodiscard]] bool follows_any() const;
   /// The number, old or new, for a face that was found at `square`. nullopt when that face is
-  /// already being followed, or when there are kFacesMax others.
+  /// already being followed, or when kFacesMax other faces have numbers.
   [[nodiscard]] std::optional<std::size_t> number_of(const Square& square) const;
 
   /// Call when a face with a number from number_of() was seen; `next` is where to look for it in
-  /// the next picture. False: another face that is being followed is there already, and this one is
-  /// lost.
+  /// the next picture. Returns false if another face is already being followed there; the face with
+  /// this number is then lost.
   bool seen(std::size_t number, const Square& next);
   void lost(std::size_t number) { faces_[number].followed = false; }
 
  private:
   struct Face {
-    Square where;  ///< when it was seen last
+    Square where;  ///< where to look for it next, set when it was last seen
     bool followed = false;
   };
   std::vector<Face> faces_;

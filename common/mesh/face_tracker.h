@@ -23,21 +23,21 @@ struct ModelBytes {
 
 /// A face that a picture shows.
 struct SeenFace {
-  std::size_t number = 0;  ///< that of its FaceRoll
+  std::size_t number = 0;  ///< its number in the FaceRoll
   Landmarks landmarks;
 };
 
-/// Follows faces from picture to picture: looks for a face where it was, and in the whole picture
-/// when it is no longer there.
+/// Follows faces from picture to picture: looks for a face where it was last, and in the whole
+/// picture when it is no longer there.
 /// Thread: one at a time.
 class FaceTracker {
  public:
-  /// BadData when a model is not the right net.
+  /// Fails with BadData if a model is not the right net.
   [[nodiscard]] static Result<FaceTracker> make(const ModelBytes& detector,
                                                 const ModelBytes& landmarks);
 
-  /// Takes the next picture of a film and returns the face in it; of several, the clearest is
-  /// followed. nullopt when the picture shows none.
+  /// Takes the next picture of a film and returns the face in it. If there are several, follows the
+  /// clearest. nullopt when the picture shows no face.
   [[nodiscard]] std::optional<Landmarks> follow(const Picture& picture);
   /// The same for all faces, in the order of their numbers. Do not mix it with follow() in one
   /// film.
@@ -51,10 +51,10 @@ class FaceTracker {
   FaceTracker(FaceFinder faces, LandmarkFinder landmarks)
       : faces_(std::move(faces)), landmarks_(std::move(landmarks)) {}
 
-  /// The landmarks of the face in the square; nullopt when it shows none.
+  /// The landmarks of the face in the square; nullopt when it shows no face.
   [[nodiscard]] std::optional<Landmarks> look_in(const Picture& picture, const Square& square);
-  /// Looks in this square for the face of that number and adds it to `seen`; false: it is not
-  /// there.
+  /// Looks in this square for the face of that number and adds it to `seen`. Returns false if it is
+  /// not there.
   bool look_for(std::size_t number, const Picture& picture, const Square& square,
                 std::vector<SeenFace>& seen);
 

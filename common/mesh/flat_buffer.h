@@ -12,8 +12,8 @@
 
 namespace aucast::mesh {
 
-/// The bytes of a FlatBuffers file, read field by field. Never reads beyond them: what would lie
-/// outside is given as 0 or empty, and broken() is true from then on.
+/// The bytes of a FlatBuffers file, read field by field. Never reads beyond the bytes: a value that
+/// would lie outside is read as 0 or empty, and broken() is true from then on.
 class FlatBuffer {
  public:
   /// The place of something that is missing.
@@ -34,7 +34,7 @@ class FlatBuffer {
     return value;
   }
 
-  /// The place that the number at `place` points to: it is so many bytes further on.
+  /// The place that the number at `place` points to: that number of bytes beyond `place`.
   [[nodiscard]] std::size_t target(std::size_t place) { return place + get<std::uint32_t>(place); }
   /// Where field `index` of the table at `table` is; kNone when the table does not have it.
   [[nodiscard]] std::size_t field(std::size_t table, std::size_t index);
@@ -64,7 +64,7 @@ class FlatBuffer {
 };
 
 /// The numbers under each key of a FlexBuffers map whose values are numbers or vectors of numbers,
-/// as the custom operators of TFLite have them; nullopt when it is anything else.
+/// as the custom operators of TFLite have them; nullopt for anything else.
 using FlexMap = std::vector<std::pair<std::string, std::vector<double>>>;
 [[nodiscard]] std::optional<FlexMap> read_flex_map(std::span<const std::uint8_t> bytes);
 

@@ -20,8 +20,8 @@ inline constexpr std::array<std::size_t, 14> kStillLandmarks{33,  133, 362, 263,
                                                              195, 5,   4,   127, 356, 234, 454};
 using StillPoints = std::array<Point, kStillLandmarks.size()>;
 
-/// Where they are on a typical face seen from the front, in units of the distance between the outer
-/// corners of the eyes.
+/// Where the still landmarks are on a typical face seen from the front, in units of the distance
+/// between the outer corners of the eyes.
 inline constexpr StillPoints kTypicalStillPoints{{{-0.5000, 0.0000, 0.0000},
                                                   {-0.2088, 0.0089, -0.0657},
                                                   {0.2088, 0.0089, -0.0657},

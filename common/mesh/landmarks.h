@@ -20,7 +20,7 @@ struct Point {
 };
 
 inline constexpr std::size_t kFacePoints = 468;
-inline constexpr std::size_t kIrisPoints = 5;  ///< its middle, and four points of its rim
+inline constexpr std::size_t kIrisPoints = 5;  ///< the iris's middle, and four points of its rim
 inline constexpr std::size_t kRightIris = kFacePoints;
 inline constexpr std::size_t kLeftIris = kRightIris + kIrisPoints;
 inline constexpr std::size_t kLandmarks = kLeftIris + kIrisPoints;
@@ -28,14 +28,14 @@ inline constexpr std::size_t kLandmarks = kLeftIris + kIrisPoints;
 /// MediaPipe's landmarks of one face, in the order of its canonical face model.
 struct Landmarks {
   std::array<Point, kLandmarks> points{};
-  double presence = 0;  ///< [0,1]: how sure it is that this is a face
+  double presence = 0;  ///< [0,1]: how sure the net is that this is a face
 };
 
 /// Finds the landmarks in a square that shows a face, with MediaPipe's net "face mesh with
 /// attention". Thread: one at a time.
 class LandmarkFinder {
  public:
-  /// BadData, beginning with `file`, when the bytes are not this net.
+  /// Fails with BadData and a message that begins with `file` if the bytes are not this net.
   [[nodiscard]] static Result<LandmarkFinder> make(std::span<const std::uint8_t> bytes,
                                                    std::string_view file);
 

@@ -50,7 +50,8 @@ enum class MiddleMeasure : std::uint8_t {
   NoseTipUp,
   MouthLeft,
   // From here on: heights of places that no expression moves, at the eyes, down the bridge of the
-  // nose and at the sides of the head. When a head nods, the net bends these besides turning them.
+  // nose and at the sides of the head. When a head nods, the net not only turns these places but
+  // also bends them.
   StillOuterEyeUp,
   StillInnerEyeUp,
   StillBridgeTopUp,

@@ -14,7 +14,7 @@
 namespace aucast::mesh {
 
 /// The operators that the engine knows, with the numbers of TFLite's schema; from 1000 on,
-/// MediaPipe's custom operators, which have none there.
+/// MediaPipe's custom operators, which have no number in the schema.
 enum class Operator : std::uint16_t {
   Add = 0,
   Concatenation = 2,
@@ -41,7 +41,7 @@ using Shape = std::array<std::size_t, 4>;
 
 struct Tensor {
   Shape shape{1, 1, 1, 1};
-  std::size_t rank = 4;  ///< how many of the four the file has
+  std::size_t rank = 4;  ///< how many of the four dimensions the file has
   bool constant = false;
   std::vector<float> values;           ///< of constants
   std::vector<std::int32_t> integers;  ///< of constants: shapes and paddings
@@ -72,15 +72,16 @@ struct Model {
   std::vector<std::size_t> outputs;
 };
 
-/// How many numbers a tensor may have, and all tensors together.
+/// How many numbers one tensor may have, and how many all tensors together may have.
 inline constexpr std::size_t kTensorNumbersMax = std::size_t{1} << 24U;
 inline constexpr std::size_t kModelNumbersMax = std::size_t{1} << 25U;
 
-/// BadData: "file: not a model that can be used: why".
+/// A BadData error: "file: not a model that can be used: why".
 [[nodiscard]] Error unusable_model(std::string_view file, std::string_view why);
 
-/// Reads a TFLite file with 32 or 16 bit floats. BadData, beginning with `file`, when it is another
-/// kind of file, is damaged or has operators that the engine does not know.
+/// Reads a TFLite file with 32 or 16 bit floats. Fails with BadData and a message that begins with
+/// `file` if this is another kind of file, is damaged or has operators that the engine does not
+/// know.
 [[nodiscard]] Result<Model> read_model(std::span<const std::uint8_t> bytes, std::string_view file);
 
 }  // namespace aucast::mesh

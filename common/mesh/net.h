@@ -16,8 +16,9 @@ namespace aucast::mesh {
 /// Nothing is allocated while it runs. Thread: one at a time.
 class Net {
  public:
-  /// BadData, beginning with `file`, when the bytes are no model (read_model), its shapes do not
-  /// fit each other, or one picture would take more than kMultiplicationsMax.
+  /// Fails with BadData and a message that begins with `file` if the bytes are no model
+  /// (read_model()), if its shapes do not fit each other, or if one picture would take more
+  /// multiplications than kMultiplicationsMax.
   [[nodiscard]] static Result<Net> make(std::span<const std::uint8_t> bytes, std::string_view file);
 
   static constexpr double kMultiplicationsMax = 2e9;
@@ -40,10 +41,10 @@ class Net {
     std::size_t output = 0;
     KernelWindow window;
     Activation activation = Activation::None;
-    std::vector<float> weights;  ///< of a convolution, as arranged_weights()
+    std::vector<float> weights;  ///< of a convolution, as arranged_weights() orders them
     std::vector<float> bias;
     std::size_t axis = 0;
-    Shape begin{};  ///< of a slice: its begin; of a padding: how many zeros come before
+    Shape begin{};  ///< of a slice: where it begins; of a padding: how many zeros come before
     Shape stride{};
     RegionOptions region;
   };

@@ -17,7 +17,7 @@ class Net::Planner {
   [[nodiscard]] Result<Net> plan();
 
  private:
-  /// Each plans one step and returns whether it fits.
+  /// Each of these plans one step and returns whether the step fits.
   [[nodiscard]] bool plan_step(const Step& step);
   [[nodiscard]] bool plan_convolution(const Step& step, Planned& planned);
   [[nodiscard]] bool plan_depthwise(const Step& step, Planned& planned);

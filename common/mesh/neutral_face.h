@@ -12,9 +12,9 @@ namespace aucast::mesh {
 
 /// The neutral face of a person, from pictures of them. Each measure is a median: usually over the
 /// fifth of the pictures in which AUs are weakest; for brows, which may stay raised for seconds,
-/// over the weaker half; for head and gaze over all, so that somebody who mostly looks past the
-/// camera counts as looking straight. Lips are always shut, and eyes at least 60 % as open as the
-/// typical face's. The typical face when nothing was seen.
+/// over the weaker half; for head and gaze over all, so that somebody who usually looks past the
+/// camera counts as looking straight. In the result, lips are shut, and eyes are open at least 60 %
+/// as far as the typical face's. If nothing was seen, returns the typical face.
 [[nodiscard]] Measures find_neutral_face(std::span<const Measures> seen, const AuWeights& weights);
 
 /// The median of each measure; the typical face when nothing was seen.

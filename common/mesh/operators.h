@@ -7,9 +7,9 @@
 
 #include "common/mesh/model_file.h"
 
-/// The arithmetic of the nets: one function for each operator, from numbers to numbers. They are
-/// laid out as in TFLite: channels vary fastest, then columns, rows and batch (always 1 here). The
-/// caller has checked that the shapes fit; the sizes of spans are those of their shapes.
+/// The arithmetic of the nets: one function for each operator, from numbers to numbers. The numbers
+/// are laid out as in TFLite: channels vary fastest, then columns, rows and batch (always 1 here).
+/// The caller has checked that the shapes fit; the sizes of spans are those of their shapes.
 namespace aucast::mesh {
 
 /// How an operator's window lies on its input.
@@ -51,7 +51,7 @@ void convolve_depthwise(std::span<const float> in, const Shape& in_shape,
                         const KernelWindow& window, std::span<float> out, const Shape& out_shape);
 void pool_maximum(std::span<const float> in, const Shape& in_shape, const KernelWindow& window,
                   std::span<float> out, const Shape& out_shape);
-/// `slopes` has one number for each channel, or as many as `in`.
+/// `slopes` has one number for each channel or one for each number of `in`.
 void prelu(std::span<const float> in, std::span<const float> slopes, std::span<float> out);
 /// `b` repeats until it is as long as `a`.
 void add(std::span<const float> a, std::span<const float> b, std::span<float> out);
@@ -86,7 +86,8 @@ struct RegionOptions {
 
 /// `landmarks`: x, y, z of each, in coordinates of the large map.
 [[nodiscard]] Matrix region_matrix(std::span<const float> landmarks, const RegionOptions& options);
-/// Samples the large map `in` at the points of the small map `out`, bilinearly; 0 outside of `in`.
+/// Samples `in`, the large map, bilinearly at the points of `out`, the small map. Points outside of
+/// `in` give 0.
 void sample_bilinear(std::span<const float> in, const Shape& in_shape, const Matrix& matrix,
                      std::span<float> out, const Shape& out_shape);
 /// Transforms x and y of each landmark by the matrix.

@@ -29,9 +29,9 @@ struct Square {
 /// other.
 [[nodiscard]] bool show_the_same(const Square& one, const Square& other);
 
-/// Samples a square that can_be_seen() bilinearly into `size` times `size` pixels, rows from its
-/// top. Each byte becomes a number from `low` to `high`; outside of the picture, bytes are taken as
-/// 0.
+/// Samples a square bilinearly into `size` times `size` pixels, rows from its top. The square must
+/// be one that can_be_seen(). Each byte becomes a number from `low` to `high`; outside of the
+/// picture, bytes are taken as 0.
 void sample_square(const Picture& picture, const Square& square, std::size_t size, float low,
                    float high, std::span<float> out);
 

@@ -22,7 +22,7 @@ using Order = std::variant<GoLive, GoPrivate>;
 
 /// The order as a line, with its line end.
 [[nodiscard]] std::string order_text(const Order& order);
-/// Reads an order from a line without its end; nullopt if it is none.
+/// Reads an order from a line without its end; nullopt if the line is no order.
 [[nodiscard]] std::optional<Order> parse_order(std::string_view line);
 
 }  // namespace aucast::preview

@@ -37,8 +37,8 @@ class PreviewReader {
  public:
   void feed(std::string_view bytes) { bytes_ += bytes; }
 
-  /// The next record; nullopt: more bytes are needed. BadData for anything that is no record, and
-  /// in every later call.
+  /// Returns the next record; nullopt: more bytes are needed. Fails with BadData for anything that
+  /// is no record, and then in every later call.
   [[nodiscard]] Result<std::optional<Record>> next();
 
   /// The most bytes of a line, and of a text of AUs.

@@ -30,8 +30,8 @@ using LoadCurves = std::function<Result<ArkitTable>()>;
 /// Loads the table of the data folder.
 [[nodiscard]] Result<ArkitTable> load_arkit_table();
 
-/// Reads a table with the columns curve, au, side (L, R or B) and gain. BadData, with
-/// file:line:column, when something in it is wrong.
+/// Reads a table with the columns curve, au, side (L, R or B) and gain. Fails with BadData and
+/// file:line:column if something in it is wrong.
 [[nodiscard]] Result<ArkitTable> parse_arkit_table(std::string_view text, std::string_view file);
 
 }  // namespace aucast::sources

@@ -43,7 +43,7 @@ class AuColumns {
   };
   [[nodiscard]] bool has(std::uint8_t number, Side side) const;
   bool letters_ = false;
-  std::vector<Column> columns_;  ///< those without a side first, so that a side wins
+  std::vector<Column> columns_;  ///< those without a side first, so that one with a side wins
 };
 
 }  // namespace aucast::sources

@@ -13,7 +13,7 @@ struct Timecode {
 
 [[nodiscard]] std::optional<Timecode> parse_timecode(std::string_view text);
 
-/// HH:MM:SS.fff as seconds.
+/// HH:MM:SS.fff as seconds; nullopt for any other text.
 [[nodiscard]] std::optional<double> parse_clock(std::string_view text);
 
 }  // namespace aucast::sources

@@ -14,7 +14,7 @@ namespace aucast::sources {
 /// What is known about one person in front of one camera, and how their signals are to be
 /// conditioned.
 struct Profile {
-  Signals neutral = no_signals();         ///< the neutral face; a signal without data is not known
+  Signals neutral = no_signals();         ///< the neutral face; a signal without data: unknown
   PerAu gain{1};                          ///< [0, 10]
   PerAu dead_band{2};                     ///< whole percent, 0-50
   std::optional<OneEuroSettings> filter;  ///< nullopt: off
@@ -39,23 +39,25 @@ struct ConditioningSettings {
 /// subtracted, then come gain, One Euro filter, and conversion to intensities. A signal without
 /// data stays so; the class Channels holds and eases it afterwards. The dead band comes last.
 ///
-/// Signals may be negative until the conversion: the filter averages out noise around the neutral
-/// face, which would become a small expression if it were cut off at 0. The distance means nothing
-/// before a neutral distance is subtracted: the profile's, or the median of the first second.
+/// Signals may be negative until the conversion, so that the filter averages out noise around the
+/// neutral face. Noise that is cut off at 0 would become a small expression. The distance means
+/// nothing before a neutral distance is subtracted: the profile's, or the median of the first
+/// second.
 class Conditioning {
  public:
   explicit Conditioning(const ConditioningSettings& settings = {});
 
-  /// Takes the sample at `seconds`, later than the last, and returns what is to be shown. Both are
-  /// intensities, negative where there is no data; only in `update` may those of turns be above 1.
+  /// Takes `update`, the sample at `seconds`, later than the last, and returns what is to be shown.
+  /// Both frames have intensities, negative where there is no data. Turns may be above 1 in
+  /// `update`, but not in the result.
   [[nodiscard]] AuFrame apply(double seconds, const AuFrame& update);
 
   /// Uses other settings from the next sample on; a neutral face that was measured is kept.
   void change(const ConditioningSettings& settings);
   /// Measures the neutral face again.
   void forget_neutral();
-  /// The neutral face, once it has been measured; given only once, and only if `neutral_seconds` is
-  /// set.
+  /// Returns the neutral face once, after it has been measured; otherwise nullopt. It is measured
+  /// only if `neutral_seconds` is set.
   [[nodiscard]] std::optional<MeasuredNeutral> take_neutral();
 
  private:
@@ -73,15 +75,15 @@ class Conditioning {
 [[nodiscard]] std::optional<double> seconds_to_measure(const ConditioningSettings& settings);
 
 /// The sample as signals, before anything is done to it; without the distance, unless
-/// settings.distance.
+/// settings.distance is set.
 [[nodiscard]] Signals raw_signals(const AuFrame& update, const ConditioningSettings& settings);
 
-/// The part of a neutral face, asked for and measured, that is subtracted: all of it, or only the
-/// turns of head and eyes if neutral_turns_only is set.
+/// The part of a measured neutral face that is subtracted: all of it, or only the turns of head and
+/// eyes if neutral_turns_only is set.
 [[nodiscard]] MeasuredNeutral taken_off(const ConditioningSettings& settings,
                                         MeasuredNeutral measured);
 
-/// What is to be subtracted: the measured neutral face where there is one, else the profile's.
+/// What is to be subtracted: each signal of `measured` that has data, else that of the profile.
 /// Without `neutral_seconds` only the distance is taken from `measured`.
 [[nodiscard]] Signals neutral_with(const ConditioningSettings& settings,
                                    const MeasuredNeutral& measured);

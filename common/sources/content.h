@@ -7,7 +7,7 @@
 
 namespace aucast::sources {
 
-/// The kind of a file, told by its first lines and not by its name.
+/// The kind of a file, as its first lines show it, whatever its name is.
 enum class ContentKind : std::uint8_t {
   StreamFile,  ///< a stream file, or text that will be refused as a faulty one
   Recording,   ///< a recogniser's table

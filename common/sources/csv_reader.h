@@ -21,8 +21,9 @@ inline constexpr std::string_view kCsvBlanks = " \t\r";
 
 /// Reads a table row by row; columns are found by name, never by position. Accepts LF, CRLF, CR, a
 /// UTF-8 byte order mark, a preamble (is_preamble()), blanks around cells, quoted cells, and ',',
-/// ';' or tab between cells (whichever the header has most of). Refers to the text, which must
-/// outlive it; keeps one row at a time. Collects the first 20 errors in rows and numbers.
+/// ';' or tab between cells (whichever the header has most of). The reader refers to the text,
+/// which must outlive the reader, and keeps one row at a time. It collects the first 20 errors in
+/// rows and numbers.
 class CsvReader {
  public:
   enum class Next : std::uint8_t {
@@ -34,8 +35,8 @@ class CsvReader {
   };
 
   /// Reads the line with the names of the columns: the first that is neither blank nor a preamble.
-  /// BadData when there is none, or it is too long or names too many columns. Asked to stop, next()
-  /// returns End at once.
+  /// Fails with BadData if there is no such line, or if it is too long or names too many columns.
+  /// Once `stop` is requested, next() returns End at once.
   [[nodiscard]] static Result<CsvReader> open(std::string_view text, std::string_view file,
                                               std::stop_token stop = {});
 
@@ -46,10 +47,10 @@ class CsvReader {
 
   /// Reads the next line that is not blank.
   [[nodiscard]] Next next();
-  /// Whether it was asked to stop, so that next() may have left out rows.
+  /// Whether the reader was asked to stop, so that next() may have left out rows.
   [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
-  /// Makes `content` the present line. It is not in the text but, for example, was just written. It
-  /// must not be blank, and must outlive the use of its cells. `line`: its number, for messages.
+  /// Makes `content`, such as a line that was just written, the present line. `content` must not be
+  /// blank, and must outlive the use of its cells. `line`: its number, for messages.
   [[nodiscard]] Next take(std::string_view content, std::size_t line);
   /// Goes back to before the first row; errors are kept.
   void rewind();
@@ -69,7 +70,7 @@ class CsvReader {
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
   /// All errors noted, one "file:line:column: reason" per line.
   [[nodiscard]] Error error() const { return errors_.error(); }
-  /// All errors noted, which are then forgotten.
+  /// Returns all errors noted, and forgets them.
   [[nodiscard]] std::vector<std::string> take_errors() { return errors_.take(); }
 
  private:
@@ -103,7 +104,7 @@ class CsvReader {
 [[nodiscard]] bool is_preamble(std::string_view line);
 
 /// A number as recognisers and spreadsheets write it: 1.5 and, with `commas`, 1,5 and 1,234.5.
-/// nullopt when it is none or not finite.
+/// nullopt when it is not a number or not finite.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text, bool commas);
 
 }  // namespace aucast::sources

@@ -7,8 +7,9 @@
 namespace aucast::sources {
 
 /// Suppresses a recogniser's noise: an intensity stays as it was until it has changed by at least
-/// the percent set for its AU, and then takes its exact value. So it is wrong by less than that
-/// percent. 0 is always taken at once. A percent of 0 or 1 changes nothing.
+/// the percent set for its AU, and then takes its exact value. So what is shown is wrong by less
+/// than that percent. An intensity of 0 is always taken at once. A percent of 0 or 1 suppresses
+/// nothing.
 class DeadBand {
  public:
   /// `percent`: whole numbers.
@@ -24,7 +25,7 @@ class DeadBand {
   AuFrame shown_;
 };
 
-/// Applies a DeadBand to a whole stream. The keyframes keep their number and times.
+/// Applies a DeadBand to a whole stream. No keyframe is dropped or changes its time.
 void apply_dead_band(protocol::StreamFile& stream, const PerAu& percent);
 
 }  // namespace aucast::sources

@@ -10,7 +10,8 @@
 
 namespace aucast::sources {
 
-/// Reads the tables of one kind of recogniser. It looks its columns up by name when it is made.
+/// Reads the tables of one kind of recogniser. A Format looks its columns up by name when it is
+/// made.
 class Format {
  public:
   Format() = default;
@@ -32,15 +33,15 @@ class Format {
 };
 
 /// The format that has these columns; null when none has. `load_curves` is called only for tables
-/// of ARKit's curves; if it fails, so does this.
+/// of ARKit's curves; if it fails, so does open_format().
 [[nodiscard]] Result<std::unique_ptr<Format>> open_format(const CsvReader& table,
                                                           const LoadCurves& load_curves);
 
 /// Whether open_format() knows the columns.
 [[nodiscard]] bool is_known(const CsvReader& table);
 
-// === One per family of recognisers: returns its format, or null when the columns are not the
-// family's.
+// === One function per family of recognisers. Each returns the family's format, or null when the
+// columns are not the family's.
 
 /// The tables that our own readers of cameras and films write.
 [[nodiscard]] std::unique_ptr<Format> open_camera_table(const CsvReader& table);

@@ -14,7 +14,7 @@ class LineSplitter {
   struct Line {
     std::string text;        ///< without its end
     std::size_t number = 0;  ///< from 1
-    bool too_long = false;   ///< `text` is only its beginning
+    bool too_long = false;   ///< `text` is only the line's beginning
   };
 
   explicit LineSplitter(std::size_t bytes_max) : bytes_max_(bytes_max) {}
@@ -23,7 +23,7 @@ class LineSplitter {
   void feed(std::string_view bytes) { fed_ = bytes; }
   /// The next whole line; nullopt when the bytes are used up.
   [[nodiscard]] std::optional<Line> next();
-  /// Drops the beginning of a line whose end has not come; true when there was one.
+  /// Drops the beginning of a line whose end has not come. Returns whether there was any.
   bool drop_partial();
   /// Counts lines from 1 again.
   void restart();

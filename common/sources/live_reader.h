@@ -39,24 +39,24 @@ struct NewFace {
                           ///< face's first row
 };
 
-/// A live source, byte by byte: a table of any known recogniser, or lines of a stream file; the
-/// first line tells which. Pure: bytes and times of arrival go in, keyframes and messages come
+/// Reads a live source byte by byte: a table of any known recogniser, or lines of a stream file;
+/// the first line shows which. Pure: bytes and times of arrival go in, keyframes and messages come
 /// out.
 ///
-/// No input makes it fail. A line that is not understood is left out with a message; in a run of
-/// such lines only the first kSaidMax get one, until kRunEnds good lines have come. The beginning
-/// of a line waits for the rest. A header in the middle (the same, or of another format) begins a
-/// new table whose clock goes on from the last sample. The clock also goes on from there if
-/// kRefusalsMax successive rows are not later than the last sample, but each is later than its
-/// predecessor: the clock was set back, or one time was wrong. Rows without a clock (Py-Feat
-/// without --fps) and lines without a time take the time since the previous one.
+/// No input makes the reader fail. A line that is not understood is left out with a message. In a
+/// run of such lines only the first kSaidMax get a message; a run ends with kRunEnds good lines in
+/// a row. The beginning of a line waits for the rest. A header in the middle (the same, or of
+/// another format) begins a new table whose clock goes on from the last sample. The clock also goes
+/// on from the last sample if kRefusalsMax successive rows are not later than the last sample, but
+/// each is later than its predecessor: the clock was set back, or one time was wrong. Rows without
+/// a clock (Py-Feat without --fps) and lines without a time take the time since the previous one.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
   static constexpr std::size_t kRunEnds = 100;
   static constexpr std::size_t kRefusalsMax = 10;
 
-  /// `file`: what messages call it. `load_curves` is called when ARKit's curves are met.
+  /// `file`: what messages call the source. `load_curves` is called when ARKit's curves are met.
   LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);
   ~LiveReader();
   LiveReader(LiveReader&&) noexcept;
@@ -71,10 +71,10 @@ class LiveReader {
   /// Call when idle_due() has come: eases the face to neutral, since no more data of it comes.
   void idle(SteadyTime now);
   [[nodiscard]] std::optional<SteadyTime> idle_due() const;
-  /// Since when a source that has begun has been silent; nullopt: it is not. After a line of a
-  /// stream file silence begins only when the input or that stream ends.
+  /// Since when a source that has begun has been silent; nullopt: it is not silent. After a line of
+  /// a stream file silence begins only when the input or that stream ends.
   [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
-  /// What has come is shown only now, so silence begins at `now` or later.
+  /// Call this when what has come is shown only now: silence then begins at `now` or later.
   void hold_off(SteadyTime now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
@@ -124,7 +124,7 @@ class LiveReader {
   std::vector<NewFace> new_faces_;
   std::string beginning_;  ///< the first lines, to recognise label files by
   std::size_t beginning_lines_ = 0;
-  std::optional<std::string> labels_;  ///< the message, if they are a label file
+  std::optional<std::string> labels_;  ///< the message, if these lines are a label file's
   std::size_t complaints_ = 0;         ///< in this run
   std::size_t understood_ = 0;         ///< lines since the last complaint
   std::vector<LiveMessage> messages_;

@@ -23,7 +23,7 @@ struct LiveKeyframe {
 /// Turns the samples of a live face into keyframes, one by one, as they come. A keyframe takes the
 /// time between its sample and the previous one, on the source's clock; after a pause, it takes the
 /// usual time instead, and the pause is left out. Channels without data hold for kHoldSeconds, then
-/// ease to neutral; when no samples come at all, idle() makes these keyframes.
+/// ease to neutral; when no samples come at all, idle() makes the keyframes for this.
 class LiveTimeline {
  public:
   /// `rate`: the most keyframes a second; samples between them are left out. nullopt: no limit.
@@ -31,9 +31,9 @@ class LiveTimeline {
   explicit LiveTimeline(std::optional<double> rate, const ConditioningSettings& settings = {})
       : rate_(rate), conditioning_(settings), dead_band_(settings.profile.dead_band) {}
 
-  /// Takes a sample of the source, later than the previous one: the intensities of `update`; a
-  /// negative one is no data. `time_ms`: the line's own time, of a stream file; nullopt: a row,
-  /// whose time is the clock's.
+  /// Takes `update`, a sample of the source at `seconds`, later than the previous one; a negative
+  /// intensity is no data. `time_ms`: the time that a line of a stream file gives; nullopt: the
+  /// sample is a table's row, whose time is the clock's.
   void add(double seconds, const AuFrame& update, std::optional<std::uint32_t> time_ms = {});
   /// The clock began again: the next sample comes one usual step after the last.
   void restart() { restarted_ = true; }
@@ -48,7 +48,8 @@ class LiveTimeline {
   /// Whether the source has a clock of its own, for the samples that follow.
   void set_clocked(bool clocked) { clocked_ = clocked; }
 
-  /// Nothing has come for that long: makes the keyframes that are due by now.
+  /// Call this when nothing has come for `silence_seconds`: makes the keyframes that are due by
+  /// now.
   void idle(double silence_seconds);
   /// The silence after which to call idle(); nullopt once the face is neutral.
   [[nodiscard]] std::optional<double> idle_due_seconds() const;
@@ -72,7 +73,7 @@ class LiveTimeline {
   std::int64_t emitted_ms_ = 0;         ///< place of the last keyframe
   std::size_t idle_steps_ = 0;          ///< keyframes that eased, since the last sample
   bool restarted_ = true;
-  bool begins_ = true;  ///< the next keyframe
+  bool begins_ = true;  ///< whether the next keyframe `begins`
   bool clocked_ = false;
   bool verbatim_ = false;  ///< the last sample was a stream file's line
   bool said_anything_ = false;

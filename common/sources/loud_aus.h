@@ -26,7 +26,7 @@ inline constexpr double kNeutralPercentMax = 30;
 /// may be to one side, nor do movements of the eyelids, which blink and follow the eyes.
 [[nodiscard]] std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral);
 
-/// What to tell the user about them: "AU12 100 %, AU1 40 %: no neutral face was taken off".
+/// What to tell the user about these AUs: "AU12 100 %, AU1 40 %: no neutral face was taken off".
 [[nodiscard]] std::string not_neutral_text(const std::vector<LoudAu>& loud);
 
 /// The strongest few: "AU7 100 %, AU20 100 %, AUL10 77 % and 12 more", "movement of AU4 73 %".

@@ -11,7 +11,7 @@ namespace aucast::sources {
 
 /// A neutral face that was measured.
 struct MeasuredNeutral {
-  Signals signals = no_signals();   ///< no data: none was seen
+  Signals signals = no_signals();   ///< of the neutral face; no data: not seen
   Signals movement = no_signals();  ///< of each signal, the range of its values without the lowest
                                     ///< and the highest tenth
   double seconds = 0;    ///< how long it was measured: as asked, or the length of the recording
@@ -28,11 +28,11 @@ class NeutralMeter {
   /// `seconds` above 0.
   explicit NeutralMeter(double seconds) : wanted_seconds_(seconds) {}
 
-  /// Takes a sample, later than the last; one without any data does not count. False when the
-  /// seconds have passed: it takes no more.
+  /// Takes a sample, later than the last; a sample without any data does not count. Returns false
+  /// when the seconds have passed; the meter then takes no more samples.
   bool add(double seconds, const Signals& signals);
   [[nodiscard]] bool done() const { return done_; }
-  /// Of the samples taken so far.
+  /// The result of the samples taken so far.
   [[nodiscard]] MeasuredNeutral measured() const;
 
  private:

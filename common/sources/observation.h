@@ -8,7 +8,7 @@
 
 namespace aucast::sources {
 
-/// Degrees that 100 % of a head or gaze AU stands for (FORMATS.md here).
+/// Degrees that 100 % of a head or gaze AU stands for (FORMATS.md in this folder).
 inline constexpr double kYawDegrees = 35;
 inline constexpr double kPitchDegrees = 22;
 inline constexpr double kTiltDegrees = 22;
@@ -48,7 +48,7 @@ struct Observation {
   std::optional<double> distance_mm;  ///< of the head from the camera
   std::vector<AuValue> aus;           ///< only those with data
 
-  /// Empties it but keeps its memory.
+  /// Empties the observation but keeps its memory.
   void clear();
   /// Sets `face` from a column of the format; a number beyond 1e9 is no identifier.
   void name_face(std::optional<double> identifier);

@@ -17,12 +17,12 @@ struct OneEuroSettings {
 
 /// G. Casiez, N. Roussel, D. Vogel, "1 Euro filter", CHI 2012, algorithm 1, for one signal: an
 /// exponential mean whose cutoff rises with the speed, so that a signal at rest is smooth and a
-/// moving one is not late. The result lies between the last one and the new value, so there is no
-/// overshoot. Samples need not be evenly spaced in time.
+/// moving one is not late. The result lies between the last result and the new value, so there is
+/// no overshoot. Samples need not be evenly spaced in time.
 class OneEuro {
  public:
-  /// The filtered value at `seconds`, later than the last. After a gap of more than kHoldSeconds it
-  /// begins again with `value`.
+  /// The filtered value at `seconds`, later than the last. After a gap of more than kHoldSeconds
+  /// the filter begins again with `value`.
   [[nodiscard]] double next(double seconds, double value, const OneEuroSettings& settings);
 
  private:
@@ -35,8 +35,8 @@ class OneEuro {
 /// One filter for each signal.
 class OneEuroBank {
  public:
-  /// Filters the signals in place. One without data stays so, and its filter waits for the next
-  /// value.
+  /// Filters the signals in place. A signal without data stays so, and its filter waits for the
+  /// next value.
   void apply(double seconds, Signals& signals, const OneEuroSettings& settings);
 
  private:

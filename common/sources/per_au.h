@@ -22,7 +22,7 @@ struct AuName {
 
 [[nodiscard]] std::optional<AuName> parse_au_name(std::string_view text);
 
-/// A number for every AU on either side.
+/// A number for every AU on each side.
 class PerAu {
  public:
   explicit PerAu(double all) { set_all(all); }

@@ -14,10 +14,11 @@ inline constexpr double kGainMax = 10;
 inline constexpr double kDeadBandMax = 50;  ///< percent
 inline constexpr double kCutoffMax = 100;   ///< Hz
 inline constexpr double kBetaMax = 100;
-inline constexpr double kNeutralMax = 1000;  ///< percent; beyond 100, since heads turn further
+inline constexpr double kNeutralMax = 1000;  ///< percent; more than 100, since heads turn further
 
 /// Reads a profile: TOML with the tables [neutral], [gain], [dead-band] and [filter], each of which
-/// may be missing; SIGNALS.md here describes them. BadData with file:line:column.
+/// may be missing; SIGNALS.md in this folder describes them. Fails with BadData and
+/// file:line:column.
 [[nodiscard]] Result<Profile> parse_profile(std::string_view text, std::string_view file);
 
 /// The profile as text. parse_profile() reads the same profile from it, except that the neutral

@@ -9,14 +9,14 @@
 
 namespace aucast::sources {
 
-/// The face that was held during a pause, as keyframes that take that long; none for a gap of less
-/// than 0.1 s, which is no pause: a busy machine may be that late.
+/// The face that was held during a pause, as keyframes that together take `pause`. No keyframes if
+/// it is less than 0.1 s, since a busy machine may be that late.
 [[nodiscard]] std::vector<protocol::Keyframe> held_face(const std::vector<AuTerm>& shown,
                                                         Milliseconds pause);
 
 /// Turns the keyframes that a live stream serves into lines of a stream file that takes the same
-/// time. They are kept as they are; before one that came after a pause, the face that was shown
-/// meanwhile is added, with the length of the pause. Pure.
+/// time. The keyframes are kept as they are. Before a keyframe that came after a pause, the face
+/// that was shown meanwhile is added, with the length of the pause as its time. Pure.
 class RecordTimeline {
  public:
   /// Takes the keyframe that is served at `now` and returns its lines. `free`: no clock of the
@@ -29,7 +29,7 @@ class RecordTimeline {
 
  private:
   std::optional<SteadyTime> begin_;  ///< when the stream began, or went on after an end
-  Milliseconds place_{0};            ///< of the last keyframe's end, since then
+  Milliseconds place_{0};            ///< of the last keyframe's end, counted from begin_
   std::vector<AuTerm> shown_;
 };
 

@@ -26,14 +26,14 @@ struct SettingNames {
 struct RecordingOptions {
   std::optional<double> fps;         ///< a row's time is its picture's number / fps, (0, 1000]
   std::optional<double> au_scale;    ///< 1, 5 or 100: what full intensity is in the file
-  std::optional<std::int64_t> face;  ///< which of several; else the most frequent
-  bool all_faces = false;            ///< each as a stream of its own
+  std::optional<std::int64_t> face;  ///< which of several; nullopt: the most frequent
+  bool all_faces = false;            ///< each face is a stream of its own
   double confidence_min = 0.5;       ///< [0,1]; a row with less confidence has no data
   SettingNames names;
   friend bool operator==(const RecordingOptions&, const RecordingOptions&) = default;
 };
 
-/// With more rows a second than this, the times are taken to be wrong or in other units.
+/// If there are more rows a second than this, the times are taken to be wrong or in other units.
 inline constexpr double kRowsASecondMax = 250;
 
 /// What was found in a recording.
@@ -46,16 +46,16 @@ struct Found {
   std::string format;
   std::string note;          ///< what the format's reader decided or assumed
   double scale = 1;          ///< full intensity: 1, 5 or 100
-  bool scale_asked = false;  ///< by --au-scale
+  bool scale_asked = false;  ///< `scale` was set by --au-scale
   /// The largest AU value in the file; nullopt: its values are read as intensities, without a
   /// scale.
   std::optional<double> largest;
   std::vector<Face> faces;   ///< in order of appearance
   std::int64_t face = 0;     ///< the one that was taken
-  bool all_taken = false;    ///< it is one of several streams
+  bool all_taken = false;    ///< `face` is one of several that were taken
   std::size_t rows = 0;      ///< of that face
-  std::size_t lost = 0;      ///< of them: not tracked, not sure, or without any AU
-  std::size_t left_out = 0;  ///< of them: no time, not ascending, same millisecond
+  std::size_t lost = 0;      ///< of `rows`: not tracked, not sure, or without any AU
+  std::size_t left_out = 0;  ///< of `rows`: no time, not ascending, same millisecond
   std::size_t headers = 0;   ///< repeated in the middle
   bool truncated = false;    ///< the last line had no end and was not counted
   std::size_t gaps = 0;      ///< stretches longer than kHoldSeconds without a sure row
@@ -65,7 +65,7 @@ struct Found {
   std::optional<MeasuredNeutral> neutral;  ///< if it was asked for
   std::vector<LoudAu> not_neutral;         ///< AUs that were subtracted as `neutral`, but are too
                                            ///< strong or move too far for a neutral face
-  std::optional<double> neutral_seconds;   ///< a value of --neutral that avoids them; nullopt: none
+  std::optional<double> neutral_seconds;  ///< a value of --neutral that avoids these; nullopt: none
 };
 
 /// A recording as keyframes.
@@ -79,14 +79,14 @@ inline constexpr std::size_t kFacesReadMax = 64;
 
 /// Reads a recogniser's recording from `text` in two passes, row by row, however many faces it has;
 /// measuring for `conditioning` takes one more pass over the first seconds of the faces, and
-/// another pass if a face is not neutral in them. The dead band of `conditioning` is not applied
-/// here. `file` is what messages call the recording. `load_curves` loads what a table of ARKit's
-/// curves needs. With options.all_faces: one recording for each face that has data, the most
-/// frequent first, kFacesReadMax at most; without: one recording. Their times are those of the
+/// another pass if a face is not neutral in them. This function does not apply the dead band of
+/// `conditioning`. `file` is what messages call the recording. `load_curves` loads what a table of
+/// ARKit's curves needs. Returns one recording or, with options.all_faces, one for each face that
+/// has data, the most frequent first, at most kFacesReadMax. The times of all are those of the
 /// file, so that faces seen together play together: a face that comes late is neutral until then.
-/// BadData with one line file:line:column for each of the first 20 errors; Usage when --fps is
-/// needed, --face-id names no face of the file, or no row shows a face. Asked to stop, it returns
-/// stopped_early() at the next row.
+/// Fails with BadData and one line file:line:column for each of the first 20 errors, or with Usage
+/// if --fps is needed, --face-id names no face of the file, or no row shows a face. If asked to
+/// stop, returns stopped_early() at the next row.
 [[nodiscard]] Result<std::vector<Recording>> read_faces(
     std::string_view text, std::string_view file, const RecordingOptions& options,
     const ConditioningSettings& conditioning = {}, const LoadCurves& load_curves = load_arkit_table,

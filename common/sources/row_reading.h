@@ -14,19 +14,19 @@ namespace aucast::sources {
 inline constexpr double kClockSecondsMax = 1e10;
 
 /// The value that is full intensity in the file. `native` is Format::native_scale(), 0 when only
-/// the values can tell; `largest`, the largest value so far, can prove it wrong.
+/// the values can tell; `largest`, the largest value so far, can prove `native` wrong.
 [[nodiscard]] double scale_for(double native, double largest);
 
 /// Whether the row has data: the face was tracked, with enough confidence, and there are AUs.
 [[nodiscard]] bool is_sure(const Observation& row, double confidence_min);
 
-/// The row's intensities; -1 where it has no data, and everywhere if it is not sure. Those of turns
-/// may be above 1. That of AU 58 is the head's distance from the camera, in units of the mesh. A
-/// Conditioning turns both into what can be shown.
+/// The row's intensities; -1 where the row has no data, and everywhere if `sure` is false. The
+/// intensities of turns may be above 1, and that of AU 58 is the head's distance from the camera,
+/// in units of the mesh. A Conditioning turns both into what can be shown.
 [[nodiscard]] AuFrame update_of(const Observation& row, double scale, bool sure);
 
-/// Tells which face a row is about. A format that does not name faces writes a row for each, all
-/// with the same picture number; they are then numbered from 0 within the picture.
+/// Tells which face a row is about. A format that does not name faces writes one row for each face
+/// of a picture, all with the picture's number. These faces are numbered from 0 in each picture.
 class FaceNames {
  public:
   std::int64_t of(const Observation& row);
@@ -40,12 +40,12 @@ class FaceNames {
 struct FaceTimes {
   std::optional<double> last_seconds;
   double rows = 0;
-  std::optional<double> refused_seconds;  ///< of the last row, if that was not later
+  std::optional<double> refused_seconds;  ///< of the last row, if it was refused
   std::size_t refusals = 0;               ///< successive refused rows, with ascending times
 };
 
 /// Gives each row its time in seconds since the first row, by the source's own clock or by the
-/// number of the picture. All faces of a source share it, so that they stay synchronous.
+/// number of the picture. All faces of a source share one clock, so that they stay synchronous.
 class SourceClock {
  public:
   /// `refusals_max`: if this many successive rows of a face ascend among themselves, but are not
@@ -54,10 +54,12 @@ class SourceClock {
   explicit SourceClock(std::optional<double> fps, std::size_t refusals_max = 0)
       : fps_(fps), refusals_max_(refusals_max) {}
 
-  /// Another recording follows: if its clock starts again, it begins one step later.
+  /// Call this when another recording follows. If the clock starts again with it, that recording
+  /// begins one step after the last row.
   void restart() { restarted_ = true; }
 
-  /// nullopt when the row has no time, or one that is not later than the last of its face.
+  /// Returns the row's time; nullopt when the row has none, or when the time is not later than the
+  /// face's last one.
   std::optional<double> seconds_of(const Observation& row, FaceTimes& face);
   /// The same for a source of which only one face is read.
   std::optional<double> seconds_of(const Observation& row) { return seconds_of(row, only_); }

@@ -35,8 +35,8 @@ inline constexpr float kNoSignal = std::numeric_limits<float>::quiet_NaN();
 /// The same as intensities: -1 everywhere.
 [[nodiscard]] AuFrame no_data();
 
-/// The other direction of the same movement: kHeadRight for kHeadLeft and vice versa, and so on;
-/// else 0.
+/// The other direction of the same movement: kHeadRight for kHeadLeft and vice versa, and so on; 0
+/// for an AU that has none.
 [[nodiscard]] std::size_t opposite_of(std::size_t number);
 
 /// Whether the AU is the second direction: kHeadRight, kHeadDown, kEyesRight and so on.

@@ -29,12 +29,12 @@ struct SourceContent {
   std::optional<Found> found;  ///< of a recording; nullopt for a stream file
 };
 
-/// Reads a stream file or a recogniser's recording, told apart by the content; of several faces it
-/// takes one. The path "-" is stdin, which is read to its end.
+/// Reads a stream file or a recogniser's recording; the content shows which it is. Of several
+/// faces, one is taken. The path "-" is stdin, which is read to its end.
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const ReadOptions& options = {});
 
-/// The text of the source at `path`. Asked to stop, it reads a file no further and returns
+/// The text of the source at `path`. If asked to stop, reads a file no further and returns
 /// stopped_early().
 [[nodiscard]] Result<std::string> read_text(const std::filesystem::path& path,
                                             const std::stop_token& stop = {});
@@ -43,7 +43,7 @@ struct SourceContent {
 
 /// Reads a text that messages call `file`, with its keyframes as they are. With
 /// recording.all_faces, returns one stream for each face, the most frequent first; otherwise one
-/// stream. Asked to stop, it returns stopped_early() at the next line.
+/// stream. If asked to stop, returns stopped_early() at the next line.
 [[nodiscard]] Result<std::vector<SourceContent>> parse_streams(
     std::string_view text, const std::string& file, const RecordingOptions& recording,
     const ConditioningSettings& conditioning, const std::stop_token& stop = {});

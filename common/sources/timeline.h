@@ -28,14 +28,14 @@ class Channels {
 
 /// Turns the samples of a recording into keyframes. Times are differences of places rounded to
 /// whole milliseconds, so that rounding errors do not add up. A channel (an AU on a side) without
-/// data holds, then eases to neutral; where whole rows are missing, keyframes are inserted for
-/// that. Samples go through a Conditioning first.
+/// data holds, then eases to neutral; where whole rows are missing, keyframes are inserted to show
+/// this. Samples go through a Conditioning first.
 class Timeline {
  public:
   explicit Timeline(const ConditioningSettings& settings = {}) : conditioning_(settings) {}
 
   /// Takes a sample: the intensities of `update`; a negative one is no data. `seconds` ascend.
-  /// False when the sample falls into the same millisecond as the last one and is left out.
+  /// Returns false when the sample falls into the same millisecond as the last one and is left out.
   bool add(double seconds, const AuFrame& update);
 
   /// The keyframes. The first one takes the median of the other durations.
@@ -54,8 +54,8 @@ class Timeline {
   std::int64_t last_ms_ = 0;
 };
 
-/// The share of a value that is left when its data is that old: 1 while it is held, then
-/// less, then 0.
+/// The share of a value that is left when its data is `age_seconds` old: 1 while the value is held,
+/// then less, then 0.
 [[nodiscard]] double remaining(double age_seconds);
 
 }  // namespace aucast::sources

@@ -17,19 +17,19 @@ struct Files {
   std::filesystem::path certificate;  ///< our own, followed by those of the authorities in between
   std::filesystem::path key;          ///< of the certificate
   std::filesystem::path authorities;  ///< one of these must have issued the peer's certificate; if
-                                      ///< the file has any revocation lists, it must have that of
-                                      ///< the issuer, up to date and without the certificate
+                                      ///< the file has any revocation lists, it must have the
+                                      ///< issuer's, up to date and not listing that certificate
   friend bool operator==(const Files&, const Files&) = default;
 };
 
 /// What all TLS connections of one side have in common: TLS 1.2 or later, our certificate, the
-/// authorities that we trust. Cheap to copy; connections keep the one that they began with, so it
-/// can be replaced at any time.
+/// authorities that we trust. Cheap to copy; connections keep the context that they began with, so
+/// it can be replaced at any time.
 class Context {
  public:
-  /// Needs certificate and key. With `authorities` clients must show a certificate that one of
-  /// these has issued. Unreadable or BadData naming the file and the cause. `options`: the
-  /// common beginning of the options that name the files, for the message.
+  /// Needs certificate and key. With `authorities`, clients must show a certificate that one of the
+  /// authorities has issued. Fails with Unreadable or BadData and a message that names the file and
+  /// the cause. `options`: for messages, how the names of the options for the files begin.
   [[nodiscard]] static Result<Context> for_server(const Files& files,
                                                   const std::string& options = "--tls");
   /// Without `authorities` the system's are trusted. Certificate and key are for servers that ask

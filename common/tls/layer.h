@@ -32,9 +32,10 @@ class Layer {
   Layer(Layer&&) noexcept;
   Layer& operator=(Layer&&) noexcept;
 
-  /// Takes bytes from the wire and appends the decrypted ones to `plain`. False when it failed.
+  /// Takes bytes from the wire and appends the decrypted ones to `plain`. Returns false if the
+  /// layer has failed.
   bool received(std::string_view wire, std::string& plain);
-  /// Only when ready().
+  /// Call this only when ready().
   void send(std::string_view plain);
   /// Sends close_notify, which shows the peer that nothing was cut off.
   void end();

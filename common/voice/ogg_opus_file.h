@@ -24,13 +24,13 @@ class OggOpusWriter {
 
   /// The pages that became complete since the last call; the first call also gives the headers.
   [[nodiscard]] std::string take();
-  /// Adds the next packet. False: it was left out, since it is no Opus packet or begins before the
-  /// end of the last one.
+  /// Adds the next packet. Returns false if the packet was left out, since it is no Opus packet or
+  /// begins before the end of the last one.
   bool add(const protocol::VoicePacket& packet);
   /// Whether any packet was added.
   [[nodiscard]] bool any() const;
   /// Fills up with silence to `end`, on the stream's clock, and returns the remaining pages. The
-  /// sound ends there to the sample, or with the last packet that was added if that ends later.
+  /// sound ends exactly at `end`, or with the last packet that was added if that packet ends later.
   [[nodiscard]] std::string finish(Milliseconds end);
 
  private:

@@ -36,8 +36,8 @@ class SoundReader {
 /// Whether the file is what open_mp3() reads.
 [[nodiscard]] bool is_mp3(int descriptor);
 
-/// Opens an MP3 with libmpg123 directly. libsndfile reads MP3 by libmpg123 too, but lets that write
-/// to standard error. The message of an error is the cause alone.
+/// Opens an MP3 with libmpg123 directly. libsndfile reads MP3 by libmpg123 too, but lets that
+/// library write to standard error. The message of an error is the cause alone.
 [[nodiscard]] Result<std::unique_ptr<SoundReader>> open_mp3(Descriptor file);
 
 /// Opens all other kinds, with libsndfile. The message of an error is the cause alone.

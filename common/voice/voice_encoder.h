@@ -23,9 +23,9 @@ struct VoiceSettings {
 };
 
 /// Turns speech into Opus packets. The packet at a place decodes to the sound from that very place
-/// on: the codec's delay is compensated here. Silence (-52 dBFS or less for 240 ms) makes no
+/// on: the encoder compensates the codec's delay. Silence (-52 dBFS or less for 240 ms) makes no
 /// packets, except at the end of the sound. The same samples and settings give the same packets,
-/// however they are cut.
+/// however the samples are divided into calls.
 /// Thread: none of its own.
 class VoiceEncoder {
  public:
@@ -38,7 +38,7 @@ class VoiceEncoder {
   /// Takes mono samples at kEncoderRate, in [-1,1], and appends the packets that they complete.
   void add(std::span<const float> samples, std::vector<protocol::VoicePacket>& packets);
   /// No more samples follow: appends the packets of the rest, filled up with silence. They end
-  /// where the sound did or less than a packet later.
+  /// where the sound ended or less than a packet later.
   void finish(std::vector<protocol::VoicePacket>& packets);
   /// The next samples do not continue the last: they begin at `place`, later than all before.
   /// Samples that do not yet make a whole packet are dropped.
@@ -60,7 +60,7 @@ class VoiceEncoder {
   Milliseconds place_;          ///< of the next packet
   std::vector<float> pending_;  ///< samples from place_ on
   std::size_t lookahead_ = 0;   ///< the codec's delay in samples
-  std::size_t skipped_ = 0;     ///< how many of them were left out at the beginning
+  std::size_t skipped_ = 0;     ///< how many samples were left out at the beginning
   Milliseconds silent_{0};      ///< how long there has been no sound
 };
 

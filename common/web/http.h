@@ -20,9 +20,9 @@ struct HttpReply {
 /// A request that was read whole.
 struct HttpRequest {
   std::string path;            ///< as it was written, without the query
-  bool head = false;           ///< HEAD: everything but the body
+  bool head = false;           ///< a HEAD request: the reply gets no body
   bool version_1_1 = false;    ///< else HTTP/1.0
-  std::size_t head_bytes = 0;  ///< its length; bytes beyond are no part of the request
+  std::size_t head_bytes = 0;  ///< length of the request; bytes beyond are no part of it
   std::map<std::string, std::string, std::less<>> fields{};  ///< names in small letters
 
   /// The value of a field; empty when there is none. The values of several fields of one name are
@@ -45,8 +45,8 @@ struct HttpProgress {
 /// word with q=0 does not count.
 [[nodiscard]] bool has_word(std::string_view field, std::string_view word);
 
-/// The bytes of a reply's head, for a body of `body_bytes`. It says that the connection is closed
-/// after the body.
+/// The bytes of a reply's head, for a body of `body_bytes`. The head says that the connection is
+/// closed after the body.
 [[nodiscard]] std::string format_http_head(const HttpReply& reply, std::size_t body_bytes);
 
 /// The bytes of the whole reply; with `head`, for a HEAD request, without the body.

@@ -16,11 +16,12 @@ namespace aucast::web {
 /// Thread: none of its own.
 class Layer {
  public:
-  /// `frame_bytes_max`: the longest payload of a frame; the header of a longer one is a failure.
+  /// `frame_bytes_max`: the longest payload of a frame; a header that announces a longer one is a
+  /// failure.
   explicit Layer(std::size_t frame_bytes_max) : frame_bytes_max_(frame_bytes_max) {}
 
-  /// Takes bytes from the wire and appends the text that they carry to `text`. False when it
-  /// failed.
+  /// Takes bytes from the wire and appends the text that they carry to `text`. Returns false if the
+  /// layer has failed.
   bool received(std::string_view wire, std::string& text);
   /// Sends one text message, ASCII only.
   void send(std::string_view text);

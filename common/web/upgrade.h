@@ -12,7 +12,7 @@ namespace aucast::web {
 /// the reply that says why not, with the remedy.
 [[nodiscard]] std::optional<HttpReply> refuse_upgrade(const HttpRequest& request);
 
-/// The bytes of the reply to a request that is not refused. It accepts no subprotocol and no
+/// The bytes of the reply to a request that is not refused. The reply accepts no subprotocol and no
 /// extension.
 [[nodiscard]] std::string accept_upgrade(const HttpRequest& request);
 

@@ -25,7 +25,7 @@ namespace aucast::facegen {
   return std::sqrt(x * x + radius * radius);
 }
 
-/// Approximate distance to an ellipsoid about the origin; at the surface exact to first order.
+/// Approximate distance to an ellipsoid about the origin; exact to first order at the surface.
 [[nodiscard]] inline double ellipsoid(const Vec3& p, const Vec3& radii) {
   const Vec3 q = p / radii;
   const double k0 = glm::length(q);

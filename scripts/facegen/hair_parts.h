@@ -9,8 +9,9 @@
 namespace aucast::facegen {
 
 // What haircuts are made of: smooth sheets, on which the renderer draws strands (map `strand`). All
-// heads have equally many of each kind in the same order, so their meshes have one topology. What
-// is nearer to the viewer comes later in that order, so that its edges blend over the rest.
+// heads have the same number of each kind of sheet in the same order, so their meshes have one
+// topology. A sheet nearer to the viewer comes later in that order, so that its edges blend over
+// the rest.
 
 struct SheetSize {
   std::size_t columns = 0;

@@ -15,7 +15,7 @@ namespace aucast::facegen {
 /// one set of muscles and recordings serves every identity.
 struct Form {
   // skull and jaw
-  double narrowing = 0.055;  ///< by which share all below the cheekbones is narrower
+  double narrowing = 0.055;  ///< by what share everything below the cheekbones is narrower
   double jaw_width = 0;      ///< the angle of the jaw, outwards
   double jaw_bow = 0;        ///< between angle and chin, outwards; 1 is much
   double jaw_drop = 0;       ///< the angle of the jaw, downwards
@@ -26,7 +26,7 @@ struct Form {
   double cheekbone = 0;        ///< outwards
   double cheek_hollow = 0.06;  ///< depth below the arch of the cheekbone
   double brow_ridge = 0;
-  double forehead_slope = 0;  ///< how far it is set back near the hairline
+  double forehead_slope = 0;  ///< how far the forehead is set back near the hairline
   double forehead_round = 0;  ///< its bosses, towards the middle and forwards
   double muzzle = 0;          ///< the region of the lips, forwards
   double throat_drop = 0;     ///< floor of the mouth
@@ -66,7 +66,7 @@ struct Form {
   double brow_tail_drop = 0.30;
   double brow_begin = 0.78;  ///< x of the inner end
   double brow_width = 0.30;
-  // what the years leave
+  // signs of age
   double furrow = 0;        ///< depth of the furrow from nose to mouth
   double jowl = 0;          ///< depth of the fold before the jowls
   double chin_fold = 0.16;  ///< between lower lip and chin
@@ -84,7 +84,7 @@ struct Lock {
   double cover = 0.9;  ///< how dense it is; below 0.5 single hairs show
 };
 
-/// A haircut: where it grows and how it falls.
+/// A haircut: where the hair grows and how it falls.
 struct Haircut {
   /// Points of the left hairline, from the middle of the forehead (0) past temple, sideburn and ear
   /// to the nape (12).
@@ -130,11 +130,11 @@ struct Identity {
   Palette colours;
 };
 
-/// The person that a file like those in people/ describes. Fails as Unreadable, or as BadData with
-/// a line for each error.
+/// The person that a file like those in people/ describes. Fails with Unreadable, or with BadData
+/// and a line for each error.
 [[nodiscard]] Result<Identity> read_identity(const std::filesystem::path& file);
 
-/// The person of that name in people/. Usage error when there is none.
+/// The person of that name in people/. Fails with a Usage error if there is none.
 [[nodiscard]] Result<Identity> identity_named(std::string_view name);
 
 }  // namespace aucast::facegen

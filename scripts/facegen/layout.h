@@ -19,9 +19,9 @@ enum class Patch : std::uint8_t { Grid, Eye, Mouth, Ear, Nostril, Cap };
 inline constexpr int kRows = 48;
 inline constexpr int kColumns = 32;
 
-/// Eye: 32 spokes. Spoke 0 is at the upper inner corner of the block; they go on along its top.
-/// Counted as spoke + 4, modulo 32: 0 is the inner corner of the eye, 1-15 are the upper lid, 16 is
-/// the outer corner, and 17-31 lead back along the lower lid.
+/// Eye: 32 spokes. Spoke 0 is at the upper inner corner of the block; the next ones are along its
+/// top. Counted as spoke + 4, modulo 32: 0 is the inner corner of the eye, 1-15 are the upper lid,
+/// 16 is the outer corner, and 17-31 lead back along the lower lid.
 inline constexpr int kEyeSpokes = 32;
 /// Share of the way from the lid margin (0) to the border of the block (1), ring by ring. 0.22 lies
 /// on the fold of the upper lid.
@@ -54,7 +54,7 @@ struct HalfVertex {
   bool on_midline = false;  ///< x is 0 and the mirror image is the vertex itself
 };
 
-/// Counter-clockwise from outside.
+/// Counter-clockwise as seen from outside.
 using Quad = std::array<std::uint32_t, 4>;
 
 struct HalfHead {

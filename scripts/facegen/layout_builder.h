@@ -36,7 +36,8 @@ struct GridNode {
 };
 
 /// The border of a block in the order of its spokes: along the top, down the far side, back along
-/// the bottom and up the near side. That of the mouth ends at the midline and has no near side.
+/// the bottom and up the near side. The border of the mouth's block ends at the midline and has no
+/// near side.
 [[nodiscard]] std::vector<GridNode> border_of(const Block& block);
 
 /// Collects vertices and quads while the half head is laid out.

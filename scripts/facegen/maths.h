@@ -98,8 +98,8 @@ struct Key {
   T value{};
 };
 
-/// Cubic Hermite through the keys (ascending `at`, at least two), with the slopes of the
-/// neighbours; constant beyond both ends.
+/// Cubic Hermite through the keys (ascending `at`, at least two); the slope at a key is that
+/// between its neighbours. Constant beyond both ends.
 template <typename T>
 [[nodiscard]] T sample(std::span<const Key<T>> keys, double at) {
   const std::size_t last = keys.size() - 1;

@@ -13,8 +13,8 @@ void paint_skin(const Identity& who, Skin& skin);
 /// Gives the sockets of the eyes back some of the light that the baked occlusion takes from them.
 void lighten_sockets(Skin& skin);
 
-/// Darkens the inner side of the lips. Occlusion was baked with the mouth shut, so without this the
-/// lights from behind would light them when the mouth opens.
+/// Darkens the inner side of the lips. Occlusion was baked with the mouth shut, so without this,
+/// lights from behind would shine on that side when the mouth opens.
 void shade_inner_lips(Skin& skin);
 
 /// Darkens the scalp under the hair, so that no light skin shows between the strands.

@@ -27,13 +27,13 @@ using Distance = std::function<double(const Vec3&)>;
 /// Unit vector away from the head, from differences of head_distance() over `step`.
 [[nodiscard]] Vec3 head_normal(const Identity& who, const Vec3& p, double step = 0.01);
 
-/// The nearest place on the skin, by at most `steps` steps along the gradient.
+/// The nearest place on the skin, found in at most `steps` steps along the gradient.
 [[nodiscard]] Vec3 on_skin(const Identity& who, Vec3 p, int steps = 10);
 
 /// z of the foremost point of the face at (x, y).
 [[nodiscard]] double face_z(const Identity& who, double x, double y);
 
-/// Where a ray from inside the body leaves it for good.
+/// Where a ray from inside the body leaves the body for good.
 [[nodiscard]] Vec3 leave(const Vec3& origin, const Vec3& direction, const Distance& distance);
 
 }  // namespace aucast::facegen

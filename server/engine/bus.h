@@ -10,7 +10,8 @@
 namespace aucast::server {
 
 /// A connection to an engine, which carries messages to all subscribers of their subject.
-/// Thread: that of the event loop. Events are called there too, but never by functions of the Bus.
+/// Thread: that of the event loop. Events are called there too, but never from within a function of
+/// the Bus.
 class Bus {
  public:
   struct Message {
@@ -32,7 +33,7 @@ class Bus {
   Bus& operator=(const Bus&) = delete;
 
   virtual void subscribe(const std::string& subject) = 0;
-  /// Sends a message. Without a connection it is lost: nothing is kept to be sent late.
+  /// Sends a message. Without a connection it is lost: nothing is kept to be sent later.
   virtual void send(const Message& message) = 0;
   /// A subject of our own, to which answers may go.
   [[nodiscard]] virtual std::string own_subject() const = 0;

@@ -52,7 +52,7 @@ class EngineEdge final : public Upstream {
   std::shared_ptr<JoinedLink> link_;  ///< null: the stream has not begun
   bool over_ = false;   ///< the Reception has ended the connection during the running call
   std::string server_;  ///< the engine's server; empty: none is connected
-  std::string reason_;  ///< why it ended, as logged last; empty: it has gone on since
+  std::string reason_;  ///< why the stream ended, as logged last; empty: it has gone on since
   asio::steady_timer timer_;
   bool stopped_ = false;
 };

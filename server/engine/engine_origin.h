@@ -32,7 +32,7 @@ class EngineOrigin {
 
   /// How often it sends an empty batch, to show that it is alive, when there is nothing new.
   static constexpr Milliseconds kBeat{500};
-  /// Requests beyond this number are left out and counted.
+  /// Requests beyond this number in one second are left out and counted.
   static constexpr std::size_t kAnswersPerSecond = 1'000;
 
   EngineOrigin(asio::io_context& io, Options options, Catalogue catalogue);
@@ -45,7 +45,7 @@ class EngineOrigin {
   void on_moment();
   /// Tells the edges that the stream has ended.
   void stop();
-  /// Adds its state.
+  /// Adds its state to `status`.
   void describe(Status& status) const;
 
  private:
@@ -63,11 +63,11 @@ class EngineOrigin {
   Catalogue catalogue_;
   std::unique_ptr<Bus> bus_;
   bool connected_ = false;
-  std::shared_ptr<const protocol::LiveChannel> channel_;  ///< that is sent
+  std::shared_ptr<const protocol::LiveChannel> channel_;  ///< the one that is sent; null: none
   protocol::HelloGranted hello_;
   std::optional<OutgoingBatches> batches_;
   std::size_t runs_ = 0;      ///< channels so far
-  std::string said_why_not_;  ///< why it is not published, as the log said last
+  std::string said_why_not_;  ///< why nothing is published, as the log said last
   asio::steady_timer batch_timer_;
   bool batch_waits_ = false;
   asio::steady_timer beat_timer_;

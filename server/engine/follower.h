@@ -21,7 +21,7 @@ namespace aucast::server {
 /// Thread: none of its own.
 class Follower {
  public:
-  static constexpr Milliseconds kSilence{2'000};  ///< after this long, an origin counts as lost
+  static constexpr Milliseconds kSilence{2'000};  ///< after this silence, an origin counts as lost
   static constexpr Milliseconds kAskFirst{250};   ///< wait before a request is repeated, ...
   static constexpr Milliseconds kAskMax{4'000};   ///< ... which doubles each time, up to this
   static constexpr Milliseconds kSayEvery{60'000};
@@ -32,14 +32,14 @@ class Follower {
   struct Ask {
     std::string request;
   };
-  /// The stream begins, or begins anew: the hello, the whole face, and places on a clock that
-  /// begins here.
+  /// The stream begins, or begins anew, with the hello and the whole face; places are on a clock
+  /// that begins now.
   struct Begin {
     std::string origin;
     std::string packets;
   };
   struct GoOn {
-    std::string packets;  ///< on the same clock
+    std::string packets;  ///< their places are on the same clock
   };
   /// The stream that began is lost.
   struct Lose {
@@ -50,7 +50,7 @@ class Follower {
   };
   using Event = std::variant<Ask, Begin, GoOn, Lose, Say>;
 
-  /// `id`: of this server, by which it sees its own stream come back.
+  /// `id`: of this server, by which it notices if its own stream comes back.
   explicit Follower(std::string id) : id_(std::move(id)) {}
 
   /// Call when the engine is connected, for the first time or again: something may have been
@@ -101,7 +101,7 @@ class Follower {
   bool asking_ = false;          ///< whether an answer is awaited
   Instant ask_at_{};             ///< when to ask again at the earliest
   Instant asked_at_{};           ///< when it last asked
-  unsigned asked_ = 0;           ///< how often, since a stream last went on for kSilence
+  unsigned asked_ = 0;           ///< how often it asked since a stream last went on for kSilence
   std::deque<Message> waiting_;  ///< batches that came while an answer was awaited
   std::size_t waiting_bytes_ = 0;
   std::uint64_t left_out_ = 0;

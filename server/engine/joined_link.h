@@ -8,9 +8,9 @@
 
 namespace aucast::server {
 
-/// A stream that was joined at an engine, in the form of a connection: its user gets the hello, the
-/// whole face and the packets after it, as from any server. What the user sends is dropped, since
-/// an engine takes no answers.
+/// Makes a stream that was joined at an engine look like a connection. The user of the connection
+/// gets the hello, the whole face and the packets after it, as from any server. What the user sends
+/// is dropped, since an engine takes no answers.
 /// Thread: the loop's.
 class JoinedLink final : public link::Link, public std::enable_shared_from_this<JoinedLink> {
  public:

@@ -12,10 +12,11 @@
 
 namespace aucast::server {
 
-/// A connection to NATS servers by their client library, in the module aucast-nats.so, which is
-/// loaded here (nats_loader.h). The servers are tried in their order, again and again; the first
-/// attempt takes up to a second for each that does not answer. Usage error if the module is not
-/// installed or the library refuses the options; Unreadable if the module is unusable.
+/// Loads the module aucast-nats.so (nats_loader.h), which contains NATS's client library, and opens
+/// a connection to NATS servers. The servers are tried in their order, again and again; the first
+/// attempt takes up to a second for each server that does not answer. Fails with a Usage error if
+/// the module is not installed or the library refuses the options, and with Unreadable if the
+/// module is unusable.
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_nats_bus(asio::io_context& io,
                                                          const NatsOptions& options,
                                                          Bus::Events events);

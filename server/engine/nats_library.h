@@ -67,8 +67,9 @@ struct NatsModule {
   /// differs from the program's own AUCAST_NATS_TAG. server/CMakeLists.txt makes the tag from the
   /// version, the text of the shared headers, the compiler and the sanitizer.
   const char* tag;
-  /// Takes up to a second for each server that does not answer. Network error if a server refuses
-  /// us, Usage error if the library refuses the options. The messages are the library's own.
+  /// Takes up to a second for each server that does not answer. Fails with a Network error if a
+  /// server refuses us, with a Usage error if the library refuses the options. The messages are the
+  /// library's own.
   Result<std::unique_ptr<NatsConnection>> (*connect)(const NatsServers& servers,
                                                      const std::shared_ptr<NatsListener>& listener);
   /// As Bus::own_subject().

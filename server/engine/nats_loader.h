@@ -8,8 +8,8 @@
 
 namespace aucast::server {
 
-/// The folders in which the module may be: beside this program, as in a build folder, and where
-/// `cmake --install` puts it, relative to this program.
+/// The folders in which the module may be: first the folder of this program, as in a build; then
+/// the one into which `cmake --install` puts the module, found relative to the first.
 [[nodiscard]] std::vector<std::filesystem::path> nats_module_folders();
 
 /// Loads the module from the first of these folders that has it. Fails with a Usage error that says

@@ -39,8 +39,8 @@ class OutgoingBatches {
 
   /// Whether the stream has begun and not ended.
   [[nodiscard]] bool running() const { return !full_.empty() && !ended_; }
-  /// The answer to somebody who joins or missed batches, as of the last batch. `hello`: of the
-  /// stream. nullopt: another origin is asked, or there is nothing to answer with.
+  /// The answer, as of the last batch, to somebody who joins or missed batches. `hello`: the
+  /// stream's. Returns nullopt if another origin is asked, or if there is nothing to answer with.
   [[nodiscard]] std::optional<std::string> answer(const protocol::EngineJoin& join,
                                                   const protocol::HelloGranted& hello) const;
 
@@ -53,7 +53,7 @@ class OutgoingBatches {
   struct State {
     std::string full;  ///< the whole face
     Milliseconds begin{0};
-    std::string caption;  ///< that is shown; empty: none
+    std::string caption;  ///< the one that is shown; empty: none
   };
 
   void collect_spoken(const protocol::LiveChannel& channel);

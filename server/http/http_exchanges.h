@@ -25,12 +25,13 @@ struct SharedReply {
   SharedBytes body;  ///< null: the body is in `head`
 };
 
-/// One request and its reply on a link. Instead of a reply, the link may be released to its owner.
+/// One request and its reply on a link. Instead of replying, the owner of the exchange may take the
+/// link: release().
 /// Thread: that of the link.
 class HttpExchange final : public link::LinkUser,
                            public std::enable_shared_from_this<HttpExchange> {
  public:
-  /// What it leaves to its owner. Must outlive it.
+  /// What the exchange leaves to its owner. Must outlive the exchange.
   struct Hooks {
     std::size_t head_bytes_max = 0;  ///< of a request
     std::function<void(HttpExchange&, const web::HttpRequest&)> on_request;

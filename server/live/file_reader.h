@@ -17,7 +17,7 @@
 
 namespace aucast::server {
 
-/// Reads to its end a regular file, or another input that epoll cannot wait for. With `follow` it
+/// Reads a regular file, or another input that epoll cannot wait for, to its end. With `follow` it
 /// goes on as the file grows, and begins again when the file has got shorter, or has been replaced
 /// or changed in a part already read.
 /// Thread: that of the io_context.
@@ -54,13 +54,13 @@ class FileReader final : public InputReader {
   bool follow_;
   const Events& events_;
   asio::posix::stream_descriptor notify_;  ///< inotify
-  int watch_ = -1;                         ///< of the file in it; negative: none
+  int watch_ = -1;                         ///< the file's watch in notify_; negative: none
   asio::steady_timer timer_;
   std::int64_t position_ = 0;
   std::string tail_;  ///< the last bytes that were read, to notice if they change
   std::vector<char> chunk_;
   bool held_ = false;
-  bool stopped_ = false;  ///< or the input has ended
+  bool stopped_ = false;  ///< by stop(), or since the input has ended
   bool waiting_ = false;
   /// Cleared on destruction; handlers that still come see it.
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);

@@ -22,7 +22,7 @@ namespace aucast::server {
 /// Thread: that of the loop.
 class InputReader {
  public:
-  /// Any of them may stop or hold the reader; on_end may destroy it.
+  /// Any of these callbacks may stop or hold the reader; on_end may destroy it.
   struct Events {
     std::function<void(std::string_view)> on_bytes;
     std::function<void(Error)> on_failure;  ///< a read failed

@@ -16,8 +16,8 @@
 namespace aucast::server {
 
 /// Reads a source that is still being written: stdin (the path "-"), a FIFO, which is opened again
-/// whenever its writer has gone, or a growing file. Opens it and chooses its reader; reports a read
-/// error once.
+/// whenever its writer has gone, or a growing file. Opens it and chooses its reader; logs only the
+/// first of several read errors in a row.
 /// Thread: that of the io_context, which must outlive it.
 class LiveInput {
  public:

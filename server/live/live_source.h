@@ -43,8 +43,8 @@ class LiveSource {
   [[nodiscard]] Result<void> start();
   void stop();
 
-  /// Waits until the records are written. If something went wrong that did not end the source,
-  /// returns that error.
+  /// Waits until the records are written. If the source had an error that did not end it, fails
+  /// with that error.
   [[nodiscard]] Result<void> finish();
 
   [[nodiscard]] LiveStreams& streams() { return streams_; }

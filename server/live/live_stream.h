@@ -73,7 +73,7 @@ class LiveStream {
   void go_on(SteadyTime now);
   /// When to call go_on() next; nullopt: not before something is fed.
   [[nodiscard]] std::optional<SteadyTime> next() const;
-  /// The queue is full: feed nothing for now.
+  /// Whether the queue is full: then feed nothing for now.
   [[nodiscard]] bool full() const;
 
   [[nodiscard]] const std::string& name() const { return name_; }

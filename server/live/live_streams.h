@@ -30,11 +30,11 @@ struct LiveStreamsOptions {
 /// all, each further face that is seen gets another stream, whose own reader reads the same bytes.
 ///
 /// Uses no file except its records, and no clock: every call also sends what is due, and next()
-/// tells when advance() has to be called.
+/// returns when advance() has to be called.
 /// Thread: none of its own.
 class LiveStreams {
  public:
-  /// The most further streams; more faces get none.
+  /// The most streams besides the first one; further faces get none.
   static constexpr std::size_t kFaceStreamsMax = 16;
 
   struct Events {

@@ -13,13 +13,13 @@
 
 namespace aucast::server {
 
-/// Reads an input for which the kernel tells when there is more, until its writer has gone: a pipe,
-/// a FIFO, a socket or a terminal.
+/// Reads a pipe, a FIFO, a socket or a terminal until its writer has gone: inputs for which the
+/// kernel reports when there is more to read.
 /// Thread: that of the io_context.
 class PipeReader final : public InputReader {
  public:
-  /// Takes the descriptor if the kernel tells when there is more to read. Otherwise leaves it alone
-  /// and returns nullopt: files and some devices have to be polled.
+  /// Takes the descriptor if the kernel reports when there is more to read. Otherwise leaves it
+  /// alone and returns nullopt: files and some devices have to be polled.
   [[nodiscard]] static std::optional<asio::posix::stream_descriptor> take(asio::io_context& io,
                                                                           Descriptor& descriptor);
 

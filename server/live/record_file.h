@@ -34,7 +34,7 @@ class RecordFile {
   RecordFile& operator=(RecordFile&&) = delete;
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
-  /// Removes the file if it was created here and nothing was added.
+  /// Removes the file if create() made it and nothing was added.
   ~RecordFile();
 
   /// Adds a piece. If that fails, the file stays as it was.

@@ -31,8 +31,9 @@ class RecordWriter {
   /// Adds successive pieces; each is written whole or not at all.
   void add(std::vector<std::string> pieces);
   /// Adds what `make` returns, which may be empty. `make` runs on the writing thread, in its turn,
-  /// before finish() returns; once the recording has ended, it is not run. It may return any number
-  /// of bytes: only `bytes`, which it holds until it runs, count as waiting for the disk.
+  /// before finish() returns; after the recording has ended, it is not run. `bytes`: how many bytes
+  /// `make` holds until it runs. Only these count as waiting for the disk; `make` may return any
+  /// number of bytes.
   void add(std::size_t bytes, std::function<std::string()> make);
   /// Waits until everything is written. Fails with the error that ended the recording, if any.
   [[nodiscard]] Result<void> finish();

@@ -30,9 +30,10 @@ class Recorder {
   /// Records a voice too from now on. Errors are those of RecordFile::create().
   [[nodiscard]] Result<void> add_voice_file();
 
-  /// Adds a keyframe; the arguments are those of RecordTimeline.
+  /// Adds a keyframe; the arguments are those of RecordTimeline::add().
   void add(const protocol::Keyframe& keyframe, SteadyTime now, bool free);
-  /// Adds a voice packet that begins `after` the end of the last keyframe; negative: before it.
+  /// Adds a voice packet. `after`: how long after the last keyframe's end it begins; negative:
+  /// before that end.
   void add_voice(protocol::VoicePacket packet, Milliseconds after);
   void end_of_stream() { timeline_.end(); }
   /// Waits until everything is written. Fails with the error that ended the recording, if any.

@@ -22,7 +22,7 @@ struct ReplayLimits {
 /// Thread: none of its own.
 class ServedReplay {
  public:
-  /// As protocol::LiveReplay.
+  /// The arguments are those of protocol::LiveReplay, and the limits.
   ServedReplay(std::shared_ptr<const protocol::EncodedStream> stream, bool loop, Instant begin,
                std::shared_ptr<const protocol::SpokenTrack> spoken, const ReplayLimits& limits);
 

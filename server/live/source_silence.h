@@ -7,8 +7,8 @@
 
 namespace aucast::server {
 
-/// Decides what follows when nothing comes for a live stream: the silence is logged once the face
-/// is no longer held (sources::kHoldSeconds), and the stream is over after the time-out. Where
+/// Decides what follows when nothing comes for a live stream: the silence is logged as soon as the
+/// face is no longer held (sources::kHoldSeconds), and the stream is over after the time-out. Where
 /// nothing can come any more, it is over as soon as the face is neutral, if that is earlier.
 /// Thread: none of its own.
 class SourceSilence {
@@ -16,13 +16,14 @@ class SourceSilence {
   /// `time_out` 0: the stream is never over.
   explicit SourceSilence(Milliseconds time_out) : time_out_(time_out) {}
 
-  /// Something comes. True if that is to be logged: nothing came before, or the silence was logged.
+  /// Call it when something comes. Returns whether to log that, which is so if nothing came before
+  /// or the silence was logged.
   [[nodiscard]] bool broken() { return std::exchange(said_, false); }
-  /// Whether nothing can come any more.
+  /// `is_final`: whether nothing can come any more.
   void set_final(bool is_final) { final_ = is_final; }
   [[nodiscard]] bool is_final() const { return final_; }
 
-  /// Whether to log now that nothing has come since `since`; true once in each silence.
+  /// Whether to log now that nothing has come since `since`; true only once in each silence.
   [[nodiscard]] bool to_be_said(SteadyTime since, SteadyTime now);
   /// Whether a silence can end the stream at all.
   [[nodiscard]] bool ends() const { return time_out_.count() > 0; }

@@ -24,7 +24,7 @@ namespace aucast::server {
 class PushedStreams {
  public:
   struct Options {
-    std::string id;     ///< of this server, by which it sees its own streams come back
+    std::string id;     ///< of this server, by which it notices its own streams
     Milliseconds wait;  ///< how long clients wait while nobody sends
     int classic_min = 20;
   };
@@ -38,8 +38,8 @@ class PushedStreams {
   PushedStreams(const PushedStreams&) = delete;
   PushedStreams& operator=(const PushedStreams&) = delete;
 
-  /// Why the stream cannot be taken now: another publisher sends it, or there are too many.
-  /// nullopt: it can.
+  /// Why the stream cannot be taken now: another publisher sends it, or too many streams are here.
+  /// nullopt: it can be taken.
   [[nodiscard]] std::optional<protocol::ErrorReply> refusal(
       const protocol::HelloAsked& hello) const;
   /// Receives the stream over the open `link`; there must be no refusal(). The link replaces an

@@ -31,7 +31,8 @@ class Pusher {
   struct Hooks {
     /// The stream to offer, as it is now; null: there is none.
     std::function<const protocol::ServedStream*()> stream;
-    /// Serves it on the open link, on which these bytes have come; calls OnServed at the end.
+    /// Serves the stream on the open link, on which these bytes have come; calls OnServed at the
+    /// end.
     std::function<void(std::string peer, std::shared_ptr<link::Link>, std::string_view, OnServed)>
         serve;
   };

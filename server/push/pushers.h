@@ -18,7 +18,8 @@
 namespace aucast::server {
 
 /// Sends streams to other servers (--push), each over a connection of its own.
-/// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
+/// Thread: that of the io_context. The io_context and what the hooks refer to must outlive the
+/// Pushers.
 class Pushers {
  public:
   /// As Pusher::Hooks. `name`: the stream's name in the address; empty: the first stream.
@@ -38,7 +39,7 @@ class Pushers {
   void start();
   /// Dials no more. Streams that are being sent go on.
   void stop();
-  /// Adds the state of each.
+  /// Adds the state of each to `status`.
   void describe(Status& status) const;
 
  private:

@@ -72,7 +72,8 @@ class ClientConnection final : public link::LinkUser,
   /// Whether send_away() would have an effect.
   [[nodiscard]] bool movable() const { return goes_on() && session_ && session_->movable(); }
   /// The server stops and another one takes over: closes without {-2}, see
-  /// ServerSession::send_away(). False: this client cannot be sent away, and nothing was done.
+  /// ServerSession::send_away(). Returns false if this client cannot be sent away; nothing was done
+  /// then.
   bool send_away();
   /// Closes at once, whatever is under way.
   void abort();

@@ -88,7 +88,7 @@ class ClientRegistry {
   /// How many connections came in: all except those to servers that we have dialled.
   [[nodiscard]] std::size_t came() const { return clients_.size() - dialled_; }
   [[nodiscard]] std::size_t count(Way way) const;
-  /// How many of these have neither been sent away nor ended.
+  /// How many connections that came in have neither been sent away nor ended.
   [[nodiscard]] std::size_t count_going_on() const;
   /// How many send_away() could cut off.
   [[nodiscard]] std::size_t count_movable() const;
@@ -119,9 +119,9 @@ class ClientRegistry {
   std::map<std::uint64_t, Client> clients_;  ///< by number
   std::size_t refused_ = 0;                  ///< how many of them are being refused
   std::size_t dialled_ = 0;                  ///< how many of them we have dialled
-  AddressCounts of_address_;                 ///< of all others
+  AddressCounts of_address_;                 ///< of those neither refused nor dialled
   std::uint64_t last_number_ = 0;
-  std::uint64_t connects_ = 0;  ///< that came in
+  std::uint64_t connects_ = 0;  ///< connections that came in
   std::uint64_t unheard_ = 0;
 };
 

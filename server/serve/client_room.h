@@ -17,7 +17,7 @@ struct ClientRoom {
 
 /// How many clients there is room for, at least one. Each takes a descriptor and, if it reads
 /// nothing, up to kOutputBytesMax of memory. kDescriptorsKept descriptors are kept free, unless the
-/// process may have fewer than twice that number.
+/// process may have fewer than twice that number of descriptors.
 [[nodiscard]] std::size_t clients_with_room(const ClientRoom& room);
 
 }  // namespace aucast::server

@@ -25,8 +25,8 @@ struct Credentials {
 };
 
 /// Reads all the files. Warns in the log of a secret to which other users have access, and of a
-/// token that is easy to guess. Fails with Unreadable or BadData, naming the file and the cause;
-/// with BadData also when a publisher has the viewers' token.
+/// token that is easy to guess. Fails with Unreadable or BadData and a message that names the file
+/// and the cause. A publisher's token that is also the viewers' is BadData too.
 [[nodiscard]] Result<Credentials> load_credentials(const CredentialFiles& files);
 
 }  // namespace aucast::server

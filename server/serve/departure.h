@@ -11,8 +11,8 @@
 
 namespace aucast::server {
 
-/// How many of `clients` must have been sent away when `passed` of `time` has passed, if they are
-/// spread evenly.
+/// How many of `clients` must have been sent away after `passed`, if all are sent away evenly
+/// within `time`.
 [[nodiscard]] std::size_t gone_by(std::size_t clients, Duration passed, Duration time);
 
 /// Sends the clients of a server away, spread over a time, so that they do not all come to the next

@@ -40,8 +40,9 @@ class Listeners {
   Listeners(const Listeners&) = delete;
   Listeners& operator=(const Listeners&) = delete;
 
-  /// Listens at --port, or on the socket that the service manager passed, and at --web. Network
-  /// error that names address, cause and remedy; Unreadable if the page of --web cannot be read.
+  /// Listens at --port, or on the socket that the service manager passed, and at --web. Fails with
+  /// Network and a message that names address, cause and remedy, or with Unreadable if the page of
+  /// --web cannot be read.
   [[nodiscard]] Result<void> open();
   /// Begins to accept connections.
   void start();

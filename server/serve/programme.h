@@ -25,7 +25,7 @@ namespace aucast::server {
 /// Everything that is served, as one catalogue: the streams as they were read last, those of the
 /// running sources, and those that publishers send. A client keeps the stream that it is sent; a
 /// client that still waits for its stream gets it whenever it comes. Thread: that of the
-/// io_context, which must outlive it together with the events' captures and the options.
+/// io_context. The io_context, the options and what the events capture must outlive this object.
 class Programme {
  public:
   struct Events {
@@ -99,7 +99,7 @@ class Programme {
   asio::io_context& io_;
   const TransmitterOptions& options_;
   Events events_;
-  const std::string id_;  ///< of this server, by which relays see their own streams come back
+  const std::string id_;  ///< of this server, by which relays notice their own streams
   RunningSources sources_;
   PushedStreams pushed_;
   std::vector<std::string> pushed_names_;  ///< the names of pushed streams in the catalogue

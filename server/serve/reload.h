@@ -31,8 +31,9 @@ class Reload {
   };
   using OnDone = std::function<void(const Outcome& outcome)>;
 
-  /// Replaces `certificates`, and the tokens and streams of `programme`. All references must
-  /// outlive it. The destructor stops a load that is under way, and waits for it.
+  /// Replaces `certificates`, and the tokens and streams of `programme`. Everything that is passed
+  /// by reference must outlive this object. The destructor stops a load that is under way, and
+  /// waits for it.
   Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
          Programme& programme, Load load, OnDone on_done);
   ~Reload();
@@ -69,7 +70,7 @@ class Reload {
   std::uint64_t failures_ = 0;
   bool failed_ = false;  ///< the certificates and tokens of the present reload could not be read
   bool running_ = false;
-  std::optional<bool> next_failed_;  ///< the same for the next reload; nullopt: none is waiting
+  std::optional<bool> next_failed_;  ///< failed_ of the next reload; nullopt: none is waiting
   std::stop_source stop_;
   std::jthread thread_;
 };

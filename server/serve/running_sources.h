@@ -24,8 +24,8 @@ namespace aucast::server {
 [[nodiscard]] LinkLimits link_limits(const TransmitterOptions& options);
 
 /// The sources whose streams arrive while they are served: those that are still being written, and
-/// streams of other servers. Thread: that of the io_context, which must outlive it together with
-/// the events' captures and the options.
+/// streams of other servers. Thread: that of the io_context. The io_context, the options and what
+/// the events capture must outlive this object.
 class RunningSources {
  public:
   struct Events {
@@ -35,7 +35,7 @@ class RunningSources {
     camera::GivenUp given_up{};       ///< asked while open() waits for a camera
   };
 
-  /// `id`: of this server, by which relays see their own streams come back.
+  /// `id`: of this server, by which relays notice if their own streams come back.
   RunningSources(asio::io_context& io, const TransmitterOptions& options, std::string id,
                  Events events);
   RunningSources(const RunningSources&) = delete;

@@ -20,8 +20,8 @@ inline constexpr Milliseconds kStopTimeMax{1700};
 /// Ends a run. SIGTERM, SIGINT or stop() ends the streams; then the run ends when the last client
 /// has left, after kStopTimeMax, or on another signal. With a drain time, the first signal sends
 /// the clients to other servers instead, until they have left, the time is over or a second signal
-/// comes; then the streams end. Thread: that of the io_context, which must outlive it together with
-/// the registry and what the hooks refer to.
+/// comes; then the streams end. Thread: that of the io_context. The io_context, the registry and
+/// what the hooks refer to must outlive this object.
 class Shutdown {
  public:
   enum class Phase : std::uint8_t {

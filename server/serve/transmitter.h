@@ -27,13 +27,13 @@ struct RunResult {
 };
 
 /// Serves the repertoire, recorded or live, to any number of clients until SIGTERM or SIGINT. From
-/// then on nobody is accepted; with a drain time clients are first sent to other servers; then the
-/// streams end, and it returns when the last client is gone or the time for that is over. Each
-/// further signal goes on to the next of these steps (Shutdown). The streams end in the same way
-/// when all are live and nothing can come any more, as after the end of stdin. SIGHUP calls `load`
-/// on another thread and serves what it returns to clients that connect from then on; earlier ones
-/// keep what they have. A load that is under way at the end is asked to stop. SIGUSR1 logs the
-/// status. SIGPIPE is ignored from here on. Thread: one, the caller's.
+/// then on nobody is accepted. With a drain time, clients are first sent to other servers. Then the
+/// streams end, and serve() returns when the last client is gone or the time for that is over. Each
+/// further signal begins the next of these steps at once (Shutdown). The streams end in the same
+/// way when all are live and nothing can come any more, as after the end of stdin. SIGHUP calls
+/// `load` on another thread and serves what it returns to clients that connect from then on;
+/// earlier ones keep what they have. A load that is under way at the end is asked to stop. SIGUSR1
+/// logs the status. SIGPIPE is ignored from here on. Thread: one, the caller's.
 [[nodiscard]] Result<RunResult> serve(const TransmitterOptions& options, Repertoire repertoire,
                                       Stats& stats, const OnReady& on_ready, Reload::Load load);
 

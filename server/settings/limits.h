@@ -20,9 +20,11 @@ inline constexpr int kAcceptsInARow = 16;
 /// enough for new ones not to notice.
 inline constexpr std::chrono::milliseconds kAcceptPause{200};
 inline constexpr link::AcceptLimits kAcceptLimits{kAcceptsInARow, kAcceptPause};
-/// How many clients at a time are told that there is no room; the others are just closed.
+/// How many clients at a time are told that there is no room; the others' connections are just
+/// closed.
 inline constexpr std::size_t kRefusalsMax = 64;
-/// How many descriptors are kept for them and for everything else if --max-clients is 0.
+/// If --max-clients is 0, how many descriptors are kept from clients, for refusals and everything
+/// else.
 inline constexpr std::size_t kDescriptorsKept = 128;
 /// The most bytes of a recorded stream that a relay keeps.
 inline constexpr std::size_t kRelayedBytesMax = std::size_t{1} << 30U;
@@ -36,7 +38,8 @@ inline constexpr std::chrono::milliseconds kDialTimeMax{5000};
 inline constexpr std::chrono::milliseconds kRedialWaitFirst{1000};
 inline constexpr std::chrono::milliseconds kRedialWaitMax{5000};
 inline constexpr std::chrono::milliseconds kNextHostWaitMax{100};  ///< before another host is tried
-inline constexpr std::chrono::milliseconds kPublishAnswerTimeMax{10'000};  ///< wait of a publisher
+/// How long a publisher waits for the answer of the server.
+inline constexpr std::chrono::milliseconds kPublishAnswerTimeMax{10'000};
 /// A recorded stream that was sent whole is offered again after this time.
 inline constexpr std::chrono::milliseconds kOfferAgain{30'000};
 inline constexpr std::size_t kPushedStreamsMax = 64;          ///< from publishers, at a time

@@ -30,14 +30,16 @@ class Settings {
   [[nodiscard]] Result<void> add_file(std::string_view text, const std::string& file);
 
   /// Adds the variables AUCAST_TRANSMITTER_<OPTION>; several words are separated by commas, an
-  /// empty value is ignored. Usage error for a variable that begins like this but names no option.
+  /// empty value is ignored. Fails with a Usage error for a variable that begins like this but
+  /// names no option.
   [[nodiscard]] Result<void> add_environment(const Environment& environment);
 
   /// Adds the command line.
   void add_typed(const TypedWords& typed);
 
-  /// Reads all words into the variables to which the rows are bound. The error names where a wrong
-  /// word comes from: Usage, or BadData with file:line:column for one in a file.
+  /// Reads all words into the variables to which the rows are bound. Fails for a wrong word with a
+  /// Usage error that names where the word comes from, or, for a word in a file, with BadData and
+  /// file:line:column.
   [[nodiscard]] Result<void> read() const;
 
   /// The settings as a settings file, with a comment on where each comes from.

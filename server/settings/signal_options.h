@@ -36,14 +36,15 @@ struct SignalOptions {
 [[nodiscard]] std::vector<OptionRow> signal_rows(SignalOptions& options);
 
 /// The settings that result from the options and their profile; the options win. Fails with
-/// Unreadable or BadData if the profile does.
+/// Unreadable or BadData if the profile cannot be read or is wrong.
 [[nodiscard]] Result<sources::ConditioningSettings> conditioning_of(const SignalOptions& options);
 
-/// Whether the first seconds of a face are to be measured.
+/// Whether the neutral face is to be measured, in the first seconds of a face.
 [[nodiscard]] bool measures_neutral(const SignalOptions& options);
 
 /// Writes a new profile to options.save_profile, whole or not at all. It has what results from the
-/// options and their profile, and the `measured` neutral face. BadData if no face was seen.
+/// options and their profile, and the `measured` neutral face. Fails with BadData if no face was
+/// seen.
 [[nodiscard]] Result<void> save_profile(const SignalOptions& options,
                                         const std::optional<sources::MeasuredNeutral>& measured);
 

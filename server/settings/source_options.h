@@ -12,7 +12,7 @@
 
 namespace aucast::server {
 
-/// How sources are read, whether they are then served or converted.
+/// How sources are read, both for serving and for converting.
 struct SourceOptions {
   sources::RecordingOptions recording;
   std::optional<double> rate;  ///< keyframes a second, 0.1 to 1000; nullopt: as they are
@@ -27,8 +27,8 @@ struct SourceOptions {
 /// The rows of cameras, --camera-size and --camera-fps, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> camera_rows(camera::CameraOptions& options);
 
-/// Those of the given options that change something in tables, films and cameras only, such as
-/// "--gain, --neutral"; empty: there are none.
+/// The given options that have an effect only on tables, films and cameras, such as "--gain,
+/// --neutral"; empty: there are none.
 [[nodiscard]] std::string options_of_recordings(const SourceOptions& options);
 
 /// How sources that are still being written are served.

@@ -29,8 +29,8 @@ struct HttpAddress {
 
 /// The page and the WebSocket for browsers.
 struct WebOptions {
-  std::optional<HttpAddress> address;        ///< nullopt: there is no page
-  std::vector<std::string> hosts;            ///< names it answers under, whose pages may watch
+  std::optional<HttpAddress> address;  ///< nullopt: there is no page
+  std::vector<std::string> hosts;      ///< names of this server; pages from these names may watch
   std::vector<std::string> trusted_proxies;  ///< addresses whose X-Forwarded-For is believed
   friend bool operator==(const WebOptions&, const WebOptions&) = default;
 };
@@ -71,8 +71,8 @@ struct TransmitterOptions {
   friend bool operator==(const TransmitterOptions&, const TransmitterOptions&) = default;
 };
 
-/// A command line that was understood: a text to print and then exit (--help, --version,
-/// --print-config), or options.
+/// A command line that was understood: options, or a text to print before exiting (--help,
+/// --version, --print-config).
 struct CommandLine {
   std::string text;  ///< empty: go on with `options`
   TransmitterOptions options;

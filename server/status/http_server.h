@@ -16,7 +16,8 @@ namespace aucast::server {
 /// Answers GET on the event loop that serves the clients, one request per connection. There are at
 /// most kHttpConnectionsMax connections (HttpExchanges), each with kHttpTimeMax and
 /// kHttpHeadBytesMax for its request. Requests for other hosts are refused with 421.
-/// Thread: that of the io_context, which must outlive it together with the callback's captures.
+/// Thread: that of the io_context. The io_context and the callback's captures must outlive the
+/// HttpServer.
 class HttpServer {
  public:
   using Answer = std::function<web::HttpReply(const std::string& path)>;

@@ -13,7 +13,7 @@ namespace aucast::server {
 
 /// Tells the service manager, if there is one, when a run starts, reloads and stops. Also sends it,
 /// again and again, the run's status and the sign that the event loop is alive. Thread: that of the
-/// io_context, which must outlive it together with what `summary` refers to.
+/// io_context. The io_context and what `summary` refers to must both outlive this object.
 class ServiceBeat {
  public:
   /// How often the status is sent, unless the manager wants to hear more often that we are alive.

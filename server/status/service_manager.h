@@ -44,8 +44,8 @@ class ServiceManager {
 };
 
 /// The listening socket that was passed to us by sd_listen_fds(3)'s protocol (LISTEN_PID,
-/// LISTEN_FDS); nullopt: none was passed. Usage error if several were, or if it is not a listening
-/// TCP socket. Call it once: the caller then owns the socket.
+/// LISTEN_FDS); nullopt: none was passed. Fails with a Usage error if several were passed, or if
+/// the socket is not a listening TCP socket. Call it once: the caller then owns the socket.
 [[nodiscard]] Result<std::optional<int>> passed_socket();
 
 }  // namespace aucast::server

@@ -32,7 +32,7 @@ struct ClientRecord {
   std::string stream;           ///< empty when it ended before one was chosen
   std::uint64_t keyframes = 0;  ///< sent
   std::uint64_t bytes = 0;      ///< of the keyframes alone, as table 5.5 of the thesis counts them
-  std::uint64_t bytes_total = 0;  ///< all bytes that the socket took: also hello, error and {-2}
+  std::uint64_t bytes_total = 0;  ///< all that the socket took, hello, error and {-2} included
   /// From when the first keyframe was given to the socket until the last answer had come and {-2}
   /// was due, or until the connection ended before that. Zero when no keyframe was sent.
   Duration send_time{0};
@@ -76,7 +76,7 @@ class Stats {
 
  private:
   std::deque<ClientRecord> records_;
-  std::uint64_t clients_ = 0;  ///< with those whose records are not kept
+  std::uint64_t clients_ = 0;  ///< including those whose records are not kept
   Totals totals_;
   std::map<std::string, std::uint64_t> end_reasons_;
 };

@@ -28,7 +28,7 @@ struct PushStatus {
   std::string server;    ///< HOST:PORT of the host whose turn it is
   bool sending = false;  ///< it is being sent
   std::uint64_t connects = 0;
-  std::uint64_t losses = 0;  ///< of connections that were taken
+  std::uint64_t losses = 0;  ///< of connections on which the stream was taken
 };
 
 /// What came from an engine and was dropped.

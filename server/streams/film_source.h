@@ -18,12 +18,13 @@ namespace aucast::server {
     const std::function<void(const camera::FilmProgress&)>& on_progress = {},
     const std::stop_token& stop = {});
 
-/// How faces are read in pictures. The neutral face of --neutral, by default `auto`, is subtracted
-/// here, from the measures of the face. All faces are read if --face-id is given.
+/// How faces are read in pictures. With these options the neutral face of --neutral (by default
+/// `auto`) is subtracted from a face's measures, before AUs are made of them. All faces are read if
+/// --face-id is given.
 [[nodiscard]] camera::FaceOptions faces_of(const SourceOptions& options);
 
 /// How the AUs of this source are conditioned. For a film or a camera, without the neutral face,
-/// which faces_of() has already subtracted.
+/// which has already been subtracted (faces_of()).
 [[nodiscard]] sources::ConditioningSettings conditioning_for(
     const std::filesystem::path& path, sources::ConditioningSettings settings);
 

@@ -11,7 +11,7 @@
 
 namespace aucast::server {
 
-/// What a live stream may take of a link, and how it is written.
+/// What a live stream may take of a link, and how the stream is written to it.
 struct LinkLimits {
   std::uint32_t kbits = 0;  ///< kilobits a second, headers included; 0: no limit
   Milliseconds batch{0};    ///< how long small writes wait for more

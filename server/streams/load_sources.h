@@ -54,11 +54,12 @@ struct EncodingOptions {
 };
 
 /// Reads and encodes all files except those that are `live`; of a folder, its .txt and .csv files
-/// in the order of their names. If any is wrong, returns the errors of all, one per line in the
-/// order of the command line, as an error of the first one's kind. A name that is no stream name,
-/// or occurs twice, is a Usage error; a file that is too large for the free memory is Unreadable.
-/// With `skipped`, wrong files are left out and their errors are added there, unless no file is
-/// left. Asked to stop, it reads no further and returns stopped_early().
+/// in the order of their names. If any file is wrong, fails with the errors of all, one per line in
+/// the order of the command line; the kind is that of the first error. A name that is no stream
+/// name, or occurs twice, is a Usage error; a file that is too large for the free memory is
+/// Unreadable. With `skipped`, wrong files are left out and their errors are put there; if no file
+/// is left, it fails all the same. When asked to stop, reads no further and fails with
+/// stopped_early().
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,

@@ -9,9 +9,9 @@
 namespace aucast::server {
 
 /// Writes the profile of --save-profile, with the neutral face that was measured in the source, if
-/// that was asked for. For a live source it is measured later, and nothing is written yet. Usage
-/// error when it is to be measured but there is not exactly one source to measure; other errors are
-/// those of save_profile().
+/// that was asked for. For a live source it is measured later, and nothing is written yet. Fails
+/// with a Usage error if it is to be measured but there is not exactly one source to measure; other
+/// errors are those of save_profile().
 [[nodiscard]] Result<void> save_measured_profile(const SignalOptions& options,
                                                  const std::vector<Source>& sources);
 

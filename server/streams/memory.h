@@ -11,9 +11,10 @@ namespace aucast::server {
 /// How many bytes of memory are left free for everything else when a stream is read.
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{64} << 20U;
 
-/// How many bytes of memory the control group (version 2) `group` and those above it leave, up to
-/// the one whose folder is `root`. The kernel takes cached files back before it refuses memory, so
-/// those that were not used lately (inactive_file) count as free. nullopt: there is no limit.
+/// How many bytes of memory are left within the limits of the control group (version 2) `group` and
+/// of those above it, up to the one whose folder is `root`. The kernel takes cached files back
+/// before it refuses memory, so those that were not used lately (inactive_file) count as free.
+/// nullopt: there is no limit.
 [[nodiscard]] std::optional<std::uint64_t> left_by_groups(const std::filesystem::path& root,
                                                           const std::filesystem::path& group);
 

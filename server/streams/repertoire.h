@@ -19,7 +19,7 @@ struct Repertoire {
   Repertoire(protocol::ServerCatalogue streams) : catalogue(std::move(streams)) {}
 
   protocol::ServerCatalogue catalogue;
-  std::vector<std::optional<VoiceFile>> voices;  ///< of each stream; none beyond the end
+  std::vector<std::optional<VoiceFile>> voices;  ///< by stream; streams beyond its end have none
 };
 
 /// The streams of the sources, in the order given; a live one has only a name yet. The voices are
@@ -27,7 +27,7 @@ struct Repertoire {
 [[nodiscard]] Repertoire make_repertoire(const std::vector<Source>& sources,
                                          std::uint32_t keyframe_ms, bool loop);
 
-/// Checks that the streams can be sent live: a looped one must take some time. BadData otherwise.
+/// Fails with BadData unless the streams can be sent live: a looped one must take some time.
 [[nodiscard]] Result<void> check_live(const protocol::ServerCatalogue& catalogue);
 
 /// The `held_back_max` for link::tcp_link(), for clients of these streams when they are live: as

@@ -5,8 +5,8 @@
 
 namespace aucast::server {
 
-/// Checks that these sources can be served with --preview, --voice and --record, if these are
-/// given. Usage error if not. Looks at the kinds of the files.
+/// Checks, by the kinds of the files, that the sources can be served with --preview, --voice and
+/// --record, if these are given. Fails with a Usage error if not.
 [[nodiscard]] Result<void> check_sources(const TransmitterOptions& options);
 
 }  // namespace aucast::server

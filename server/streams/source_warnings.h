@@ -8,7 +8,7 @@
 namespace aucast::server {
 
 /// What a user should know of sources that were read without an error: titles that no client gets,
-/// and options that change nothing in any of them. A sentence each.
+/// and options that change nothing in any of the sources. One sentence each.
 [[nodiscard]] std::vector<std::string> source_warnings(const std::vector<Source>& sources,
                                                        const SourceOptions& options);
 

@@ -19,7 +19,7 @@ inline constexpr std::size_t kHeaderBytes = 52;
 /// the stream keeps its length. From its beginning to any keyframe's end the thinned stream needs
 /// no more bits than the link carries in that time plus a second; the exception is the last
 /// keyframe, which is always sent. An untimed keyframe takes `keyframe_ms` and stays untimed unless
-/// it is merged. All keyframes must be full ones. Asked to stop, it returns what it has so far.
+/// it is merged. All keyframes must be full ones. When asked to stop, returns what it has so far.
 [[nodiscard]] std::vector<protocol::Keyframe> thinned(std::span<const protocol::Keyframe> keyframes,
                                                       std::uint32_t keyframe_ms,
                                                       std::uint32_t kbits_per_second,

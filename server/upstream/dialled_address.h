@@ -24,8 +24,8 @@ struct DialSecrets {
   std::string tls_options;  ///< how the options for the files of `tls` begin: "--upstream-tls"
 };
 
-/// Usage error when `what`, such as "the token", would be sent over the network unencrypted.
-/// `secure`, for the message: how an address over TLS begins.
+/// Fails with a Usage error if `what`, such as "the token", would be sent over the network
+/// unencrypted. `secure`, for the message: how an address over TLS begins.
 [[nodiscard]] Result<void> check_hidden(const protocol::StreamAddress& address,
                                         std::string_view what, std::string_view secure);
 

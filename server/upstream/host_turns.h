@@ -9,11 +9,11 @@
 
 namespace aucast::server {
 
-/// Chooses which of several hosts is dialled next, and after what wait. When one is lost, the next
-/// is tried almost at once, within kNextHostWaitMax. When all have failed in a row, the next round
-/// waits for kRedialWaitFirst, then twice as long each time up to kRedialWaitMax. Every wait is
-/// shortened at random, so that many servers do not come back at the same moment. No clock. Thread:
-/// none of its own.
+/// Chooses which of several hosts is dialled next, and after what wait. When a host is lost, the
+/// next is tried almost at once, within kNextHostWaitMax. When all have failed in a row, the next
+/// round waits for kRedialWaitFirst, then twice as long each time up to kRedialWaitMax. Every wait
+/// is shortened at random, so that many servers do not come back at the same moment. No clock.
+/// Thread: none of its own.
 class HostTurns {
  public:
   /// `hosts`: at least one.

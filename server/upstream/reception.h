@@ -18,14 +18,14 @@
 namespace aucast::server {
 
 /// Receives one stream from another server, over one connection at a time, whichever side made it.
-/// Without a connection the clients' faces hold; if the next one does not come in time, the stream
-/// ends for the clients. Reports to log and status.
+/// Without a connection the clients' faces hold; if the next connection does not come in time, the
+/// stream ends for the clients. Reports to log and status.
 /// Thread: that of the io_context, which must outlive it.
 class Reception {
  public:
   struct Options {
     std::string name;           ///< of the stream; empty: the parent's first
-    std::string id;             ///< of this server, by which it sees its own streams come back
+    std::string id;             ///< of this server, by which it notices its own streams
     Milliseconds wait{10'000};  ///< how long clients wait while nobody sends
     int classic_min = 20;
     const char* sender = "parent";  ///< what the log calls the sender

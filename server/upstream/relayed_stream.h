@@ -84,8 +84,8 @@ class RelayedStream {
   std::uint64_t place_ms_ = 0;
   std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that are here and that the parent may repeat
   std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< of a recorded stream; null: it has none
-  std::shared_ptr<protocol::EncodedTrack> voice_;  ///< of that; null: it has captions only
-  std::size_t caption_bytes_ = 0;                  ///< of that
+  std::shared_ptr<protocol::EncodedTrack> voice_;  ///< that of spoken_; null: captions only
+  std::size_t caption_bytes_ = 0;                  ///< of the captions in spoken_
   std::size_t caption_again_ = 0;  ///< the index of the next caption that may come once more
   std::uint64_t looks_ = 0;        ///< how often it looked whether a recorded stream may grow
   Milliseconds shift_{0};          ///< live: from the clock of the connection to that of the feed

@@ -19,7 +19,7 @@ class Upstream {
   virtual void stop() = 0;
   /// The Reception of its stream.
   [[nodiscard]] virtual const Reception& reception() const = 0;
-  /// Adds its state.
+  /// Adds its state to `status`.
   virtual void describe(Status& status) const { status.upstreams.push_back(reception().status()); }
 };
 

@@ -43,7 +43,7 @@ class LiveVoice {
   SlowLine face_;
   SlowLine sound_;
   std::uint64_t samples_ = 0;  ///< how many came since sound_ began
-  std::string half_;           ///< the first byte of a sample whose second has not come
+  std::string half_;           ///< the first byte of a sample whose second byte has not come
   bool placed_ = false;        ///< the encoder's place is that of the sound
   Milliseconds silent_{0};     ///< how long there has been no packet
 };

@@ -6,14 +6,14 @@
 
 namespace aucast::server {
 
-/// Finds when something began that is made steadily but arrives with jitter, such as sound from a
-/// pipe. A late arrival proves nothing, since it may have waited; an early one shows how late the
-/// others were. Follows a clock that differs a little from ours; if all arrivals are late for long,
-/// something was lost, and begin() moves later. Thread: none of its own.
+/// For something that is made steadily but arrives with jitter, such as sound from a pipe: finds
+/// when it began. A late arrival proves nothing, since it may have waited; an early one shows how
+/// late the others were. Follows a clock that differs a little from ours; if all arrivals are late
+/// for long, something was lost, and begin() becomes later. Thread: none of its own.
 class SlowLine {
  public:
   /// Call when some of it has arrived. `made`: how much has arrived by `now` since the beginning.
-  /// Neither may ever decrease.
+  /// `now` and `made` must never decrease.
   void add(SteadyTime now, Seconds made);
   /// When it began. Only if known().
   [[nodiscard]] SteadyTime begin() const { return *begin_; }

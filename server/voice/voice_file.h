@@ -24,8 +24,8 @@ struct VoiceFile {
   friend bool operator==(const VoiceFile&, const VoiceFile&) = default;
 };
 
-/// Checks a sound file without reading its sound. Fails with Unreadable or BadData, and the remedy,
-/// if it is not a sound file or has less than a millisecond of sound.
+/// Checks a sound file without reading its sound. Fails with Unreadable or BadData, and a message
+/// with the remedy, if it is not a sound file or has less than a millisecond of sound.
 [[nodiscard]] Result<VoiceFile> find_voice_file(const std::filesystem::path& path,
                                                 Milliseconds begin);
 
@@ -36,7 +36,7 @@ class VoiceReader {
   [[nodiscard]] static Result<VoiceReader> open(const VoiceFile& file,
                                                 const voice::VoiceSettings& settings);
 
-  /// Appends the packets of the next second or two; false: these were the last.
+  /// Appends the packets of the next second or two; returns false if these were the last.
   [[nodiscard]] bool read(std::vector<protocol::VoicePacket>& packets);
   /// How far the sound has been read, on the stream's clock.
   [[nodiscard]] Milliseconds end() const { return end_; }
@@ -58,7 +58,8 @@ class VoiceReader {
 [[nodiscard]] std::uint32_t voice_kbits(const voice::VoiceSettings& settings);
 
 /// How many of `max_kbits` are left for a face beside its voice; 0 (no limit) if `max_kbits` is 0.
-/// Usage error, with the remedy, when too little is left. `source`, for the message: whose face.
+/// Fails with a Usage error and the remedy if too little is left. The message names `source`, the
+/// source that the face belongs to.
 [[nodiscard]] Result<std::uint32_t> face_kbits(std::uint32_t max_kbits,
                                                const voice::VoiceSettings& settings,
                                                const std::filesystem::path& source);

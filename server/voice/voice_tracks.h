@@ -50,7 +50,7 @@ class VoiceTracks {
   };
 
   void encode_until_stopped();
-  /// False: the job is done.
+  /// Returns false when the job is done.
   [[nodiscard]] bool encode_some(Job& job);
   void deliver(const Job& job, std::vector<protocol::VoicePacket> packets, bool last);
   [[nodiscard]] bool stopped() const;

@@ -17,7 +17,7 @@ class PageFiles {
  public:
   /// Reads all regular files below `folder` except those whose names begin with a dot; NAME.gz
   /// beside NAME is the same file compressed. If the folder does not exist, there are no files.
-  /// Fails with Unreadable, naming the file and the cause.
+  /// Fails with Unreadable and a message that names the file and the cause.
   [[nodiscard]] static Result<PageFiles> read(const std::filesystem::path& folder);
 
   /// Whether there is a page, /index.html, which is also the reply to "/".

@@ -27,7 +27,8 @@ namespace aucast::server {
 /// kWebConnectionsMax connections that are no WebSocket (HttpExchanges), each with kHttpTimeMax and
 /// kWebHeadBytesMax for its request, and kWebStallTimeMax in which the client must take some of the
 /// file.
-/// Thread: that of the io_context, which must outlive it together with what the hooks refer to.
+/// Thread: that of the io_context. The io_context and what the hooks refer to must outlive the
+/// WebServer.
 class WebServer {
  public:
   using OpenLink = std::function<std::shared_ptr<link::Link>()>;
@@ -49,7 +50,8 @@ class WebServer {
   WebServer& operator=(const WebServer&) = delete;
 
   /// Reads the page and listens; a missing page is logged. `shared`: other processes share the
-  /// port. Fails with Unreadable for the page, or a Network error naming address, cause and remedy.
+  /// port. Fails with Unreadable for the page, or with a Network error that names address, cause
+  /// and remedy.
   [[nodiscard]] Result<void> open(bool shared);
   void start();
   /// Accepts no more connections.

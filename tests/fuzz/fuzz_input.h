@@ -19,7 +19,7 @@ class Script {
 
   [[nodiscard]] bool empty() const { return rest_.empty(); }
 
-  /// 0 when nothing is left.
+  /// The next byte; 0 when nothing is left.
   [[nodiscard]] std::uint8_t byte() {
     if (rest_.empty()) return 0;
     const auto value = static_cast<std::uint8_t>(rest_.front());

@@ -20,7 +20,7 @@ struct Decoded {
   friend bool operator==(const Decoded&, const Decoded&) = default;
 };
 
-/// Feeds a new decoder, `portion` bytes at a time. Calls `check` with it after each packet.
+/// Feeds `bytes` to a new decoder, `portion` at a time. Calls `check` with it after each packet.
 template <typename Packet, typename Decoder, typename Check>
 Decoded<Packet> decode_portions(std::string_view bytes, std::size_t portion, Check check) {
   Decoder decoder;

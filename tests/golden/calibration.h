@@ -11,11 +11,11 @@
 
 namespace aucast::test {
 
-/// A place of the face: a ring and spoke of the skin, or the vertex of a part that is nearest to a
-/// point of the neutral face.
+/// A place of the face: a ring and spoke of the skin, or, of a named part, the vertex nearest to
+/// a point of the neutral face.
 struct Landmark {
   std::string name;
-  std::string patch;  ///< "eye" or "mouth"; empty: by part and near
+  std::string patch;  ///< "eye" or "mouth"; empty: found by `part` and `near`
   int ring = 0;
   int spoke = 0;
   std::string part;
@@ -49,8 +49,8 @@ struct Calibration {
   [[nodiscard]] const Landmark* find(const std::string& name) const;
 };
 
-/// BadData with file:line:column when something is missing, such as [end], or unknown, such as a
-/// landmark.
+/// Fails with BadData and file:line:column if something is missing, such as the closing table
+/// [end], or unknown, such as the name of a landmark that the file does not define.
 [[nodiscard]] Result<Calibration> load_calibration(const std::filesystem::path& file);
 
 }  // namespace aucast::test

@@ -10,7 +10,7 @@
 
 namespace aucast::test {
 
-/// A finished run of the real face-player with what it wrote to --stats (null: nothing).
+/// A finished run of the real face-player, with what it wrote to --stats; null if it wrote nothing.
 struct PlayerRun {
   Finished finished;
   nlohmann::json stats;

@@ -59,8 +59,8 @@ class RunningTransmitter {
   Served served_;
 };
 
-/// Connects and says hello, again until the hello arrives within the server's grace: on a loaded
-/// machine a test may be held up for longer. `reply` is the server's first packet.
+/// Connects and says hello. Tries again until the hello arrives within the server's grace, since a
+/// loaded machine may hold a test up for longer. `reply` is the server's first packet.
 inline RawClient say_hello(const RunningTransmitter& server, std::string_view hello,
                            std::string& reply) {
   for (int attempt = 1;; ++attempt) {

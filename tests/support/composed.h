@@ -4,7 +4,7 @@
 
 namespace aucast::test {
 
-/// Adds keyframes of AU 1, 2, 3 ... at 100 % to a timeline.
+/// Adds `count` keyframes to the timeline: AU 1, AU 2, AU 3 ..., each at 100 %.
 inline void compose(gui::Composer& composer, int count) {
   for (int number = 1; number <= count; ++number) {
     composer.set_aus({}, false);

@@ -11,7 +11,8 @@
 
 namespace aucast::test {
 
-/// While it lives, keeps what the log says: a line for each entry, without its time and level.
+/// While this object lives, it keeps what the log says: a line for each entry, without its time and
+/// level.
 class KeptLog {
  public:
   KeptLog() {

@@ -20,10 +20,11 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Waits for a whole line of stdout; nothing when it does not come in time or the output ends.
+  /// Waits for a whole line of stdout; nullopt when no line comes in time or the output ends.
   [[nodiscard]] std::optional<std::string> read_line(std::chrono::milliseconds patience);
   void signal(int number) const;
-  /// The exit code (128 + signal when killed by one); nothing when it does not end in time.
+  /// The exit code (128 + signal when killed by one); nullopt when the program does not end in
+  /// time.
   [[nodiscard]] std::optional<int> wait(std::chrono::milliseconds patience);
   /// Everything written so far; complete after wait().
   [[nodiscard]] const std::string& out() const { return out_; }
@@ -49,7 +50,8 @@ struct Finished {
   std::string err;
 };
 
-/// Runs to the end, at most `patience` (then it is killed and exit_code is -1).
+/// Runs a program to its end, for at most `patience`; after that the program is killed and
+/// exit_code is -1.
 [[nodiscard]] Finished run(std::vector<std::string> arguments,
                            std::vector<std::string> variables = {},
                            std::chrono::milliseconds patience = std::chrono::seconds(60));

@@ -27,7 +27,7 @@ class RawClient {
   /// Our own port, by which the server names this client.
   [[nodiscard]] std::uint16_t local_port() const;
 
-  /// Sends all of it; false when the peer does not take it within the patience or is gone.
+  /// Sends all bytes. Returns false when the peer does not take them in time or is gone.
   bool send(std::string_view bytes, std::chrono::milliseconds patience = kPatience);
   /// Half-close: nothing more is sent, but bytes can still be received.
   void end_sending();
@@ -38,8 +38,8 @@ class RawClient {
   /// patience ends before.
   [[nodiscard]] std::string receive(std::size_t wanted,
                                     std::chrono::milliseconds patience = kPatience);
-  /// Waits for the next `text`, takes and returns all bytes up to its end; what else has come, when
-  /// the connection or the patience ends before.
+  /// Waits for the next `text`, takes and returns all bytes up to its end. If the connection or the
+  /// patience ends before, returns what has come.
   [[nodiscard]] std::string receive_until(std::string_view text,
                                           std::chrono::milliseconds patience = kPatience);
   /// Receives everything to the end of the connection.

@@ -40,8 +40,8 @@ struct Reset {};
 using Step =
     std::variant<Accept, Expect, ExpectHello, ExpectEnd, Send, Until, HalfClose, Close, Reset>;
 
-/// A server on 127.0.0.1 that plays a list of steps on a thread of its own, then holds what is open
-/// until it is destroyed.
+/// A server on 127.0.0.1 that plays a list of steps on a thread of its own, then keeps its sockets
+/// open until it is destroyed.
 class ScriptedServer {
  public:
   explicit ScriptedServer(std::vector<Step> steps);
@@ -67,7 +67,7 @@ class ScriptedServer {
   [[nodiscard]] std::string play_step(const Close& step);
   [[nodiscard]] std::string play_step(const Reset& step);
   [[nodiscard]] bool wait_for(int descriptor, short what) const;
-  /// One more byte; nothing more when the client has ended or is gone, or the time is up.
+  /// Reads one more byte. Returns false when the client has ended or is gone, or the time is up.
   [[nodiscard]] bool read_byte(char& byte);
   void close_client();
 

@@ -6,8 +6,8 @@
 
 namespace aucast::test {
 
-/// A random generator whose seed is printed when the test fails: $AUCAST_SEED if set, else 1.
-/// Use it together with SCOPED_TRACE(seeded.trace()).
+/// A random generator. Its seed is $AUCAST_SEED if set, else 1; SCOPED_TRACE(seeded.trace()) prints
+/// the seed when the test fails.
 class Seeded {
  public:
   Seeded();

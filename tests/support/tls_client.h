@@ -19,7 +19,8 @@ class TlsClient {
   }
 
   /// Runs the handshake until it is done or has failed. `first_words` are sent together with our
-  /// last part of it, so that a hello arrives within any grace. Returns whether it is done.
+  /// last part of the handshake, so that a hello arrives within any grace. Returns whether the
+  /// handshake is done.
   bool shake_hands(std::string first_words = {}) {
     first_words_ = std::move(first_words);
     while (!layer_.ready() && step()) {
@@ -35,7 +36,7 @@ class TlsClient {
     client_.send(layer_.take_output());
     client_.end_sending();
   }
-  /// The next bytes up to the end of `text`; what else has come, when the connection ends before.
+  /// The next bytes up to the end of `text`. If the connection ends before, returns what has come.
   std::string receive_until(std::string_view text) {
     while (received_.find(text) == std::string::npos && step()) {
     }

@@ -12,9 +12,10 @@
 
 namespace aucast::app {
 
-/// Plays to the end in real time without drawing: computes the activations at the 50 positions of
-/// every keyframe, each when its position is due. `stop` is asked at least every 50 ms. `out` plays
-/// `track` or, if that is null, the voice of what is played; `out` may be null too.
+/// Plays to the end in real time without drawing: computes the activations at each of the 50
+/// positions of every keyframe when that position is due. Asks `stop` at least every 50 ms, and
+/// ends if it returns true. `out` plays `track` or, if that is null, the voice of what is played.
+/// If `out` is null, nothing is heard.
 void run_clocked(const Assets& assets, const PlayerOptions& options, playback::Playback& playback,
                  std::unique_ptr<sound::SoundOut> out, sound::SoundTrack* track,
                  const std::function<bool()>& stop, PlayerStats& stats);

@@ -11,8 +11,8 @@
 namespace aucast::app {
 
 /// Runs face-player gallery: writes pictures, index.html and manifest.csv into a folder. Each file
-/// is written completely or not at all, the page last. Files of an earlier run stay if this one
-/// does not replace them. The same options and face give the same bytes. `stop` is asked before
+/// is written completely or not at all, and index.html last. Files of an earlier run stay if this
+/// one does not replace them. The same options and face give the same bytes. `stop` is asked before
 /// each picture; if it returns true, the command fails, because pictures are missing, and leaves no
 /// incomplete file.
 [[nodiscard]] Result<void> run_gallery(const PlayerOptions& options,
@@ -25,7 +25,7 @@ namespace aucast::app {
     const PlayerOptions& options, const std::function<bool()>& stop,
     const std::function<void(std::size_t drawn, std::size_t total)>& on_drawn = {});
 
-/// How many pictures a gallery would have. Usage errors are those of plan_gallery().
+/// How many pictures a gallery would have. Fails with the Usage errors of plan_gallery().
 [[nodiscard]] Result<std::size_t> gallery_size(const Assets& assets, const PlayerOptions& options);
 
 }  // namespace aucast::app

@@ -22,8 +22,8 @@ enum class Sharpness : std::uint8_t { Video, Still };
 class FaceView {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face);
-  /// The same, made in portions: until make_more() has returned true, the view draws the neutral
-  /// face, whatever its pose.
+  /// As create(), but makes the view in portions. Until make_more() has returned true, the view
+  /// draws the neutral face, whatever its pose.
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_neutral(const face::Face& face);
   /// Makes the next portion, which takes a few milliseconds. Returns true when nothing is left to
   /// do.

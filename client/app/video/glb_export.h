@@ -24,8 +24,8 @@ struct ExportedStream {
 [[nodiscard]] Result<void> check_length(const std::vector<playback::Keyframe>& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
-/// Called for each finished sample of the animation, with how many are done and how many there are.
-/// Returns whether to go on.
+/// Called for each finished sample of the animation, with the number of finished samples and the
+/// total. Returns whether to go on.
 using OnSample = std::function<bool(std::size_t done, std::size_t total)>;
 
 /// Writes the face, with `stream` as its animation, into the GLB file that the options name.

@@ -24,7 +24,7 @@ struct PictureNotes {
   view::Layers layers = {};
   std::string_view viewpoint{};  ///< of --camera; empty: turned by hand
   std::span<const float> activations{};
-  std::string_view edited{};  ///< without AUs: what was edited in the window; empty: nothing
+  std::string_view edited{};  ///< what was edited, if there are no AUs; empty: nothing
 };
 
 /// The notes as texts of a PNG, so that the picture explains itself and can be made again. Their

@@ -12,11 +12,12 @@
 
 namespace aucast::app {
 
-/// The sound of a run on the video clock, in step with its pictures to the sample, for the file of
-/// --sound and the videos of --record.
+/// The sound of a run on the video clock, for the file of --sound and the videos of --record. It is
+/// in step with the pictures, exact to one sample.
 class VideoRunSound {
  public:
-  /// `track`: the sound of what is played, which must outlive this object; null: its voice.
+  /// `track`: the sound of what is played; null: the voice of what is played is its sound.
+  /// `playback` and `track` must outlive this object.
   VideoRunSound(playback::Playback& playback, sound::SoundTrack* track);
 
   /// Begins the sound, if the options ask for any. Fails if its file cannot be written.
@@ -28,7 +29,7 @@ class VideoRunSound {
   [[nodiscard]] std::int64_t tail_ms() const;
   /// Writes the sound after the last keyframe, up to `end_ms` on the video clock.
   void tail(std::int64_t end_ms);
-  /// The WAV file with all of the sound, for the videos; empty: there was none.
+  /// The WAV file with all of the sound, for the videos; empty: there was no sound.
   [[nodiscard]] Result<std::filesystem::path> file();
   [[nodiscard]] Result<void> finish();
   [[nodiscard]] const sound::VoiceTrack::Counts& counts() const { return voice_.counts(); }
@@ -43,7 +44,7 @@ class VideoRunSound {
   sound::SoundTrack& track_;
   sound::SoundMixer mixer_;
   std::unique_ptr<sound::WavFile> wav_;  ///< null: no sound is wanted
-  bool keep_ = false;                    ///< the file is the one of --sound and stays
+  bool keep_ = false;                    ///< the file is that of --sound, so it is not deleted
   std::int64_t place_ms_ = 0;            ///< the place in the stream that the run has reached
   std::int64_t end_ms_ = 0;  ///< the time on the video clock up to which sound has been written
   std::int64_t written_ = 0;

@@ -6,13 +6,13 @@
 
 namespace aucast::app {
 
-/// What remains to be done for Esc after close_nearest().
+/// What the caller must still do for Esc after close_nearest().
 struct Escaped {
   gui::GuiCommands commands;
   bool ends_full_screen = false;
 };
-/// Closes only what is on top. Never leaves the player: only q and the window's close button do
-/// that. If it ends full screen, it also closes a notice.
+/// Closes only the topmost thing that is open. Never leaves the player: only q and the window's
+/// close button do that. In full screen, closes notices together with the thing below them.
 [[nodiscard]] Escaped close_nearest(gui::Gui& gui, const gui::GuiModel& shown, bool full_screen);
 
 }  // namespace aucast::app

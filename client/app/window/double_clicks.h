@@ -13,11 +13,11 @@ namespace aucast::app {
 class DoubleClicks {
  public:
   /// Whether this press of a button comes soon enough after the previous press of the same button.
-  /// If their exact times are not known, true unless they were surely too far apart.
+  /// If the exact times are not known, returns true unless the presses were surely too far apart.
   [[nodiscard]] bool follows(const render::InputEvent& press);
 
  private:
-  std::array<std::optional<Instant>, 3> last_{};  ///< when each button was pressed, at the latest
+  std::array<std::optional<Instant>, 3> last_{};  ///< InputEvent::by of each button's last press
 };
 
 }  // namespace aucast::app

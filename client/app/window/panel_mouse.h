@@ -13,7 +13,7 @@ class PanelMouse {
  public:
   /// Takes a Move, a Leave or a press or release of a button.
   void take(const render::InputEvent& event);
-  /// Passes its state on to ImGui, for the next frame.
+  /// Passes the mouse's state on to ImGui, for the next frame.
   void hand_over() const;
   [[nodiscard]] bool down(std::size_t button) const { return buttons_[button]; }
   [[nodiscard]] double x() const { return x_; }

@@ -57,26 +57,27 @@ class WindowDisplay {
   virtual void look_from(gui::Facing view) = 0;
   /// Carries out an act, except Leave and CloseNearest.
   virtual void act(WindowAct act, Instant now) = 0;
-  /// Closes what is open on top, or ends full screen. Returns what else is to be done for it.
+  /// Closes the topmost thing that is open, or ends full screen. Returns the commands that the
+  /// caller must carry out for this.
   [[nodiscard]] virtual gui::GuiCommands close_nearest(const gui::GuiModel& shown, Instant now) = 0;
 
   // === Pictures.
 
-  /// Call it when the assets have another face. It is seen from the same side and as large as
-  /// before.
+  /// Call it when the assets have another face. The new face is seen from the same side and as
+  /// large as the one before.
   [[nodiscard]] virtual Result<void> change_face() = 0;
   /// Goes on with the small pictures that the panels lack. Returns true if one was made.
   [[nodiscard]] virtual bool make_thumbnails(const FaceOf& face_of) = 0;
   /// Whether make_thumbnails() waits for a face that is being read.
   [[nodiscard]] virtual bool thumbnails_wait() const = 0;
   /// Draws the face and the panels, and appends the commands of the user to `commands`. `moved`:
-  /// whether `activations`, one per channel, differ from the last ones. Returns how long that took;
-  /// `mix` is 0.
+  /// whether `activations`, one per channel, differ from the last ones. Returns how long that took,
+  /// with `mix` 0.
   [[nodiscard]] virtual FrameTimes draw(const std::vector<float>& activations, bool moved,
                                         const view::Style& style, const gui::GuiModel& model,
                                         gui::GuiCommands& commands) = 0;
-  /// A picture of the face that was drawn last, in pixels. It does not depend on what covers the
-  /// window.
+  /// A picture, `width` times `height` pixels, of the face that was drawn last. It does not depend
+  /// on what covers the window.
   [[nodiscard]] virtual Result<view::Image> picture(int width, int height, Sharpness sharpness,
                                                     const view::Style& style) = 0;
   /// The part of the window that the panel leaves free, in pixels.
@@ -88,8 +89,8 @@ class WindowDisplay {
   [[nodiscard]] virtual float scale() const = 0;
 };
 
-/// Opens the window with OpenGL. `assets` and `output` must outlive it. `start_times`: counts the
-/// stages of opening it.
+/// Opens the window with OpenGL. `assets` and `output` must outlive it. `start_times`: measures the
+/// stages of opening the window.
 [[nodiscard]] Result<std::unique_ptr<WindowDisplay>> open_display(const Assets& assets,
                                                                   const OutputOptions& output,
                                                                   StartTimes& start_times);

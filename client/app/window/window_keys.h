@@ -12,7 +12,7 @@ namespace aucast::app {
 /// What a key does to the window itself.
 enum class WindowAct : std::uint8_t {
   Leave,
-  CloseNearest,  ///< closes what is open on top, or ends full screen
+  CloseNearest,  ///< closes the topmost thing that is open, or ends full screen
   ToggleFullScreen,
   ToggleBare,
   TogglePanel,
@@ -25,7 +25,8 @@ struct ChangeVolume {
 };
 using KeyMeaning = std::variant<gui::GuiCommand, WindowAct, SessionAct, ChangeVolume>;
 
-/// What a key does, where possible as in mpv; null: nothing (Key::None).
+/// Returns what a key does; where possible, that is what it does in mpv. Returns null for a key
+/// that does nothing (Key::None).
 [[nodiscard]] const KeyMeaning* meaning_of(render::Key key);
 
 }  // namespace aucast::app

@@ -20,12 +20,12 @@
 namespace aucast::app {
 
 /// What the window does from frame to frame: waits for input, no longer than the session may wait;
-/// hands what the user asks for to the session; draws if something differs from what is shown; and
+/// passes the user's commands to the session; draws if something differs from what is shown; and
 /// keeps what is worth remembering. The constructor's arguments must outlive it. Thread: the
 /// player's.
 class WindowLoop {
  public:
-  /// What it works with. `now`: the clock.
+  /// What the loop works with. `now`: the clock.
   struct Parts {
     WindowSession& session;
     WindowDisplay& display;
@@ -38,11 +38,12 @@ class WindowLoop {
   };
   explicit WindowLoop(const Parts& parts);
 
-  /// One turn; its body gives an overview. `stopped_from_outside`: whether to leave without asking.
+  /// One turn of the loop; the body of this function gives an overview. `stopped_from_outside`:
+  /// whether to leave without asking.
   void tick(bool stopped_from_outside);
   /// Whether the user has left, playing has ended with --exit-at-end, or outcome() has an error.
   [[nodiscard]] bool done() const;
-  /// The error because of which the window cannot go on, if there is one.
+  /// If the window cannot go on, fails with the error that stopped it.
   [[nodiscard]] Result<void> outcome() const;
   /// Ends a video and keeps the settings. Call it last.
   void finish();

@@ -12,10 +12,11 @@
 
 namespace aucast::app {
 
-/// Shows what plays in a window until the user leaves it or, with --exit-at-end, playing ends.
-/// `playback`: what to play, null for the neutral face; on return, what was played last, because
-/// the user may have connected elsewhere. `out`: plays the sound; null: no sound. `settings`: used
-/// at the start and saved at the end. In a build without OpenGL it fails and says so.
+/// Opens a window that shows what plays, until the user leaves it or, with --exit-at-end, playing
+/// ends. `playback`: what to play, null for the neutral face; on return, what was played last,
+/// because the user may have connected elsewhere. `out`: plays the sound; null: no sound.
+/// `settings`: used at the start and saved at the end. In a build without OpenGL it fails and says
+/// so.
 [[nodiscard]] Result<void> run_window(Assets& assets, const PlayerOptions& options,
                                       std::unique_ptr<playback::Playback>& playback,
                                       std::unique_ptr<sound::SoundOut> out,

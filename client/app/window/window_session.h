@@ -37,7 +37,7 @@ namespace aucast::app {
 /// may replace the face in `assets`. Thread: the player's.
 class WindowSession {
  public:
-  /// `playback`: null: shows the neutral face.
+  /// If `playback` is null, shows the neutral face.
   WindowSession(Assets& assets, const PlayerOptions& options,
                 std::unique_ptr<playback::Playback> playback, PlayerStats& stats);
   /// Begins with the settings that the window remembered; call it first. `complaint`: what to show
@@ -58,8 +58,8 @@ class WindowSession {
     return onsets_.begin(file);
   }
   [[nodiscard]] Result<void> end_onsets() { return onsets_.end(); }
-  /// The face of activations() has been on the display since `at`. `moved`: it differs from the
-  /// last one.
+  /// Call it when the face of activations() has come on the display. `at`: when it did; `moved`:
+  /// whether it differs from the last one.
   void face_shown(Instant at, bool moved);
 
   /// Moves playback to `now`.
@@ -69,8 +69,8 @@ class WindowSession {
   void apply(const gui::GuiCommand& command, Instant now);
   void toggle_pause(Instant now);
 
-  // These act on the editor or the composer, if the face that is shown is theirs. They do nothing
-  // while the face is playback's.
+  // These act on the editor or the composer, whichever has its face shown. They do nothing while
+  // playback's face is shown.
   void undo(Instant now);
   void redo(Instant now);
   void save(Instant now);
@@ -81,11 +81,11 @@ class WindowSession {
   [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
   /// The AUs of which the face is made now, after the rules; nullopt if it is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
-  /// What the face shows if it is edited muscle by muscle, as part of a file's name; else empty.
+  /// If the face is edited muscle by muscle, what it shows, in a form for file names; else empty.
   [[nodiscard]] std::string edited_shown() const {
     return shown_ == Shown::Editor && !aus_shown() ? editor_.made_of() : std::string();
   }
-  /// The keyframe of the face that is shown, from 1; 0: the face is not playback's.
+  /// The number of the keyframe under way, from 1; 0: none, or the face is not playback's.
   [[nodiscard]] std::uint64_t keyframe_shown() const {
     return shown_ == Shown::Playback ? playback_.keyframe() : 0;
   }
@@ -155,7 +155,7 @@ class WindowSession {
   const PlayerOptions& options_;
   pipeline::AuMapping mapping_;
   Notices notices_;
-  std::vector<float> face_;         ///< as shown, but without idle movements
+  std::vector<float> face_;         ///< the face that is shown, but without idle movements
   std::vector<float> activations_;  ///< as shown
   PlaybackSession playback_;
   EditorSession editor_;

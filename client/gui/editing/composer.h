@@ -20,8 +20,9 @@ struct ComposedKeyframe {
 };
 
 /// A stream in the making, without its widgets: the keyframes, the current one, and all steps so
-/// that they can be undone. The current keyframe is the chosen one of them, or a new one that is
-/// not among them yet. Beginning another stream is a step too, so that nothing is ever lost.
+/// that they can be undone. The current keyframe is the one that is chosen or, if none is, a new
+/// one that is not in the stream yet. Beginning another stream is a step too, so that nothing is
+/// ever lost.
 class Composer {
  public:
   /// The longest time of a keyframe, as the protocol limits it.
@@ -33,7 +34,7 @@ class Composer {
   [[nodiscard]] std::optional<std::size_t> chosen() const { return history_.now().chosen; }
   /// The chosen keyframe, else the new one.
   [[nodiscard]] const ComposedKeyframe& current() const;
-  /// The file that it was loaded from or saved to; empty: none yet.
+  /// The file that the stream was loaded from or saved to; empty: none yet.
   [[nodiscard]] const std::string& file() const { return history_.now().file; }
   /// The title of the stream that was loaded; empty: none.
   [[nodiscard]] const std::string& title() const { return history_.now().title; }
@@ -52,8 +53,8 @@ class Composer {
   void set_aus(const AuFrame& aus, bool continued);
   /// Sets the time of the current keyframe, limited to kMsMax.
   void set_time(std::optional<std::uint32_t> ms, bool continued);
-  /// Appends the new keyframe. If a keyframe is chosen, inserts a copy of it after it instead, and
-  /// chooses the copy.
+  /// If no keyframe is chosen, appends the new one. Else inserts a copy of the chosen keyframe
+  /// right after it, and chooses the copy.
   void add();
   /// Chooses a keyframe; nullopt: a new one, which begins as a copy of the current one.
   void choose(std::optional<std::size_t> keyframe);
@@ -80,7 +81,7 @@ class Composer {
   void step(State next, bool continued = false);
   void change_current(const ComposedKeyframe& keyframe, bool continued);
 
-  /// More steps than anybody undoes.
+  /// The number of steps that are kept: more than anybody undoes.
   static constexpr std::size_t kStepsMax = 500;
 
   History<State> history_{kStepsMax};

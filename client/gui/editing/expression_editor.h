@@ -46,9 +46,9 @@ class ExpressionEditor {
   /// Call it when recordings have changed or been removed. Loads the recording of `au`. Undoing
   /// this brings the earlier activations back as an unsaved change.
   void recorded_anew(int au);
-  /// Call it when the face has been replaced. `before`: the names of the channels of the previous
-  /// one. In every step, unsaved activations are kept for channels of the same name, and the rest
-  /// comes from the recordings of the new face.
+  /// Call it when the face has been replaced. `before`: the names of the previous face's channels.
+  /// In every step, unsaved activations are kept for channels of the same name, and the rest comes
+  /// from the recordings of the new face.
   void change_face(const std::vector<std::string>& before);
   void undo() { history_.undo(); }
   void redo() { history_.redo(); }
@@ -64,7 +64,8 @@ class ExpressionEditor {
 
   const face::Face& face_;
   const face::AuRecordings& recordings_;
-  /// More steps than anybody undoes. For a large face a step takes a kilobyte.
+  /// The number of steps that are kept: more than anybody undoes. For a large face a step takes a
+  /// kilobyte.
   static constexpr std::size_t kStepsMax = 1000;
 
   History<State> history_{kStepsMax};

@@ -9,18 +9,18 @@
 namespace aucast::gui {
 
 /// Moves from one face to another in a number of in-between frames, each shown for the same time
-/// (thesis 5.4.2: 50 of 5 ms). Pure: the times are handed in.
+/// (thesis 5.4.2: 50 frames of 5 ms). Pure: the times are handed in.
 class Transition {
  public:
   /// Both faces have one activation per channel.
   Transition(std::vector<float> start, std::vector<float> end, TransitionSettings settings,
              Instant begin);
 
-  /// The in-between frame at `now`: the start before the first one is due, exactly the end from the
-  /// last one on.
+  /// The in-between frame at `now`: `start` until the first frame is due, and exactly `end` once
+  /// the last one is due.
   [[nodiscard]] std::vector<float> at(Instant now) const;
   [[nodiscard]] bool over(Instant now) const;
-  /// When the next frame is due; nullopt: it is over.
+  /// When the next frame is due; nullopt: the transition is over.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
 
  private:

@@ -23,7 +23,7 @@ enum class Purpose : std::uint8_t {
   GalleryFolder,    ///< where a gallery goes
   LookForFaces,     ///< a folder of faces, or the folder of one face
   CameraFilm,       ///< a film in place of a camera
-  AuthoritiesFile,  ///< the authorities that a server is held to
+  AuthoritiesFile,  ///< the authorities that may vouch for a server
   TokenFile,        ///< the secret that a server asks for
 };
 
@@ -42,11 +42,13 @@ struct BrowserView {
   std::string name;      ///< the name for a new file
   std::string problem;   ///< why the folder cannot be shown or the file cannot be used; empty: no
                          ///< problem
-  std::string replaces;  ///< an existing file about which the user is asked; empty: none
+  std::string replaces;  ///< an existing file: the user is asked whether to replace it; empty:
+                         ///< nothing is asked
   friend bool operator==(const BrowserView&, const BrowserView&) = default;
 };
 
-/// Files that were chosen in the dialog for the next connection; empty: none since it opened.
+/// Files for the next connection that were chosen in the dialog; empty: none was chosen since the
+/// dialog was last opened.
 struct CredentialFiles {
   std::string authorities;
   std::string token;
@@ -67,7 +69,7 @@ struct CredentialFiles {
   return !opening && !is_folder(purpose);
 }
 
-/// The ending of a new file; empty: none is wanted.
+/// The ending of a new file; empty: no new file is wanted.
 [[nodiscard]] constexpr std::string_view ending_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::SaveStream:

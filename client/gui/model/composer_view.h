@@ -38,7 +38,7 @@ struct ComposerView {
   std::vector<ComposedAu> aus;                           ///< of the keyframe being composed
   int ms = -1;                                           ///< -1: no time of its own
   std::string file;
-  bool unsaved = false;  ///< of the stream; a new keyframe does not count
+  bool unsaved = false;  ///< the stream has unsaved changes; a new keyframe does not count
   bool begun = false;    ///< there is a new keyframe that was not added
   bool can_undo = false;
   bool can_redo = false;
@@ -62,7 +62,7 @@ struct ComposeMood {
   bool continued = false;
 };
 struct ComposeNeutral {};
-/// Takes the AUs that the face shows now, from a stream or as an expression.
+/// Takes the AUs that the face shows now, whether a stream or an expression made them.
 struct ComposeShown {};
 struct ComposeTime {
   int ms = -1;  ///< -1: no time of its own
@@ -82,7 +82,7 @@ struct NewComposition {};
 /// Shows the keyframe being composed on the face again.
 struct ShowComposed {};
 struct PlayComposition {};
-/// Saves in the file that the stream came from; asks for one if there is none.
+/// Saves in the file that the stream came from; asks for a file if there is none.
 struct SaveComposition {};
 
 using ComposerCommand =

@@ -17,9 +17,10 @@ struct PadPoint {
   friend bool operator==(const PadPoint&, const PadPoint&) = default;
 };
 
-/// The AUs for a place on the pad: neutral in the middle, a prototype at its own place, elsewhere a
-/// mixture of the two prototypes next in direction, scaled by the distance from the middle.
-/// Intensities are whole percent, as in streams. Without points it is the neutral face.
+/// The AUs for a place on the pad: neutral in the middle, a prototype at its own place. Elsewhere
+/// they are a mixture of two prototypes, the nearest on either side of the direction from the
+/// middle to the place, scaled by the distance from the middle. Intensities are whole percent, as
+/// in streams. Without points, returns the neutral face.
 [[nodiscard]] AuFrame pad_face(const std::vector<PadPoint>& points, float x, float y);
 
 }  // namespace aucast::gui

@@ -45,14 +45,14 @@ struct GalleryView {
   std::size_t planned = 0;  ///< how many pictures would be made
   std::string complaint;    ///< why no pictures can be made, as a sentence; empty: they can
   bool running = false;
-  bool ending = false;  ///< it was cancelled but has not ended yet
+  bool ending = false;  ///< the making was cancelled but has not ended yet
   std::size_t drawn = 0;
   std::size_t total = 0;         ///< 0: unknown so far
   std::optional<long> left_s{};  ///< about how many seconds the rest will take; nullopt: unknown so
                                  ///< far
   std::string outcome;  ///< how the last gallery ended, as a sentence; empty: there was none
   bool failed = false;
-  bool stopped = false;  ///< by the user, before it was complete
+  bool stopped = false;  ///< the user stopped it before it was complete
   friend bool operator==(const GalleryView&, const GalleryView&) = default;
 };
 
@@ -75,7 +75,7 @@ using GalleryCommand =
 [[nodiscard]] std::vector<std::string> wanted_sweeps(const GallerySettings& settings);
 /// "3 of 10 pictures, about 2 min left": how far the making of a gallery is.
 [[nodiscard]] std::string progress_text(const GalleryView& view);
-/// Why no gallery can be made with these settings, as a sentence; empty: one can.
+/// Why no gallery can be made with these settings, as a sentence; empty: a gallery can be made.
 [[nodiscard]] std::string problem(const GallerySettings& settings);
 
 }  // namespace aucast::gui

@@ -62,11 +62,13 @@ struct NameAu {
   int number = 0;
   std::string name;
 };
-/// Removes the user's version of an AU. If the player came with the AU, that version is used again.
+/// Removes the user's version of an AU. If the player came with the AU, the shipped version is used
+/// again.
 struct RemoveAu {
   int number = 0;
 };
-/// Takes a set of AUs, written as in a packet, into the editor, after rules and mixer.
+/// Applies rules and mixer to a set of AUs, written as in a packet, and takes the result into the
+/// editor.
 struct ShowAus {
   std::string aus;
 };
@@ -137,7 +139,7 @@ struct ChangePictures {
   PictureSettings settings;
 };
 struct TakePicture {};
-/// Cancels the file that is being written in the background.
+/// Cancels the writing of the GLB file in the background.
 struct CancelExport {};
 /// Ends the writing of the times at which faces are shown.
 struct EndOnsets {};
@@ -178,7 +180,7 @@ using GuiCommand =
                  Leave, CloseNotice, CancelExport, EndOnsets, TakePicture, ToggleVideo>;
 using GuiCommands = std::vector<GuiCommand>;
 
-/// The command if it is a `Wanted`, also within a group; else null.
+/// Returns the `Wanted` that `command` is, or holds if it is a group of commands; null if neither.
 template <typename Wanted, typename Command>
 [[nodiscard]] const Wanted* command_if(const Command& command) {
   if constexpr (std::is_same_v<Wanted, Command>) {

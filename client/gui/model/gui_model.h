@@ -48,7 +48,7 @@ struct BufferBar {
 struct AuRow {
   std::string label;          ///< "12", "L14"
   std::string name;           ///< FACS name; empty for a number without one
-  int received_percent = 0;   ///< 0: not received: a rule added it, or it is fading
+  int received_percent = 0;   ///< 0: not received; a rule added it, or it is fading
   int shown_percent = 0;      ///< 0: a rule removed it, or it does not show yet
   std::string why;            ///< the rule that changed it; empty: none did
   bool room_for_why = false;  ///< the row has room for a reason even if there is none
@@ -61,7 +61,7 @@ struct AuTrace {
   std::vector<float> values;  ///< in [0,1], oldest first
   friend bool operator==(const AuTrace&, const AuTrace&) = default;
 };
-/// More lines in one plot could not be told apart.
+/// The most lines in one plot; more could not be told apart.
 inline constexpr std::size_t kTracesMax = 6;
 
 /// What plays: the stream of a server, or a stream file.
@@ -77,7 +77,7 @@ struct PlayingView {
   bool stale = false;    ///< the face shown is the last of a lost connection
   bool eased = false;    ///< nothing came for a long time, and the face has gone to neutral
   bool timed = false;    ///< keyframes have times of their own, so the speed has no effect
-  bool local = false;    ///< a stream file: no buffers, no bytes
+  bool local = false;    ///< the stream is available whole: buffers and bytes have no meaning
   std::optional<bool> live{};  ///< whether a server's stream is live; nullopt: not known yet
   BufferBar receiver;
   BufferBar playout;
@@ -144,7 +144,7 @@ struct AuEntry {
 };
 
 enum class ExpressionKind : std::uint8_t {
-  Main,   ///< the first set of AUs with its label; shown as a button
+  Main,   ///< the first of the sets of AUs with one label; shown as a button
   Macro,  ///< muscles, as in the expressions of Waters' program; shown as a button
   Other,  ///< another set of AUs with the same label; shown in a list
 };
@@ -155,7 +155,7 @@ struct ExpressionButton {
   std::string aus;  ///< as in a packet; "0" for muscles alone
   ExpressionKind kind = ExpressionKind::Main;
   std::string source{};  ///< who describes it in this way, in words
-  std::string name{};    ///< its name on the command line; unlike the label, no other has it
+  std::string name{};    ///< its name on the command line; unlike a label, it is unique
   friend bool operator==(const ExpressionButton&, const ExpressionButton&) = default;
 };
 
@@ -173,7 +173,7 @@ struct TransitionSettings {
   static constexpr int kFramesMax = 500;
   static constexpr int kFrameMsMax = 1000;
 
-  int frames = 50;   ///< in between, 1 to kFramesMax
+  int frames = 50;   ///< number of in-between frames, 1 to kFramesMax
   int frame_ms = 5;  ///< 1 to kFrameMsMax
   bool cosine = false;
   friend bool operator==(const TransitionSettings&, const TransitionSettings&) = default;
@@ -249,7 +249,7 @@ struct SpokenView {
 struct StreamsView {
   bool asking = false;
   std::vector<protocol::ListedStream> streams;
-  std::string problem;  ///< why there are none, a sentence
+  std::string problem;  ///< why there are no streams, as a sentence
   friend bool operator==(const StreamsView&, const StreamsView&) = default;
 };
 

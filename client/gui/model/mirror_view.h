@@ -22,7 +22,7 @@ struct MirrorView {
     Ending,
   };
   Phase phase = Phase::Off;
-  bool wanted = false;    ///< --mirror: the window began with the camera
+  bool wanted = false;    ///< the window began with the camera (--mirror)
   std::string source;     ///< camera, camera:DEVICE or a film in its place
   std::string trouble;    ///< why the camera is off or could not go live, as a sentence; empty: all
                           ///< is well

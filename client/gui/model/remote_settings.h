@@ -15,7 +15,7 @@ namespace aucast::gui {
 
 /// How far behind the server the face is.
 enum class Behind : std::uint8_t {
-  Sets,  ///< by the number of sets in the buffers, as set in the form
+  Sets,  ///< by the number of sets in the buffers, as the form says
   Live,  ///< by as little as the link allows
   Auto,  ///< by as much as the link needs
   Time,  ///< by `behind_ms`
@@ -49,13 +49,13 @@ struct RemoteSettings {
 /// those of the command line.
 [[nodiscard]] std::optional<std::string> problem(const RemoteSettings& settings);
 
-/// The address as HOST or HOST:PORT, without the port if it is the default one. If a stream or
-/// other hosts are named, as aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM]. For TLS, with
+/// The address: HOST, or HOST:PORT if the port is not the default one. If a stream or other hosts
+/// are named, it is aucast://HOST[:PORT][,HOST[:PORT]...][/STREAM]. For TLS it begins with
 /// aucasts://.
 [[nodiscard]] std::string address_text(const RemoteSettings& settings);
 /// The same without the stream, which has a field of its own.
 [[nodiscard]] std::string server_text(const RemoteSettings& settings);
-/// `settings` with the server of `other`: its addresses, its protection and its stream.
+/// `settings`, but with the server of `other`, that is, with its addresses, protection and stream.
 [[nodiscard]] RemoteSettings with_server_of(RemoteSettings settings, const RemoteSettings& other);
 /// Reads `text`, as address_text() writes it or as HOST[:PORT]/STREAM, into address, port, others,
 /// stream and tls of `settings`. If `text` is wrong, changes nothing and returns a sentence that

@@ -11,8 +11,8 @@ struct RowPlace {
 };
 
 /// How far the row at the height `at` has moved down from one frame to the next. This is measured
-/// at the nearest row above it that is in both frames; rows with the same ID as another one do not
-/// count. 0: it has not moved, or there is no row to measure at. Pure.
+/// at the nearest row above it that is in both frames; rows whose ID is not unique do not count. 0:
+/// the row has not moved, or there is no row to measure at. Pure.
 [[nodiscard]] float moved_down(const std::vector<RowPlace>& before,
                                const std::vector<RowPlace>& now, float at);
 

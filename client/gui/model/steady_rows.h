@@ -7,7 +7,7 @@
 
 namespace aucast::gui {
 
-/// The rows of AUs of a stream that plays, so that they stay where they are: an AU that the stream
+/// Keeps the rows of a stream's AUs where they are while the stream plays: an AU that the stream
 /// has had keeps its row, and a row that a rule has changed keeps room for naming the rule.
 class SteadyRows {
  public:

@@ -18,7 +18,7 @@ struct TableSettings {
   int rate = 0;          ///< keyframes a second, 1-100; 0: one for each row
   int gain_percent = 0;  ///< gain for all AUs, up to kTableGainPercentMax; 0: none
   int neutral_s = 0;     ///< how many seconds of neutral face, up to kTableNeutralMax, the table
-                         ///< begins with; that face is subtracted; 0: none is
+                         ///< begins with; that face is subtracted; 0: no face is
   friend bool operator==(const TableSettings&, const TableSettings&) = default;
 };
 
@@ -43,7 +43,7 @@ struct TablesView {
 
 /// The settings with which this file would be read now.
 [[nodiscard]] TableSettings settings_for(const TablesView& tables, const std::string& file);
-/// Remembers how a file was read. If its settings are the defaults, it is forgotten.
+/// Remembers how a file was read. If its settings are the defaults, the file is forgotten.
 void remember_table(TablesView& tables, const KnownTable& table);
 
 }  // namespace aucast::gui

@@ -34,15 +34,15 @@ namespace aucast::gui {
                                          const playback::SourceStatus& status,
                                          const playback::BufferOptions& buffers);
 
-/// Whether a stream ended for another reason than that the server or the user ended it.
+/// Whether something other than the server or the user has ended the stream.
 [[nodiscard]] bool went_wrong(playback::EndReason end);
 
 /// Whether the server was lost, and what it sent before is still being played.
 [[nodiscard]] bool plays_the_rest(playback::PlaybackState state,
                                   const playback::SourceStatus& status);
 
-/// "live"; of a recorded stream its length, "1:23", or "recorded" where that is not known; empty:
-/// the server does not say.
+/// "live"; for a recorded stream its length, "1:23", or "recorded" if the length is not known;
+/// empty: the server does not say whether the stream is live.
 [[nodiscard]] std::string stream_in_words(const protocol::ListedStream& stream);
 
 /// "30 keyframes/s, gain 150 %": the settings that change how a table is read; empty: none does.

@@ -24,8 +24,8 @@ namespace aucast::gui {
 struct CurvesForm {
   /// Of the model. When other curves come, the part opens if they are few, and folds if many.
   std::shared_ptr<const AuCurves> shown;
-  std::shared_ptr<const AuCurves> of;        ///< those that `outlines` was made of ...
-  std::size_t columns = 0;                   ///< ... for so many columns of pixels
+  std::shared_ptr<const AuCurves> of;        ///< the curves that `outlines` was made from
+  std::size_t columns = 0;                   ///< the number of columns that `outlines` has
   std::vector<std::vector<float>> outlines;  ///< one per curve
   int row = 0;                               ///< the curve chosen by keys, whose value is shown
 };
@@ -67,7 +67,7 @@ struct ExpressionForm {
   std::array<char, 512> aus{};    ///< AUs to be shown together
   std::string taken;              ///< the expression's AUs that were put into `aus` last
   int chosen = -1;                ///< the expression that has the AUs in `taken`
-  std::array<char, 64> search{};  ///< looked for among the expressions without a button
+  std::array<char, 64> search{};  ///< the text to look for among the expressions without a button
 };
 
 /// Named expressions, and combined AUs.
@@ -188,7 +188,7 @@ struct FaceForm {
 };
 /// The faces to choose from, and what can be done with the user's own.
 void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
-/// The question for a name, or whether to delete a face, while the form asks it.
+/// Asks for a face's name, or whether to delete a face, as `form.asks` says.
 void face_dialog(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
 
 /// The View tab: which face is shown, which parts of it are drawn, and how the window looks.

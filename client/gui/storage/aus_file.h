@@ -10,8 +10,8 @@
 
 namespace aucast::gui {
 
-// Changes one AU in the text of an aus.toml (data/faces/FORMAT.md). Everything else, also comments
-// and order, stays byte for byte. Pure.
+// Changes one AU in the text of an aus.toml (data/faces/FORMAT.md). Everything else, including
+// comments and order, stays byte for byte. Pure.
 
 /// The lines `name = activation` of a drive table.
 using Drive = std::vector<std::pair<std::string, float>>;

@@ -7,7 +7,7 @@
 
 namespace aucast::gui {
 
-/// The file of a copy with its AUs as they were when it was copied.
+/// The file in which a copy keeps the AUs that it had when it was made.
 inline constexpr const char* kOriginalAusFile = "original_aus.toml";
 
 // Edited faces are copies in the user's own data folder (user_face.h), so that the shipped ones
@@ -20,19 +20,19 @@ struct FaceFolders {
 };
 
 /// The face from which this one was copied, as its face.toml says: the name of a shipped face, or
-/// the folder of any other. If face.toml does not say, the name of this face's folder, because the
-/// copy of a face that was edited has the name of that face.
+/// the folder of any other. If face.toml does not say, returns the name of this face's folder,
+/// because a copy that is made by editing a face has the name of that face.
 [[nodiscard]] std::string origin_of(const std::filesystem::path& face_folder);
 
 /// The folder of the shipped face from which this one was copied; empty if there is none.
 [[nodiscard]] std::filesystem::path shipped_origin(const std::filesystem::path& own_face,
                                                    const std::filesystem::path& shipped_faces);
 
-/// The folder to write to for the face in `face_folder`. For a face of the user's own it is the
-/// same folder. For a classic face too, although save_aus() then fails, because such a face has no
-/// AUs of its own. For any other face it is the copy faces.own/NAME, which is made now if it does
-/// not exist. If a copy of another face or a link to elsewhere has that name, the next free name is
-/// taken.
+/// The folder to write to for the face in `face_folder`. For a face of the user's own and for a
+/// classic face it is the same folder. For a classic face save_aus() then fails, because such a
+/// face has no AUs of its own. For any other face it is the copy faces.own/NAME, which is made now
+/// if it does not exist. If a copy of another face or a link to elsewhere has that name, the next
+/// free name is taken.
 [[nodiscard]] Result<std::filesystem::path> writable_face(const std::filesystem::path& face_folder,
                                                           const FaceFolders& faces);
 

@@ -22,8 +22,8 @@ class FileBrowser {
   /// Returns true and sets `chosen` if `file` is what the user wants. Returns false if it is a
   /// folder, which is entered. Also returns false if a new file would replace an existing one: the
   /// user is asked, and choosing it again means yes. A new file gets the ending of its kind if it
-  /// has none. Where a folder is wanted, "." is the one shown, and the name of a file means its
-  /// folder.
+  /// has none. Where a folder is wanted, "." means the folder shown, and the name of a file means
+  /// its folder.
   [[nodiscard]] bool choose(const std::filesystem::path& file, std::filesystem::path& chosen);
   /// Call it if the chosen file could not be used: the dialog stays open and says so.
   void refuse(std::string problem);

@@ -56,8 +56,8 @@ struct LoadedSettings {
                           ///< renamed
 };
 
-/// Reads the settings. A file with errors is renamed to FILE.broken, in place of an earlier one, so
-/// that it is not overwritten; a file that cannot be read stays as it is.
+/// Reads the settings. A file with errors is renamed to FILE.broken, which replaces an earlier
+/// FILE.broken, so that its contents are not lost; a file that cannot be read stays as it is.
 [[nodiscard]] LoadedSettings load_settings(const std::filesystem::path& file);
 /// Writes the settings, completely or not at all. Makes the folder if it is missing.
 [[nodiscard]] Result<void> save_settings(const KeptSettings& settings,

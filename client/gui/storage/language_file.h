@@ -11,9 +11,9 @@ namespace aucast::gui {
 
 struct LoadedLanguage {
   Language language;
-  /// The texts of the file that are not used, each as "file:line:column: ...", at most
-  /// kReportedErrorsMax: a text is missing or unknown, or differs from the English text in the
-  /// places to be filled in. Such a text stays English.
+  /// One complaint, "file:line:column: ...", for each text that cannot be used because it is
+  /// missing or unknown, or has other places to be filled in than the English text. There are at
+  /// most kReportedErrorsMax complaints. Such a text stays English.
   std::vector<std::string> left_out;
 };
 

@@ -10,7 +10,7 @@
 
 namespace aucast::gui {
 
-/// The byte of a TOML file that a line and column mean; nullopt: the file has too few lines.
+/// The index of the byte at a line and column of a TOML file; nullopt: the file has too few lines.
 [[nodiscard]] std::optional<std::size_t> byte_at(std::string_view toml, LinePosition place);
 
 /// Replaces a text of the file; all else stays as it is. `old`: the value to replace, as it was

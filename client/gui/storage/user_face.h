@@ -39,7 +39,7 @@ struct SavedAu {
 /// is kept beside it with a ~ at the end of its name. If this fails, nothing has changed.
 [[nodiscard]] Result<std::filesystem::path> save_aus(const std::filesystem::path& face_folder,
                                                      const std::vector<SavedAu>& aus);
-/// Removes one AU from that file in the same way.
+/// Removes one AU from the AU file in the same way, and returns the file.
 [[nodiscard]] Result<std::filesystem::path> remove_au(const std::filesystem::path& face_folder,
                                                       int number);
 

@@ -14,7 +14,7 @@
 
 namespace aucast::gui {
 
-/// These tables joined into one.
+/// Joins these tables into one.
 template <typename... Tables>
 consteval auto one_table(const Tables&... tables) {
   std::array<EnglishText, (std::tuple_size_v<Tables> + ...)> all{};

@@ -30,7 +30,7 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"file.unnamed", "Give it a name first."},
     {"file.tables", "Tables of recognisers"},
     {"file.tables_kept", "Last read with: {settings}"},
-    {"file.tables_applied", "Asked for a table: {settings}"},
+    {"file.tables_applied", "Settings asked for, for tables: {settings}"},
     {"file.tables_usual", "A table is read as it is; what is set here is kept for its file."},
     {"file.tables_anew", "Read it as it is"},
     {"file.fps_is", "{number} pictures/s"},
@@ -41,7 +41,7 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"file.fps_tip", "of the video, for a table without times (--fps)"},
     {"file.fps_zero", "the table's own"},
     {"file.rate", "Keyframes/s"},
-    {"file.rate_tip", "how many are made of the rows of a second"},
+    {"file.rate_tip", "how many keyframes are made from each second of the table"},
     {"file.rate_zero", "one for each row"},
     {"file.gain", "Gain %"},
     {"file.gain_tip", "multiplies the intensities of all AUs; 200 makes them twice as strong"},
@@ -94,7 +94,7 @@ inline constexpr std::array kEnglishFiles = std::to_array<EnglishText>({
     {"pattern.open", "a {brace} without its {other}"},
     {"pattern.unknown", "{word} stands for nothing; there are {all}"},
     {"pattern.empty", "it is empty"},
-    {"pattern.folder", "a / belongs in the folder"},
+    {"pattern.folder", "it holds a / that belongs in the field of the folder"},
     {"pattern.hidden", "a file that begins with a dot is hidden"},
 });
 

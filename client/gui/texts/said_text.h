@@ -12,12 +12,12 @@ namespace aucast::gui {
 /// use. Parts that are not in that table, such as a server's own words, stay as they are.
 [[nodiscard]] std::string in_used_language(const std::string& english);
 
-/// The same for an error. If no part of it can be translated, a translated sentence about its kind
-/// comes first.
+/// The same for an error. If no part of it can be translated and its kind is BadData or Unreadable,
+/// a sentence in the language in use comes first, which says what that kind means.
 [[nodiscard]] std::string error_in_used_language(const Error& error);
 
-/// The values that `english` has at the places of this row of english_errors.h, in their order;
-/// empty: it is another message.
+/// If `english` is the message of this row of english_errors.h, returns the values at its places,
+/// in their order; else returns an empty list.
 [[nodiscard]] std::vector<std::string> places_said(TextKey row, const std::string& english);
 
 }  // namespace aucast::gui

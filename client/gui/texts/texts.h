@@ -93,8 +93,8 @@ requires(sizeof...(Values) > 0) [[nodiscard]] std::string
   return filled(key.row(), {place_text(values)...});
 }
 
-/// The name of an AU to show. `own`: the name given by its author, used if FACS has none or the two
-/// differ.
+/// The name of an AU to show. `own`: the name that its author gave it, which is used unless it is
+/// empty or equals the FACS name.
 [[nodiscard]] std::string au_name(int number, const std::string& own = {});
 /// What an AU looks like; `english` if the language has no text for it.
 [[nodiscard]] std::string au_looks(int number, const std::string& english);

@@ -19,12 +19,12 @@ class KeptPlace {
   [[nodiscard]] bool end();
 
  private:
-  unsigned window_ = 0;  ///< whose rows they are
+  unsigned window_ = 0;  ///< the window that has rows_
   std::vector<RowPlace> rows_;
 };
 
 /// Call it where a row begins. Notes the row for the KeptPlace of this window; in a window without
-/// one it does nothing. `name`: tells the row from others of the window.
+/// a KeptPlace, does nothing. `name`: tells the row from others of the window.
 void mark_row(std::string_view name);
 
 }  // namespace aucast::gui

@@ -71,19 +71,19 @@ struct ArrowSteps {
   int right = 0;
   int up = 0;
   bool held = false;       ///< the user has taken hold of the item, so that arrows are for it
-  bool continued = false;  ///< not the first step since then
+  bool continued = false;  ///< not the first step since the user took hold
 };
 
-/// For the previous item, a button; `pressed`: what the button returned. As with a slider, Space
-/// and Enter take hold of the item and let it go; Esc and Tab let it go.
+/// Call it after a button. `pressed`: what the button returned. As with a slider, Space and Enter
+/// take hold of the item and let it go; Esc and Tab let it go.
 [[nodiscard]] ArrowSteps arrows_of_item(bool pressed);
 /// Whether the mouse holds the previous item.
 [[nodiscard]] bool held_by_mouse();
 
 /// Call it after a text field in which the user tries one text after another. When Enter has ended
-/// it, the field stays active with all its text selected until Esc, Tab or a click, because what is
-/// typed next is still meant for the field and is no shortcut. Do not call it after a field that
-/// keeps a setting, such as a path: the next key would replace the setting.
+/// a text, the field stays active with all its text selected until Esc, Tab or a click, because
+/// what is typed next is still meant for the field and is no shortcut. Do not call it after a field
+/// that keeps a setting, such as a path: the next key would replace the setting.
 void stay_in_field();
 
 /// While it lives, the items that are made are for the mouse only, because keys can do the same in
@@ -101,7 +101,8 @@ class MouseOnly {
 void focus_here(bool shows);
 /// Whether the previous item has the focus, and the focus is shown.
 [[nodiscard]] bool focus_is_here();
-/// Whether Enter was pressed where no item takes it: the focus is not shown, nothing is typed in.
+/// Whether Enter was pressed while no item takes it, that is, while the focus is not shown and no
+/// item is active.
 [[nodiscard]] bool entered_nowhere();
 /// Whether the item that was just pressed was pressed by a key.
 [[nodiscard]] bool used_by_keys();

@@ -14,8 +14,9 @@ inline constexpr float kScrollBar = 8;
 /// object.
 class Fonts {
  public:
-  /// Replaces the fonts by ones with the letters of the languages of `display`, at this scale.
-  /// Fonts are looked for where Debian keeps them; if there are none, ImGui's own is used.
+  /// Loads fonts that have the letters of the languages of `display`, at this scale, in place of
+  /// the present ones. Fonts are looked for where Debian keeps them; if there are none, ImGui's own
+  /// is used.
   void load(float scale, const DisplayView& display);
   /// The bold font; the normal one if there is no bold.
   [[nodiscard]] ImFont* bold() const { return bold_; }

@@ -48,7 +48,7 @@ void toned_text(Tone tone, const std::string& text);
 /// Writes a heading with space above it. `help`: its tooltip.
 void heading(const Look& look, const std::string& text, const char* help = "");
 /// The same with a small button at the right end of its line, whose identity is `id`. Returns
-/// whether that was pressed.
+/// whether the button was pressed.
 [[nodiscard]] bool heading_with_button(const Look& look, const std::string& text, const char* help,
                                        const char* button, const char* id, const char* button_help);
 /// Writes one line, cut short with "..." if it would go beyond the screen position `right`.
@@ -68,8 +68,9 @@ void quiet_text(const std::string& text);
 [[nodiscard]] bool list_item(const std::string& text, bool chosen, int flags = 0);
 /// Whether an item of this width fits on the line of the previous item.
 [[nodiscard]] bool has_room_beside(float width);
-/// A button that takes `share` of `shares` equal parts of the line; disabled unless `enabled`. If
-/// its text needs more, the button gets wider, and goes to the next line if there is no room.
+/// A button in part number `share`, counted from 0, of a line that has `shares` equal parts;
+/// disabled unless `enabled`. If its text needs more, the button gets wider, and goes to the next
+/// line if there is no room.
 [[nodiscard]] bool wide_button(const char* text, int share, int shares, bool enabled,
                                bool important = false);
 /// Whether a change of the previous item continues a drag. A step of undo begins when the mouse is

@@ -30,12 +30,12 @@ class Crowd {
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  /// Connects `count` more subscribers to a port and sends their greetings; false, with failure(),
-  /// when that fails.
+  /// Connects `count` more subscribers to a port and sends their greetings. Returns false and sets
+  /// failure() when that fails.
   bool join(int count, std::uint16_t port);
   /// Receives until `until`. Appends what comes to `deliveries` unless that is null.
   void listen(Clock::time_point until, std::vector<Delivery>* deliveries);
-  /// Receives until all have been welcomed; false when that takes more than `patience`.
+  /// Receives until all have been welcomed. Returns false when that takes more than `patience`.
   bool wait_for_welcome(Clock::duration patience);
 
   [[nodiscard]] const std::string& failure() const { return failure_; }
@@ -72,8 +72,8 @@ class Crowd {
   std::string failure_;
 };
 
-/// A TCP connection to the loopback from one of several source addresses, so that ports do not run
-/// short; -1 when it fails. It does not block afterwards.
+/// Connects to the loopback by TCP from one of several source addresses, so that ports do not run
+/// short. Returns a non-blocking socket; -1 when it fails.
 [[nodiscard]] int connect_to(std::uint16_t port, int number);
 
 }  // namespace aucast::bench

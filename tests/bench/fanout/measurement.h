@@ -13,9 +13,9 @@ struct Measurement {
   double processor_seconds = 0;  ///< of the server in that time
   double p50_ms = 0;             ///< from when a message was due until its subscriber has read it
   double p99_ms = 0;
-  double arrived_p99_ms = 0;    ///< from then until the system has it for the subscriber
+  double arrived_p99_ms = 0;    ///< from when it was due until the system has it for the subscriber
   double bytes_per_client = 0;  ///< the server's own memory
-  double added_p50_ms = 0;      ///< of a tree: from arrival at the root's subscriber to an edge's
+  double added_p50_ms = 0;      ///< of a tree: how much edges' subscribers lag behind the root's
   double added_p99_ms = 0;
   double root_seconds = 0;    ///< of a tree: the root's part of processor_seconds
   double bytes_per_edge = 0;  ///< of a tree: memory of an edge that has no subscribers

@@ -7,7 +7,7 @@
 namespace aucast::bench {
 
 // A message is a keyframe of level 2, the same bytes for every server. Its three percents, 10 to
-// 99, are the digits of its number.
+// 99, encode its number: each is 10 plus a digit of the number in base 90.
 
 /// How many different messages there are.
 inline constexpr std::int64_t kNumbers = 90LL * 90 * 90;
@@ -19,7 +19,7 @@ inline constexpr std::int64_t kNumbers = 90LL * 90 * 90;
          ';' + std::to_string(time_ms) + '}';
 }
 
-/// The number in a message without its opening brace; -1 when it is none.
+/// The number of a message; -1 when it is none. `inside`: the text after the opening brace.
 [[nodiscard]] inline std::int64_t number_in(std::string_view inside) {
   if (inside.size() < 15 || inside[0] != '1' || inside[4] != ',' || inside[9] != ',') return -1;
   const auto percent = [inside](std::size_t at) {

@@ -15,7 +15,7 @@ namespace aucast::bench {
 class OnProcessor {
  public:
   explicit OnProcessor(std::optional<std::size_t> number);
-  ~OnProcessor();  ///< back to where it was
+  ~OnProcessor();  ///< allows the thread the processors that it had before
   OnProcessor(const OnProcessor&) = delete;
   OnProcessor& operator=(const OnProcessor&) = delete;
 

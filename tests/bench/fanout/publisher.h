@@ -24,7 +24,8 @@ class Publisher {
   [[nodiscard]] Clock::time_point due(std::int64_t number) const {
     return begin_ + plan_.place(number);
   }
-  /// When it was handed to the system. Call it after stop(), for messages that have arrived.
+  /// When the message was handed to the system. Call it after stop(), for messages that have
+  /// arrived.
   [[nodiscard]] Clock::time_point said(std::int64_t number) const {
     return said_[static_cast<std::size_t>(number)];
   }

@@ -16,7 +16,7 @@ namespace aucast::bench {
 /// What subscribers and the publisher send to a server, and what it answers.
 struct Dialect {
   std::string greeting;           ///< sent once after connecting
-  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: its begin and end are known
+  std::size_t welcome_bytes = 0;  ///< length of the answer; 0: see the next two members
   std::string welcome_begin;
   std::string welcome_end;
   std::string announce;             ///< sent by the publisher first
@@ -29,15 +29,15 @@ struct Dialect {
 /// One of the servers that are compared, running as a child process on a free port of the loopback.
 class ServerUnderTest {
  public:
-  /// `name`: au-transmitter, redis, mosquitto or nats. With a `parent` it is an edge, which gets
-  /// all that it has from there (au-transmitter's relay, NATS' leaf node).
+  /// `name`: au-transmitter, redis, mosquitto or nats. With a `parent`, the server is an edge,
+  /// which gets all its messages from the parent (au-transmitter's relay, NATS' leaf node).
   ServerUnderTest(const std::string& name, const Plan& plan,
                   const ServerUnderTest* parent = nullptr);
   ~ServerUnderTest();
   ServerUnderTest(const ServerUnderTest&) = delete;
   ServerUnderTest& operator=(const ServerUnderTest&) = delete;
 
-  /// Empty when it runs, else why not.
+  /// Empty when the server runs, else why not.
   [[nodiscard]] const std::string& failure() const { return failure_; }
   [[nodiscard]] std::uint16_t port() const { return port_; }
   /// The port of au-transmitter's --http if that is to be flooded; else 0.

@@ -5,8 +5,8 @@
 
 namespace aucast::bench {
 
-/// A viewer's side of a WebSocket, only what au-transmitter needs from one: the upgrade, texts of
-/// the server, Pongs.
+/// A viewer's side of a WebSocket, with only what au-transmitter needs: the upgrade, texts of the
+/// server, Pongs.
 class WebSide {
  public:
   /// What a viewer sends first.
@@ -14,7 +14,7 @@ class WebSide {
 
   /// Takes what came over the wire. Appends the texts of the server to `text`, and what is to be
   /// sent to `answer`: `greeting`, as soon as the server has agreed to the upgrade, and Pongs.
-  /// False: this is no WebSocket, or it was closed.
+  /// Returns false if this is no WebSocket or was closed.
   [[nodiscard]] bool received(std::string_view wire, const std::string& greeting, std::string& text,
                               std::string& answer);
 

@@ -43,7 +43,7 @@ class LinkQueue {
  private:
   struct Packet {
     Instant due;
-    Instant sent;  ///< has left the queue onto the wire
+    Instant sent;  ///< when it has left the queue for the wire
     std::string bytes;
   };
 

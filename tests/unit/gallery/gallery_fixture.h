@@ -8,7 +8,7 @@
 
 namespace aucast::gallery {
 
-/// A face of five channels: AU 12 on both sides, 26 by the jaw, 46 as a wink, 51 by the head.
+/// A face of six channels: AU 12 on both sides, 26 by the jaw, 46 as a wink, 51 by the head.
 inline face::Face small_gallery_face() {
   face::Face face;
   face.name = "small";

@@ -64,7 +64,7 @@ struct FaceBoxes {
   [[nodiscard]] std::string file() const { return constant_net(side, {boxes, scores}); }
 };
 
-/// The outputs of MediaPipe's face mesh with attention, in pixels; it sees 192 by 192.
+/// The outputs of MediaPipe's face mesh with attention, in pixels of its input of 192 by 192.
 struct FacePoints {
   std::vector<float> mesh = std::vector<float>(3 * 468, 96.0F);  ///< x, y, z of each point
   std::vector<float> lips = std::vector<float>(2 * 80, 96.0F);

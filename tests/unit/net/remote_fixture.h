@@ -11,7 +11,7 @@ namespace aucast::net::test {
 /// Long enough for any machine; no test waits for it when all is well.
 inline constexpr auto kPatience = std::chrono::seconds(20);
 
-/// Plays from the second keyframe on, with room for whatever a test sends.
+/// Starts to play when the second keyframe comes; has room for whatever a test sends.
 inline constexpr playback::BufferOptions kEager{100, 100, 1};
 
 [[nodiscard]] inline Instant patience() {

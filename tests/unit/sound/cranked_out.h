@@ -11,8 +11,8 @@
 
 namespace aucast::sound::test {
 
-/// The state of a CrankedOut, a sound device that plays only while the test turns its crank. It
-/// lives outside the device, since the player owns that.
+/// The state of a CrankedOut, a sound device that plays only while the test turns its crank. The
+/// state lives outside the device, since the player owns the device.
 struct Crank {
   std::vector<float> written;
   std::int64_t heard = 0;

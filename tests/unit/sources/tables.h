@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// Tiny tables of our own in every dialect.
+/// Tiny tables of our own, in the form of each recogniser.
 namespace aucast::sources::tables {
 
 inline constexpr const char* kOpenFace2Header =
@@ -56,7 +56,7 @@ inline constexpr const char* kLiveLinkFace =
     "23:59:59:58.000,61,0.25,0.1,0.75,0.3,0,0.4,0.6,0.5,0,0,0,0.1,0.2,0,0.1,0.2,0\n"
     "00:00:00:00.000,61,0,0,0,0,0.2,1.05,0,0,0,0,0,-0.1,-0.2,0,-0.1,-0.2,0\n";
 
-/// Curves as people publish them, after the picture's number. Some tables lack that.
+/// Curves as people publish them, after the picture's number. Some tables lack the number.
 inline constexpr const char* kMediaPipe =
     "frame,_neutral,eyeBlinkLeft,eyeBlinkRight,jawLeft,jawOpen,mouthSmileLeft\n"
     "0,0.01,0.25,0.75,0,0.4,0.5\n"

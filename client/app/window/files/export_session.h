@@ -18,7 +18,7 @@
 namespace aucast::app {
 
 /// Writes what the window shows and plays to files for other programs. The sentences that are
-/// returned say where a file was saved, and if something is missing in it.
+/// returned say where a file was saved and, if the file is incomplete, what is missing.
 /// Thread: the player's.
 class ExportSession {
  public:
@@ -39,7 +39,7 @@ class ExportSession {
                                                 std::span<const float> activations,
                                                 const std::filesystem::path& file);
   /// Begins to write the face of the options as a GLB file, with what was played (if anything) as
-  /// its animation. Fails while another one is being written.
+  /// its animation. Fails while another GLB file is being written.
   [[nodiscard]] Result<std::string> glb(PlayerOptions options, Played played,
                                         const std::string& name, const std::filesystem::path& file);
   /// Cancels the writing of the GLB file.
@@ -52,7 +52,7 @@ class ExportSession {
 
  private:
   MakeGlb make_;
-  std::string file_;  ///< the GLB file that is being written, or was last
+  std::string file_;  ///< the GLB file that is being written, or was written last
   BackgroundWork work_;
 };
 

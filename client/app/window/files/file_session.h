@@ -43,7 +43,7 @@ class FileSession {
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
   /// Says in the dialog why a file cannot be used. Returns false if the dialog is not open.
   [[nodiscard]] bool refuse(std::string problem);
-  /// Call it when the user has changed how a file is used.
+  /// Stops saying why a file cannot be used. Call it when the user has changed how a file is used.
   void forget_problem() { browser_.forget_problem(); }
   /// Closes the dialog. The next one begins in the folder that this one has shown.
   void close();
@@ -53,10 +53,10 @@ class FileSession {
   [[nodiscard]] std::filesystem::path& folder_for(gui::Purpose purpose);
 
   gui::FileBrowser browser_;
-  std::filesystem::path own_folder_ = ".";  ///< where a dialog about the user's own files was last
+  std::filesystem::path own_folder_ = ".";  ///< of the last dialog about the user's own files
   std::filesystem::path saved_in_;
   std::filesystem::path last_folder_;               ///< where a stream was opened last
-  std::filesystem::path credentials_folder_ = ".";  ///< where a token or authorities were last
+  std::filesystem::path credentials_folder_ = ".";  ///< where a token or authorities were chosen
   std::vector<std::string> recent_;
 };
 

@@ -41,7 +41,7 @@ class WindowFiles {
     Notices& notices;
   };
   struct Hooks {
-    /// Replaces the face that is shown by the one in this folder.
+    /// Shows the face in this folder in place of the present one.
     std::function<Result<void>(const std::filesystem::path& folder, Instant now)> show_face;
     /// Shows the face of this session. For the editor and the composer, also pauses what plays.
     std::function<void(Shown shown, Instant now)> show;
@@ -49,13 +49,13 @@ class WindowFiles {
     std::function<void(Instant now)> show_saved_face;
     /// Sets the folder for pictures.
     std::function<void(const std::filesystem::path& folder)> put_pictures_in;
-    /// What the window shows: in words for file names, as options of the command line, and as
-    /// activations.
+    /// These three return what the window shows: in words for file names, as options of the command
+    /// line, and as activations.
     std::function<Named()> named;
     std::function<PlayerOptions()> options_as_shown;
     std::function<const std::vector<float>&()> activations;
   };
-  /// `played`: the file to be played that the command line names; empty: none.
+  /// `played`: the file that the command line asks to play; empty: none.
   WindowFiles(const Assets& assets, const std::filesystem::path& played, const Users& users,
               Hooks hooks);
 
@@ -65,11 +65,11 @@ class WindowFiles {
   void keep(gui::KeptSettings& kept) const;
 
   void apply(const gui::FileCommand& command, Instant now);
-  /// Saves the composed stream in the file that it came from, or asks for one.
+  /// Saves the composed stream in the file that it came from, or asks the user for a file.
   void save_composition(Instant now);
 
   /// The name of what plays, without a file's ending; empty: it has none. `shows`: whether the
-  /// window shows its face; if not, a server's stream counts as nameless.
+  /// window shows the face of what plays; if not, a server's stream counts as nameless.
   [[nodiscard]] std::string name_of_stream(bool shows) const;
   /// Streams that were opened, the newest first.
   [[nodiscard]] const std::vector<std::string>& recent() const { return files_.recent(); }

@@ -14,9 +14,9 @@ class AuNames {
   /// The name to save an AU with: `wanted`, else the one that was typed, else the one that it had
   /// when it was removed; empty: none.
   [[nodiscard]] std::string name_for(int number, const std::string& wanted) const;
-  /// The AU was saved with its name.
+  /// Call it when the AU was saved with its name.
   void saved(int number);
-  /// The AU was removed. `name`: the one to keep for it; empty: none.
+  /// Call it when the AU was removed. `name`: the name to keep for it; empty: none.
   void removed(int number, const std::string& name);
   /// Forgets what was typed.
   void revert() { typed_.clear(); }

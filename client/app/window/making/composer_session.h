@@ -22,9 +22,9 @@ class ComposerSession {
  public:
   ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping);
 
-  /// Returns true if the composer's face is to be shown. ComposeShown, PlayComposition and
-  /// SaveComposition are not carried out here: they need the face that is shown, a player and a
-  /// file.
+  /// Returns true if the composer's face is to be shown. Does nothing for ComposeShown,
+  /// PlayComposition and SaveComposition: the caller carries them out, because this class has
+  /// neither the face that is shown nor a player nor the file dialog.
   bool apply(const gui::ComposerCommand& command);
   /// Sets the AUs of the current keyframe.
   void take(const AuFrame& aus);

@@ -22,8 +22,8 @@ namespace aucast::app {
 /// constructor's arguments must outlive it. Thread: the player's.
 class EditorSession {
  public:
-  /// `shown`: the activations of the face in the window, whichever session they come from. The way
-  /// to an expression begins at them.
+  /// `shown`: the activations of the face in the window, whichever session they come from. A
+  /// transition to an expression starts from these.
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
@@ -50,19 +50,19 @@ class EditorSession {
   /// sentence about it.
   [[nodiscard]] Result<std::string> export_au(const std::filesystem::path& file) const;
 
-  /// Imports the AUs of an AU file as the user's own, and shows the first. Returns a sentence about
-  /// where they were saved.
+  /// Imports the AUs of an AU file as the user's own, and shows the first of them. Returns a
+  /// sentence about where they were saved.
   [[nodiscard]] Result<std::string> import_aus(const std::filesystem::path& file);
 
   /// The face on its way to an expression, or what is being edited.
   [[nodiscard]] std::vector<float> activations(Instant now) const;
   /// When activations() change next; nullopt: they stay the same.
   [[nodiscard]] std::optional<Instant> next_frame_at(Instant now) const;
-  /// The AUs of which the face is made, also an AU that is being edited and has not been changed
-  /// yet; nullopt if the face is made of muscles.
+  /// The AUs of which the face is made; while an AU is being edited and has not been changed yet,
+  /// that AU. Nullopt if the face is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus() const;
-  /// What the face shows if it is not made of AUs, as part of a name: an AU that was changed, an
-  /// expression made of muscles, or "edited".
+  /// What a face that is not made of AUs shows, in a form for file names: the name of an expression
+  /// made of muscles, an AU that was changed (au12_edited), or "edited".
   [[nodiscard]] std::string made_of() const;
   [[nodiscard]] std::optional<int> au() const { return editor_.au(); }
   [[nodiscard]] bool unsaved() const { return editor_.unsaved() || names_.unsaved(); }
@@ -113,9 +113,10 @@ class EditorSession {
   std::string complaint_;  ///< what is wrong with the AUs that were typed last
   std::optional<AuFrame> aus_;
   AuFrame asked_;                     ///< aus_, before the rules
-  std::vector<gui::AuRow> compound_;  ///< asked_ and what became of it
+  std::vector<gui::AuRow> compound_;  ///< asked_, and what the rules made of each AU
   gui::ExpressionsView expressions_;
-  /// The expression to which expressions_.percent belongs; nullopt: to the next one that is shown.
+  /// The expression whose strength is expressions_.percent; nullopt: the next expression that is
+  /// shown gets that strength.
   std::optional<std::size_t> strength_of_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
 };

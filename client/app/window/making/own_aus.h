@@ -37,8 +37,8 @@ class OwnAus {
                                                    const std::string& name);
   /// The same for several AUs: all are saved or none.
   [[nodiscard]] Result<std::filesystem::path> take(const face::AuRecordings& recordings);
-  /// Removes the user's version of an AU; if the shipped face has the AU, that version is used
-  /// again. Only for an AU that differs_from_shipped().
+  /// Removes the user's version of an AU; if the shipped face has the AU, the shipped version is
+  /// used again. Only for an AU that differs_from_shipped().
   [[nodiscard]] Result<void> remove(int number);
   /// Writes an AU file that has only this AU. Returns a sentence about where it was saved.
   [[nodiscard]] Result<std::string> export_to(int number, const std::filesystem::path& file) const;

@@ -29,14 +29,15 @@ class PlaybackSession {
   PlaybackSession(const pipeline::AuMapping& mapping, const PlayerOptions& options,
                   PlayerStats& stats, Notices& notices, const std::vector<float>& shown);
 
-  /// Plays this from now on; null: nothing. `name`: for a stream that is available whole.
+  /// Plays this stream from now on; null: plays nothing. `name`: the name of a stream that is
+  /// available whole; ignored for a server's stream.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
   void open(std::vector<playback::Keyframe> keyframes, std::string name, Instant now);
   /// Plays the stream of the user's own camera, with the lowest delay and without voice. Its
   /// address is not remembered.
   void watch_own(const net::Endpoint& endpoint, Instant now);
-  /// Call it when what plays was read from this file. Uses the sound file and the captions beside
-  /// it, if there are any.
+  /// Call it when the stream that plays was read from this file. Uses the sound file and the
+  /// captions beside the file, if there are any.
   void play_beside(const std::filesystem::path& file, Instant now);
   /// Sound and captions of what plays.
   [[nodiscard]] SoundSession& sound() { return sound_; }
@@ -57,21 +58,21 @@ class PlaybackSession {
   /// The server that the user wants.
   [[nodiscard]] ServerChoice& servers() { return servers_; }
   [[nodiscard]] const ServerChoice& servers() const { return servers_; }
-  /// As ServerChoice::server_of(), for the present sound device. It may have been plugged in since
-  /// the start.
+  /// As ServerChoice::server_of(), with the sound device that there is now. It may have been
+  /// plugged in since the start.
   [[nodiscard]] Result<net::RemoteOptions> server_of(const gui::RemoteSettings& settings) const {
     return servers_.server_of(settings, sound_.has_device());
   }
 
-  /// The face of this session; if there is sound, the face for what is heard now.
+  /// The activations of this session's face; if there is sound, of the face for what is heard now.
   [[nodiscard]] const std::vector<float>& activations() { return player_.activations(); }
-  /// Call it when that face is on the display.
+  /// Call it when the face of activations() is on the display.
   void face_shown() { player_.sound().face_shown(); }
-  /// The keyframe under way, from 1; 0: none has begun.
+  /// The number of the keyframe under way, from 1; 0: none has begun.
   [[nodiscard]] std::uint64_t keyframe() const {
     return stream_ == nullptr ? 0 : stream_->playback().progress().keyframe;
   }
-  /// The last keyframe that the face has reached, from 1; 0: none.
+  /// The number of the last keyframe that the face has reached, from 1; 0: none.
   [[nodiscard]] std::uint64_t reached() const;
   /// The AUs of the face, after the rules.
   [[nodiscard]] const AuFrame& aus() const { return player_.face().face().aus; }
@@ -82,7 +83,8 @@ class PlaybackSession {
   /// How long the window may wait before it calls advance() again.
   [[nodiscard]] Duration idle_time(Instant now) const;
   [[nodiscard]] std::string title() const;
-  /// `stale` and `eased` are about the face of this session; another face in the window is neither.
+  /// `stale` and `eased` describe the face of this session. If the window shows another session's
+  /// face, the caller must set both to false.
   [[nodiscard]] gui::PlayingView playing_view() const;
   [[nodiscard]] gui::LocalView local_view() const {
     return stream_ == nullptr ? gui::LocalView() : stream_->local_view();
@@ -114,8 +116,8 @@ class PlaybackSession {
   SoundSession sound_;
   std::unique_ptr<PlayingStream> retired_;  ///< the previous stream, which is still saying goodbye
                                             ///< to its server
-  std::vector<face::RuleExplained> explained_;  ///< the rules that changed something in this
-                                                ///< keyframe
+  std::vector<face::RuleExplained> explained_;  ///< the rules that changed something in the
+                                                ///< keyframe under way
 };
 
 }  // namespace aucast::app

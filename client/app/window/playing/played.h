@@ -15,7 +15,7 @@ struct Played {
   static constexpr std::size_t kKept = 90'000;
 
   std::vector<playback::Keyframe> keyframes;
-  std::uint64_t begun = 0;  ///< how many there were; more than `keyframes` has if not all were kept
+  std::uint64_t begun = 0;  ///< how many keyframes have begun, kept or not
 
   /// Adds a keyframe of a stream that may never end.
   void add(playback::Keyframe keyframe) {

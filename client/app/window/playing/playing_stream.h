@@ -52,7 +52,7 @@ class PlayingStream {
 
   /// Carries out Stop while the stream runs.
   virtual void stop(Instant now) = 0;
-  /// Plays on. Returns false if it cannot.
+  /// Plays on. Returns false if the stream cannot.
   virtual bool resume(Instant now) = 0;
   /// Carries out commands that only a LocalStream knows. Returns true if its face is to be shown.
   virtual bool apply(const gui::LocalCommand& /*command*/, Instant /*now*/) { return false; }
@@ -65,7 +65,7 @@ class PlayingStream {
   /// sound have ended.
   [[nodiscard]] virtual std::string title(const std::string& program, bool over) const = 0;
   [[nodiscard]] virtual Played played() const = 0;
-  /// Whether it comes from a server that the user chose.
+  /// Whether the stream comes from a server that the user chose.
   [[nodiscard]] virtual bool of_chosen_server() const { return false; }
   /// Whether the user chose the server, and the server has ended the stream.
   [[nodiscard]] virtual bool ended_by_server() const { return false; }

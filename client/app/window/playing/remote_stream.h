@@ -13,8 +13,9 @@ namespace aucast::app {
 class RemoteStream final : public PlayingStream {
  public:
   enum class Server : std::uint8_t {
-    Chosen,     ///< by the user: remembered when it answers
-    OwnCamera,  ///< the user's own child process: never remembered, and only the user ends it
+    Chosen,     ///< the user chose the server; it is remembered when it answers
+    OwnCamera,  ///< the server is the player's own child process: it is never remembered, and only
+                ///< the user ends it
   };
   /// `buffers`: those of the source.
   RemoteStream(std::unique_ptr<playback::Playback> playback, const playback::BufferOptions& buffers,

@@ -28,12 +28,12 @@ class SoundSession {
 
   /// Call it when the player plays something else.
   void begin_again();
-  /// Call it when what plays was read from this file. Uses the sound file and the captions beside
-  /// it, if there are any.
+  /// Call it when the stream that plays was read from this file. Uses the sound file and the
+  /// captions beside the file, if there are any.
   void play_beside(const std::filesystem::path& file, Instant now);
-  /// Plays this sound file with what plays, in place of its own sound, and shows a notice.
-  /// `stream`: the name of what plays. Errors are those of reading the file, or Failed if there is
-  /// no device.
+  /// Plays this sound file in place of the sound that the stream itself has, and shows a notice.
+  /// `stream`: the stream's name. Fails with Failed if there is no device, or as open_sound_file()
+  /// does.
   [[nodiscard]] Result<void> play_file(const std::filesystem::path& sound,
                                        const std::string& stream, Instant now);
   /// Call it when the player has been advanced to `now`.
@@ -65,12 +65,12 @@ class SoundSession {
   Notices& notices_;
   std::unique_ptr<sound::SoundTrack> track_;  ///< the sound file; null: the sound comes with what
                                               ///< plays
-  bool wanted_;                               ///< sound is not turned off by the options
+  bool wanted_;                               ///< the options do not turn sound off
   bool has_device_ = false;
   bool missed_ = false;               ///< sound is wanted, and no device plays it
   std::string device_;                ///< the chosen one; empty: the default one
   std::vector<std::string> devices_;  ///< those to choose from
-  std::filesystem::path file_;        ///< the file from which what plays was read; empty: none
+  std::filesystem::path file_;        ///< the file from which the stream was read; empty: none
   SpokenText spoken_;
   bool shows_spoken_ = true;
   int volume_;

@@ -19,8 +19,9 @@ class SpokenText {
  public:
   /// Call it when something else plays: forgets everything.
   void begin_again() { *this = {}; }
-  /// Call it when what plays was read from this stream file. Reads the .vtt file beside it, if
-  /// there is one; errors are those of reading the .vtt file.
+  /// Call it when the stream that plays was read from this file. Reads the stream's title and the
+  /// .vtt file beside the file, if there is one. Fails if the .vtt file cannot be read or is not
+  /// valid.
   [[nodiscard]] Result<void> read_beside(const std::filesystem::path& file);
   /// Takes the captions that have come, and goes to this place of the stream.
   void move_to(playback::Playback& playback, Duration place);

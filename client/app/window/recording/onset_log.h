@@ -22,10 +22,10 @@ struct FaceShown {
 
 /// Logs when each face was on the display, for experiments: a table with a row for each picture in
 /// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds, read after the
-/// picture was handed to the display; keyframe, as in FaceShown; aus, those shown, as in a packet;
-/// reached, the number of the keyframe that has ended since the row before ("3-5" if several have),
-/// else empty. The file appears with finish(); until then the rows are in a temporary file beside
-/// it.
+/// picture was handed to the display; keyframe, as in FaceShown; aus, the AUs shown, as in a
+/// packet; reached, the number of the keyframe that has ended since the row before ("3-5" if
+/// several have), else empty. The file appears with finish(); until then the rows are in a
+/// temporary file beside it.
 class OnsetLog {
  public:
   [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
@@ -44,7 +44,8 @@ class OnsetLog {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::ofstream rows_;
-  std::optional<std::uint64_t> reached_;  ///< of the last row while something played
+  std::optional<std::uint64_t> reached_;  ///< as in the last row that was written while something
+                                          ///< played
   bool finished_ = false;
 };
 

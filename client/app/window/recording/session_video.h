@@ -31,8 +31,8 @@ class SessionVideo {
   [[nodiscard]] int height() const { return height_; }
   /// Whether the video lacks a picture at `now`.
   [[nodiscard]] bool due(Instant now);
-  /// Adds the picture again and again until none is missing at `now`: not at all unless due(), and
-  /// after a stall for at most VideoTime::kGapMax.
+  /// Adds the picture once for each one that is missing at `now`; after a stall, for at most
+  /// VideoTime::kGapMax. Does nothing if no picture is due().
   [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
   /// See VideoSound::add().
   void hear(Instant heard_at, std::span<const float> samples) {

@@ -47,7 +47,7 @@ class VideoRecorder {
   [[nodiscard]] bool completing() const { return work_.running(); }
   /// The result, once the video is completed: a sentence that says where it is.
   [[nodiscard]] std::optional<Result<std::string>> ended();
-  /// Waits until it is completed.
+  /// Waits until the video is completed.
   void wait() const { work_.wait(); }
 
  private:
@@ -56,7 +56,7 @@ class VideoRecorder {
   void show();
 
   Hooks hooks_;
-  std::filesystem::path file_;  ///< the file of the video that is running, or was last
+  std::filesystem::path file_;  ///< the file of the running or, if none runs, the last video
   std::unique_ptr<SessionVideo> video_;
   BackgroundWork work_;
 };

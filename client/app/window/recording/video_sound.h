@@ -26,7 +26,7 @@ class VideoSound {
 
   /// Adds samples, the first of which is heard at `heard_at`.
   void add(Instant heard_at, std::span<const float> samples);
-  /// The WAV file with all of the sound; empty: there was none.
+  /// The WAV file with all of the sound; empty: there was no sound.
   [[nodiscard]] Result<std::filesystem::path> file();
 
  private:

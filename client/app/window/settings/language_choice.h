@@ -19,9 +19,9 @@ namespace aucast::app {
 /// English, and all languages whose files in `data`/languages can be read, sorted by code.
 [[nodiscard]] std::vector<gui::LanguageEntry> languages_in(const std::filesystem::path& data);
 
-/// Sets the language of the window, and logs which of its texts cannot be used and stay English. On
-/// errors the language stays as it was: Usage if there is no language with that code, BadData
-/// "file:line:column: ..." if its file is not a language file.
+/// Sets the language of the window, and logs which of its texts cannot be used and stay English.
+/// Fails with Usage if there is no language with that code, or with BadData "file:line:column: ..."
+/// if its file is not a language file. The language then stays as it was.
 [[nodiscard]] Result<void> choose_language(const std::filesystem::path& data,
                                            const std::string& code);
 

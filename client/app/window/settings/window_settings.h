@@ -12,8 +12,8 @@ namespace aucast::app {
 /// Combines the window's settings file with the command line, which takes precedence.
 class WindowSettings {
  public:
-  /// Reads the file that the environment names, unless there is --no-config or no window. Errors in
-  /// it are logged and are in complaint().
+  /// Reads the file that the environment names, unless there is --no-config or no window. Logs
+  /// errors in the file and keeps them in complaint().
   [[nodiscard]] static WindowSettings load(const PlayerOptions& options);
   /// For tests: uses this file; empty: none.
   WindowSettings(const PlayerOptions& options, std::filesystem::path file);
@@ -24,8 +24,8 @@ class WindowSettings {
   [[nodiscard]] PlayerOptions applied(PlayerOptions options) const;
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
-  /// Writes the window's present settings if they differ from the file's. What only the command
-  /// line asked for is not kept.
+  /// Writes the window's present settings if they differ from the file's. Settings that only the
+  /// command line asked for are not written.
   [[nodiscard]] Result<void> keep(gui::KeptSettings now);
 
  private:

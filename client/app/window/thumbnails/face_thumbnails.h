@@ -28,8 +28,9 @@ class FaceThumbnails {
 
   /// Forgets the pictures of faces that are not listed any more: another face may get their name.
   void keep_listed(const std::vector<gui::FaceEntry>& faces, gui::Thumbnails& pictures);
-  /// Goes on making pictures, one after the other, of the faces in `pictures.seen`, named by their
-  /// folders. Returns true if there is something new to see; another framebuffer may be bound then.
+  /// Goes on making pictures, one after the other, of the faces whose folders are in
+  /// `pictures.seen`. Returns true if there is something new to see; another framebuffer may be
+  /// bound then.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures);
   /// Whether a face is being read.
   [[nodiscard]] bool busy() const { return reading_.running(); }
@@ -42,7 +43,8 @@ class FaceThumbnails {
   int height_;
   /// By folder. Null for a face that could not be read, which is not tried again.
   std::map<std::string, std::unique_ptr<render::PictureTexture>> textures_;
-  std::string folder_;  ///< of the face that is being read; empty: it is not listed any more
+  std::string folder_;  ///< the folder of the face that is being read; empty: the face is not
+                        ///< listed any more
   Task<Result<face::Face>> reading_;
 };
 

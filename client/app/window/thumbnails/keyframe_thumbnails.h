@@ -21,8 +21,9 @@ class KeyframeThumbnails {
   using FaceOf = std::function<std::vector<float>(const std::string& aus)>;
 
   /// Draws at most one picture: for a keyframe that is seen and has none, or whose face has
-  /// changed. Returns true if it did; another framebuffer is bound then. `view`: draws `face`, and
-  /// its pose changes. `scale`: pixels of the picture per unit of gui::kKeyframeWidth.
+  /// changed. Returns true if it has drawn one; another framebuffer is bound then. `view` must be a
+  /// view of `face`; its pose changes. `scale`: pixels of the picture per unit of
+  /// gui::kKeyframeWidth.
   [[nodiscard]] bool advance(gui::Thumbnails& pictures, const FaceOf& face_of,
                              const face::Face& face, FaceView& view, float scale);
   /// Removes all pictures, because the face has been replaced.

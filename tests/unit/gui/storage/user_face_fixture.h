@@ -10,7 +10,7 @@
 
 namespace aucast::gui {
 
-/// A shipped face "plain" and a place for the user's own.
+/// A shipped face "plain" and a folder for the user's own faces.
 class UserFaceTest : public testing::Test {
  protected:
   void SetUp() override {
