@@ -33,15 +33,17 @@ bool is_address(const std::string& host) {
 
 /// An address may not be sent as the name that is asked for, but is checked all the same.
 void expect_host(SSL* ssl, const std::string& host) {
+  // To the library an empty name means any.
+  AUCAST_CHECK(!host.empty());
   X509_VERIFY_PARAM* const wanted = SSL_get0_param(ssl);
   if (is_address(host)) {
-    X509_VERIFY_PARAM_set1_ip_asc(wanted, host.c_str());
+    AUCAST_CHECK(X509_VERIFY_PARAM_set1_ip_asc(wanted, host.c_str()) == 1);
     return;
   }
   std::string name = host;
   SSL_ctrl(ssl, SSL_CTRL_SET_TLSEXT_HOSTNAME, TLSEXT_NAMETYPE_host_name, name.data());
   X509_VERIFY_PARAM_set_hostflags(wanted, X509_CHECK_FLAG_NO_PARTIAL_WILDCARDS);
-  X509_VERIFY_PARAM_set1_host(wanted, host.c_str(), host.size());
+  AUCAST_CHECK(X509_VERIFY_PARAM_set1_host(wanted, host.c_str(), host.size()) == 1);
 }
 
 std::string time_text(const ASN1_TIME* time) {

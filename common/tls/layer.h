@@ -26,7 +26,7 @@ class Layer {
     Broken,     ///< anything else
   };
 
-  /// `host`: for clients, the name or address that the certificate must be for.
+  /// `host`: for clients, the name or address that the certificate must be for; not empty.
   explicit Layer(const Context& context, const std::string& host = {});
   ~Layer();
   Layer(Layer&&) noexcept;

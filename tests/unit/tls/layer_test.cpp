@@ -121,6 +121,12 @@ TEST_F(TlsChannel, RefusesAnotherNameOrAddress) {
   expect_reason(meet(own_, "10.1.2.4", authority_.file()), Why::Untrusted, "not for 10.1.2.4");
 }
 
+TEST_F(TlsChannel, AClientThatNamesNoHostIsAMistake) {
+  const Context context = client_of(authority_.file());
+  EXPECT_DEATH(Layer(context, ""), "broken invariant");
+  EXPECT_DEATH(Layer(context, std::string("face\0example", 12)), "broken invariant");
+}
+
 TEST_F(TlsChannel, RefusesAnUnknownAuthority) {
   const Authority stranger("wrong");
   expect_reason(meet(own_, "face.example", stranger.file(), "does not accept this server's"),
