@@ -190,7 +190,7 @@ bool Layer::looks_like_tls(std::string_view wire) const {
 
 bool Layer::received(std::string_view wire, std::string& plain) {
   if (why_ != Why::None) return false;
-  if (wire.empty()) return true;
+  if (wire.empty() || ended_) return true;
   if (!std::exchange(heard_, true) && !looks_like_tls(wire)) {
     why_ = Why::NotTls;
     reason_ = peer_->server
@@ -213,6 +213,7 @@ bool Layer::received(std::string_view wire, std::string& plain) {
     if (error == SSL_ERROR_WANT_READ || error == SSL_ERROR_WANT_WRITE) break;
     if (error == SSL_ERROR_ZERO_RETURN) {
       ended_ = true;
+      BIO_reset(SSL_get_rbio(ssl_.get()));
     } else {
       fail();
     }
@@ -268,6 +269,10 @@ std::string Layer::take_output() {
   std::string bytes(BIO_ctrl_pending(out), '\0');
   if (!bytes.empty()) BIO_read(out, bytes.data(), length_of(bytes));
   return bytes;
+}
+
+std::size_t Layer::held_bytes() const {
+  return BIO_ctrl_pending(SSL_get_rbio(ssl_.get()));
 }
 
 bool Layer::ready() const {

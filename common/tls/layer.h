@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -14,7 +15,9 @@ namespace aucast::tls {
 /// The TLS of one connection without its socket: what comes over the wire goes in, what is to go
 /// over the wire comes out. Thus the same code reads and writes with and without TLS. Uses no clock
 /// except to check certificates; the owner decides how long a handshake may take. After a failure
-/// nothing more goes in; what take_output() still gives tells the peer why.
+/// nothing more goes in; what take_output() still gives tells the peer why. What the peer sends
+/// after its close_notify is ignored, as RFC 8446 (6.1) wants. So a layer never holds more of what
+/// came than one record that is not whole (16.6 KiB) and one message of the handshake (100 KiB).
 /// Thread: none of its own.
 class Layer {
  public:
@@ -42,6 +45,8 @@ class Layer {
   /// Bytes for the wire.
   [[nodiscard]] std::string take_output();
 
+  /// How many bytes that came from the wire wait for the rest of their record.
+  [[nodiscard]] std::size_t held_bytes() const;
   /// Whether the handshake is done.
   [[nodiscard]] bool ready() const;
   /// Whether the peer has sent its close_notify.

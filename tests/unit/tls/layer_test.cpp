@@ -111,6 +111,41 @@ TEST_F(TlsChannel, CarriesBytesBothWaysHoweverTheyAreCut) {
   }
 }
 
+TEST_F(TlsChannel, HoldsNothingOfWhatComesAfterThePeersEnd) {
+  Pair pair{Layer(server_of(own_)), Layer(client_of(authority_.file()), "face.example")};
+  pair.settle();
+  pair.client.send("{-2}");
+  pair.client.end();
+  std::string wire = pair.client.take_output();
+  const std::string record = "\x17\x03\x03" + std::string(10'000, 'x');
+  wire += record;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_TRUE(pair.server.received(wire, pair.at_server));
+    EXPECT_EQ(pair.server.held_bytes(), 0U);
+    wire = record;
+  }
+  EXPECT_TRUE(pair.server.ended());
+  EXPECT_EQ(pair.at_server, "{-2}");
+  // The other direction still stands.
+  pair.server.send("1");
+  pair.settle();
+  EXPECT_EQ(pair.at_client, "1");
+}
+
+TEST_F(TlsChannel, HoldsNoMoreThanARecordThatIsNotWhole) {
+  Pair pair{Layer(server_of(own_)), Layer(client_of(authority_.file()), "face.example")};
+  pair.settle();
+  pair.client.send(std::string(1'000'000, 'x'));
+  const std::string wire = pair.client.take_output();
+  std::size_t most = 0;
+  for (std::size_t begin = 0; begin < wire.size(); begin += 1000) {
+    EXPECT_TRUE(pair.server.received(std::string_view(wire).substr(begin, 1000), pair.at_server));
+    most = std::max(most, pair.server.held_bytes());
+  }
+  EXPECT_LE(most, 17'000U);
+  EXPECT_EQ(pair.at_server.size(), 1'000'000U);
+}
+
 TEST_F(TlsChannel, BelievesAnAddressThatTheCertificateIsFor) {
   EXPECT_TRUE(meet(own_, "10.1.2.3", authority_.file()).ready());
 }
