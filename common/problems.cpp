@@ -8,7 +8,10 @@
 namespace aucast {
 
 void Problems::add(LinePosition place, const std::string& text) {
-  if (first_) return;
+  if (!first_) replace(place, text);
+}
+
+void Problems::replace(LinePosition place, const std::string& text) {
   first_ = Error{ErrorKind::BadData, at_place(file_, place.line, place.column, text)};
 }
 

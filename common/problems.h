@@ -20,6 +20,8 @@ class Problems {
   explicit Problems(std::string file) : file_(std::move(file)) {}
 
   void add(LinePosition place, const std::string& text);
+  /// Says the first problem in another way.
+  void replace(LinePosition place, const std::string& text);
   [[nodiscard]] bool none() const { return !first_.has_value(); }
   /// Success, or a BadData error with the first problem, "file:line:column: ...".
   [[nodiscard]] Result<void> result() const;

@@ -28,6 +28,10 @@ std::string_view kind_name(TomlValue::Kind kind) {
   return "a value";
 }
 
+std::string unknown_key(std::string_view key, const std::vector<std::string>& known) {
+  return "unknown key '" + escaped(key) + "'" + did_you_mean(key, known);
+}
+
 }  // namespace
 
 bool TableReader::has(std::string_view key) const {
@@ -47,10 +51,7 @@ const TomlValue* TableReader::value_if(std::string_view key) {
 const TomlValue* TableReader::needed(std::string_view key, TomlValue::Kind kind) {
   const TomlValue* value = value_if(key);
   if (value == nullptr) {
-    // A misspelt key says more than a missing one.
-    for (const auto& entry : table_.entries) {
-      if (nearest(entry.key, {std::string(key)})) return unknown(entry), nullptr;
-    }
+    if (problems_.none()) missing_ = key;
     problems_.add(table_.place, "'" + std::string(key) + "' is missing");
     return nullptr;
   }
@@ -203,13 +204,13 @@ std::vector<const TomlValue*> TableReader::tables(std::string_view key) {
 void TableReader::finish() {
   for (const auto& entry : table_.entries) {
     if (std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end()) continue;
-    unknown(entry);
+    // A misspelt key says more than the missing one that it stands for.
+    if (missing_ && nearest(entry.key, {*missing_})) {
+      problems_.replace(entry.place, unknown_key(entry.key, {*missing_}));
+      missing_.reset();
+    }
+    problems_.add(entry.place, unknown_key(entry.key, asked_));
   }
-}
-
-void TableReader::unknown(const TomlValue::Entry& entry) {
-  problems_.add(entry.place,
-                "unknown key '" + escaped(entry.key) + "'" + did_you_mean(entry.key, asked_));
 }
 
 }  // namespace aucast

@@ -15,8 +15,8 @@ namespace aucast {
 
 /// Reads a table key by key. A value that is missing, of the wrong type or out of range is a
 /// problem, which is noted with its place; the caller gets a harmless value. finish() reports keys
-/// that were never asked for, each with the nearest key that was asked for. The table and the
-/// problems must outlive the reader.
+/// that were never asked for, with the nearest one that was: also in place of a missing key that
+/// they are near to. The table and the problems must outlive it.
 class TableReader {
  public:
   TableReader(const TomlValue& table, Problems& problems) : table_(table), problems_(problems) {}
@@ -58,7 +58,6 @@ class TableReader {
   void finish();
 
  private:
-  void unknown(const TomlValue::Entry& entry);
   const TomlValue* needed(std::string_view key, TomlValue::Kind kind);
   double checked_number(const TomlValue& value, std::string_view key, const Bounds& bounds);
   void read_numbers(std::string_view key, std::span<float> values, const Bounds& bounds);
@@ -66,6 +65,7 @@ class TableReader {
   const TomlValue& table_;
   Problems& problems_;
   std::vector<std::string> asked_;
+  std::optional<std::string> missing_;  ///< a required key, whose lack was the file's first problem
 };
 
 }  // namespace aucast

@@ -126,6 +126,36 @@ TEST(TableReader, NamesThePlaceOfTheFirstProblem) {
             "f.toml:1:5: x 'cubic' is not one of linear, cosine");
 }
 
+/// What is said of a table with these keys.
+std::string said_of_keys(const std::vector<std::string>& present,
+                         const std::vector<std::string>& required) {
+  std::string text;
+  for (const std::string& key : present) text += key + " = 1\n";
+  const auto document = parse_toml(text, "f");
+  Problems problems("f");
+  TableReader reader(*document, problems);
+  for (const std::string& key : required) reader.number(key);
+  reader.finish();
+  const auto result = problems.result();
+  return result ? std::string("none") : result.error().message;
+}
+
+TEST(TableReader, AMissingKeyIsNamedHoweverNearTheOthersAre) {
+  const std::vector<std::string> keys{"source", "sources", "b", "a", "name", "note"};
+  for (const std::string& left_out : keys) {
+    std::vector<std::string> present = keys;
+    std::erase(present, left_out);
+    EXPECT_TRUE(said_of_keys(present, keys).ends_with("'" + left_out + "' is missing"))
+        << said_of_keys(present, keys);
+  }
+}
+
+TEST(TableReader, AMisspeltKeySaysMoreThanTheMissingOne) {
+  EXPECT_EQ(said_of_keys({"source", "sorces"}, {"sources", "source"}),
+            "f:2:1: unknown key 'sorces'; did you mean sources?");
+  EXPECT_EQ(said_of_keys({"elsewhere"}, {"sources"}), "f:1:1: 'sources' is missing");
+}
+
 TEST(ReadToml, RefusesWhatIsNoFileAndNamesThePlaceOfAMistake) {
   const auto device = read_toml("/dev/zero");
   ASSERT_FALSE(device.has_value());

@@ -75,6 +75,28 @@ TEST(MuscleFile, AMirroredMuscleMovesTheMirroredPointTheMirroredWay) {
   }
 }
 
+TEST(MuscleFile, AKeyThatIsLeftOutIsTheOneThatIsNamed) {
+  const std::vector<std::string> tables{
+      "kind = 'linear'\nattachment = [3, 1, 6]\ninsertion = [1, -2, 8]\nzone_deg = 45\n"
+      "falloff_start = 0\nfalloff_finish = 4\n",
+      "kind = 'eye_sphincter'\ncentre = [1, 2, 3]\nsemi_axes = [2, 1]\ndepth = 1\n",
+      "kind = 'mouth_sphincter'\ncentre = [1, 2, 3]\nsemi_axes = [2, 1]\ndepth = 1\n",
+      "kind = 'sheet'\nattachment = [3, 1, 6]\ninsertion = [1, -2, 8]\nwidth = 2\ndepth = 1\n",
+      "kind = 'pull'\ncentre = [1, 2, 3]\ndirection = [1, 0, 0]\nradii = [1, 1, 1]\n"};
+  for (const std::string& table : tables) {
+    const std::string whole = "name = 'a'\n" + table;
+    EXPECT_EQ(read_tables("[[muscle]]\n" + whole).complaint, "");
+    for (std::size_t begin = 0; begin < whole.size();) {
+      const std::size_t end = whole.find('\n', begin) + 1;
+      const std::string key = whole.substr(begin, whole.find(' ', begin) - begin);
+      const std::string rest = whole.substr(0, begin) + whole.substr(end);
+      const std::string said = read_tables("[[muscle]]\n" + rest).complaint;
+      EXPECT_TRUE(said.ends_with("'" + key + "' is missing")) << said;
+      begin = end;
+    }
+  }
+}
+
 TEST(MuscleFile, AMirroredTableIsTwoMusclesLeftBeforeRight) {
   const ReadMuscles read = read_tables(
       linear_with("mirrored = true\nmask = \"half\"\nmask_alone = true\nyields_to_lids = true"));
