@@ -36,8 +36,8 @@ void Dialler::dial(DialOptions options, OnDialled on_dialled) {
     try_next_address();
   });
   timer_.expires_at(until_);
-  timer_.async_wait([this, attempt = attempt_](const std::error_code& error) {
-    if (error || attempt != attempt_) return;
+  timer_.async_wait([this, attempt = attempts_.begin()](const std::error_code& error) {
+    if (error || !attempt.current()) return;
     fail("its name could not be looked up within " + time_text(options_.time_max),
          "check the network or give the address in numbers");
   });
@@ -51,7 +51,7 @@ void Dialler::cancel() {
 }
 
 void Dialler::drop_socket() {
-  ++attempt_;
+  attempts_.cancel();
   std::error_code ignored;
   socket_.close(ignored);
 }
@@ -68,20 +68,20 @@ void Dialler::try_next_address() {
     return;
   }
   const auto addresses_left = static_cast<Duration::rep>(addresses_.size() - next_address_);
+  const Waits::Token attempt = attempts_.begin();
   timer_.expires_after(left / addresses_left);
-  timer_.async_wait([this, attempt = attempt_](const std::error_code& error) {
-    if (!error && attempt == attempt_) try_next_address();
+  timer_.async_wait([this, attempt](const std::error_code& error) {
+    if (!error && attempt.current()) try_next_address();
   });
-  socket_.async_connect(addresses_[next_address_++],
-                        [this, attempt = attempt_](const std::error_code& error) {
-                          if (attempt != attempt_) return;
-                          if (!error) {
-                            on_connected();
-                            return;
-                          }
-                          if (first_failure_.empty()) first_failure_ = error.message();
-                          try_next_address();
-                        });
+  socket_.async_connect(addresses_[next_address_++], [this, attempt](const std::error_code& error) {
+    if (!attempt.current()) return;
+    if (!error) {
+      on_connected();
+      return;
+    }
+    if (first_failure_.empty()) first_failure_ = error.message();
+    try_next_address();
+  });
 }
 
 void Dialler::on_connected() {

@@ -17,6 +17,7 @@
 #include "common/link_limits.h"
 #include "common/time.h"
 #include "common/tls/context.h"
+#include "common/waits.h"
 
 namespace aucast::link {
 
@@ -73,11 +74,11 @@ class Dialler {
   asio::steady_timer timer_;  ///< for the name, then for each address
   DialOptions options_;
   OnDialled on_dialled_;
-  std::uint64_t attempt_ = 0;  ///< handlers of an earlier attempt are ignored
   Instant until_{};
   Addresses addresses_;
   std::size_t next_address_ = 0;
   std::string first_failure_;
+  Waits attempts_;
 };
 
 }  // namespace aucast::link

@@ -152,38 +152,37 @@ void Listener::start(OnSocket on_socket) {
 }
 
 void Listener::stop() {
-  ++stops_;
+  waits_.cancel();
   std::error_code ignored;
   acceptor_.close(ignored);
   pause_.cancel();
 }
 
 void Listener::accept() {
-  acceptor_.async_accept(peer_,
-                         [this, stops = stops_](const std::error_code& error, tcp::socket socket) {
-                           // It may have been opened again meanwhile.
-                           if (stops != stops_) return;
-                           if (error == asio::error::connection_aborted) {
-                             // The peer left between its knock and our opening the door.
-                             spdlog::debug("a connection was gone before it was accepted");
-                             accept();
-                             return;
-                           }
-                           if (error) {
-                             accept_later(error);
-                             return;
-                           }
-                           if (std::exchange(failing_, false))
-                             spdlog::info("accepting connections again");
-                           on_socket_(std::move(socket), peer_);
-                           accept_waiting();
-                           accept();
-                         });
+  acceptor_.async_accept(
+      peer_, [this, wait = waits_.begin()](const std::error_code& error, tcp::socket socket) {
+        // It may have been opened again meanwhile.
+        if (!wait.current()) return;
+        if (error == asio::error::connection_aborted) {
+          // The peer left between its knock and our opening the door.
+          spdlog::debug("a connection was gone before it was accepted");
+          accept();
+          return;
+        }
+        if (error) {
+          accept_later(error);
+          return;
+        }
+        if (std::exchange(failing_, false)) spdlog::info("accepting connections again");
+        on_socket_(std::move(socket), peer_);
+        accept_waiting(wait);
+        if (wait.current()) accept();
+      });
 }
 
-/// Accepts those who are already waiting. accept() will meet any error.
-void Listener::accept_waiting() {
-  for (int taken = 1; taken < limits_.in_a_row && acceptor_.is_open(); ++taken) {
+/// Accepts those who are already waiting, unless it is stopped. accept() will meet any error.
+void Listener::accept_waiting(const Waits::Token& wait) {
+  for (int taken = 1; taken < limits_.in_a_row && wait.current(); ++taken) {
     std::error_code error;
     tcp::socket socket = acceptor_.accept(peer_, error);
     if (error) return;
@@ -198,8 +197,8 @@ void Listener::accept_later(const std::error_code& cause) {
                  cause.message());
   }
   pause_.expires_after(limits_.pause);
-  pause_.async_wait([this, stops = stops_](const std::error_code& error) {
-    if (!error && stops == stops_) accept();
+  pause_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+    if (!error && wait.current()) accept();
   });
 }
 

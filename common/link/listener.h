@@ -11,6 +11,7 @@
 
 #include "common/link_limits.h"
 #include "common/result.h"
+#include "common/waits.h"
 
 namespace aucast::link {
 
@@ -33,9 +34,9 @@ struct ListenOptions {
 };
 
 /// Accepts connections at one address and hands them out. When the system is out of descriptors or
-/// memory, the Listener logs that once, waits and goes on: connected clients do not notice.
-/// Thread: that of the io_context. The io_context and all that the callback uses must outlive this
-/// object.
+/// memory it logs that once, waits and goes on: connected clients do not notice.
+/// Thread: that of the io_context, which must outlive it together with the callback's captures. The
+/// callback may stop it, but neither start nor destroy it.
 class Listener {
  public:
   using OnSocket = std::function<void(asio::ip::tcp::socket, const asio::ip::tcp::endpoint& peer)>;
@@ -64,7 +65,7 @@ class Listener {
 
  private:
   void accept();
-  void accept_waiting();
+  void accept_waiting(const Waits::Token& wait);
   void accept_later(const std::error_code& cause);
 
   AcceptLimits limits_;
@@ -74,8 +75,8 @@ class Listener {
   asio::ip::tcp::endpoint peer_;  ///< of the connection being accepted
   OnSocket on_socket_;
   std::uint64_t failures_ = 0;
-  std::uint64_t stops_ = 0;  ///< a handler begun before the last stop() is ignored
-  bool failing_ = false;     ///< the last accept failed and was reported
+  bool failing_ = false;  ///< the last accept failed and was reported
+  Waits waits_;
 };
 
 }  // namespace aucast::link

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,19 @@ TEST_F(DiallerTest, CancelledNothingIsTold) {
   bool told = false;
   dialler_.dial(options_, [&told](Dialled) { told = true; });
   dialler_.cancel();
+  io_.run_for(100ms);
+  EXPECT_FALSE(told);
+}
+
+TEST_F(DiallerTest, MayGoWhileItConnects) {
+  options_.host = "127.0.0.1";
+  options_.port = listener_.port;
+  bool told = false;
+  auto dialler = std::make_unique<Dialler>(io_);
+  dialler->dial(options_, [&told](Dialled) { told = true; });
+  // The host is known now, and a connection is being made.
+  ASSERT_EQ(io_.run_one_for(10s), 1U);
+  dialler.reset();
   io_.run_for(100ms);
   EXPECT_FALSE(told);
 }

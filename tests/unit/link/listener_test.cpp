@@ -1,5 +1,8 @@
 #include "common/link/listener.h"
 
+#include <memory>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace aucast::link {
@@ -25,6 +28,33 @@ TEST(Listener, LetsOthersHaveTheirTurnWhenManyKnock) {
   listener.stop();
   io.run();
   EXPECT_EQ(taken, 3 * kAcceptLimits.in_a_row);
+}
+
+TEST(Listener, MayBeStoppedByWhomItTells) {
+  asio::io_context io;
+  Listener listener(io, kAcceptLimits);
+  ASSERT_TRUE(listener.open("127.0.0.1", 0));
+  std::vector<tcp::socket> knocking;
+  for (int n = 0; n < 3; ++n) knocking.emplace_back(io).connect(listener.endpoint());
+  int taken = 0;
+  listener.start([&](tcp::socket, const tcp::endpoint&) {
+    ++taken;
+    listener.stop();
+  });
+  io.run();
+  EXPECT_EQ(taken, 1);
+  EXPECT_EQ(listener.failures(), 0U);
+}
+
+TEST(Listener, MayGoWhileItWaits) {
+  asio::io_context io;
+  auto listener = std::make_unique<Listener>(io, kAcceptLimits);
+  ASSERT_TRUE(listener->open("127.0.0.1", 0));
+  int taken = 0;
+  listener->start([&taken](tcp::socket, const tcp::endpoint&) { ++taken; });
+  listener.reset();
+  io.run();
+  EXPECT_EQ(taken, 0);
 }
 
 TEST(Listener, LocalhostIsTheLoopbackWhateverAResolverSays) {
