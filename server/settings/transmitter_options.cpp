@@ -68,6 +68,11 @@ Result<void> validate_streams(const TransmitterOptions& options) {
   if (!any && !options.push.addresses.empty())
     return usage_error("--push brings a SOURCE; name one");
   if (!any && !options.voice.file.empty()) return usage_error("--voice is for a SOURCE; name one");
+  if (!options.record.empty() && !options.voice.file.empty() &&
+      options.record.extension() == ".opus") {
+    return usage_error("--record keeps the face in FILE and the voice beside it as .opus: give " +
+                       printable(options.record.string()) + " another ending, such as .txt");
+  }
   if (options.voice.none && !options.voice.file.empty()) {
     return usage_error("--no-voice leaves nothing for --voice to name: give one of them");
   }

@@ -156,6 +156,14 @@ TEST(TransmitterOptions, ValidateSeesWhatOneOptionAloneCannot) {
   }
 }
 
+TEST(TransmitterOptions, TheRecordsOfFaceAndVoiceAreTwoFiles) {
+  const std::string refused = message({"--voice", "-", "--record", "kept.opus", "webcam.csv"});
+  EXPECT_NE(refused.find("give kept.opus another ending, such as .txt"), std::string::npos)
+      << refused;
+  read({"--voice", "-", "--record", "kept.txt", "webcam.csv"});
+  read({"--record", "kept.opus", "webcam.csv"});
+}
+
 TEST(TransmitterOptions, HelpIsCompleteAndFitsTheWidthOfATerminal) {
   const auto command = read_command_line({"--help"});
   ASSERT_TRUE(command);
