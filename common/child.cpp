@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "common/check.h"
 #include "common/text.h"
@@ -179,6 +180,20 @@ bool Child::tell(std::string_view bytes) const {
 
 void Child::end_input() const {
   ::shutdown(flow_.get(), SHUT_WR);
+}
+
+bool Child::ends_within(Milliseconds patience) const {
+  constexpr Milliseconds kLookEvery{5};
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (!exit_code_.has_value()) {
+    siginfo_t ended{};
+    const int failed =
+        ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
+    if (failed == 0 && ended.si_pid == pid_) return true;
+    if (std::chrono::steady_clock::now() >= until) return false;
+    std::this_thread::sleep_for(kLookEvery);
+  }
+  return true;
 }
 
 void Child::stop() const {

@@ -48,7 +48,10 @@ class Child {
   /// Ends the standard input of a child that is both fed and read. From any thread, before wait()
   /// or destruction.
   void end_input() const;
-  /// Kills the child, so that read() finds the end. From any thread, before wait() or destruction.
+  /// Waits at most `patience` for the end of the child, which may come a little after that of its
+  /// output. False: it still runs.
+  [[nodiscard]] bool ends_within(Milliseconds patience) const;
+  /// Kills it, so that read() finds the end. From any thread, before wait() or destruction.
   void stop() const;
   /// Closes the pipes and waits for the child to end. Returns its exit code, or 128 + the signal
   /// that killed it; a further call returns the same.

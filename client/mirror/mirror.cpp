@@ -19,6 +19,8 @@ namespace {
 
 constexpr const char* kProgram = "au-transmitter";
 constexpr std::size_t kChunkBytes = 65'536;
+/// How long after the end of its output a child may take to end.
+constexpr Milliseconds kEndTakes{200};
 
 std::string find_program(const std::filesystem::path& chosen) {
   if (!chosen.empty()) return chosen.string();
@@ -48,11 +50,11 @@ Trouble said(std::string why) {
   return {Trouble::Kind::Said, std::move(why)};
 }
 
-/// Why the child has ended. If it was killed, its last line is not the reason.
-Trouble why_ended(int exit_code, const std::string& last_line) {
+/// Why the child has ended, which we had to kill if not `by_itself`. If a signal ended it, its last
+/// line is not the reason.
+Trouble why_ended(int exit_code, bool by_itself, const std::string& last_line) {
   constexpr int kSignalled = 128;
-  // SIGKILL was our own, because the child had ended its output.
-  if (exit_code > kSignalled && exit_code != kSignalled + SIGKILL) {
+  if (exit_code > kSignalled && by_itself) {
     return {Trouble::Kind::Signalled, {}, exit_code - kSignalled};
   }
   if (exit_code == 0) return {Trouble::Kind::NoPictures};
@@ -160,10 +162,12 @@ void Mirror::read() {
     wrong = take_all(reader);
   }
   course_.change([](Course& course) { course.reading = false; });
-  // There is no more output to read. If the child has ended already, it keeps its exit code.
+  // There is no more output to read. Only what still runs then is killed, so that a SIGKILL of the
+  // system's, which is short of memory, is not taken for ours.
+  const bool by_itself = !wrong && child_->ends_within(kEndTakes);
   child_->stop();
   const int code = child_->wait();
-  const Trouble why = wrong ? said(*wrong) : why_ended(code, child_->last_line());
+  const Trouble why = wrong ? said(*wrong) : why_ended(code, by_itself, child_->last_line());
   course_.change([&why](Course& course) {
     if (!course.asked_to_end) course.state.ended = why;
     course.state.live.clear();

@@ -112,6 +112,20 @@ TEST_F(MirrorTest, SaysThatAChildEndedWithoutAWord) {
   EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::Ended);
 }
 
+TEST_F(MirrorTest, SaysThatAChildWasKilledByAnother) {
+  begin("cat record; echo 'all is well' >&2; kill -KILL $$");
+  ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
+  EXPECT_EQ(mirror_->state().ended.kind, Trouble::Kind::Signalled);
+  EXPECT_EQ(mirror_->state().ended.signal, SIGKILL);
+}
+
+TEST_F(MirrorTest, KillsAChildThatStaysWithoutOutputAndDoesNotSaySo) {
+  begin("echo $$ > pid; cat record; echo 'the camera has gone' >&2; exec sleep 1000 <&- >&- 2>&-");
+  ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
+  EXPECT_EQ(mirror_->state().ended.said, "the camera has gone");
+  EXPECT_TRUE(is_gone());
+}
+
 TEST_F(MirrorTest, TellsTheEndOfAFilmFromAFailure) {
   begin("cat record; echo 'the camera gives no more pictures' >&2");
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.over; }));
