@@ -153,8 +153,11 @@ Result<void> write_wav(const fs::path& path, const Speech& speech) {
   const auto count = static_cast<sf_count_t>(speech.samples.size());
   const bool whole =
       file != nullptr && sf_writef_float(file, speech.samples.data(), count) == count;
-  const std::string why = sf_strerror(file);
-  if (sf_close(file) == 0 && whole) return replace_file(*temporary, path);
+  std::string why = sf_strerror(file);
+  // The rest is written at the end, and may fail alone.
+  const int closed = sf_close(file);
+  if (closed == SF_ERR_NO_ERROR && whole) return replace_file(*temporary, path);
+  if (whole) why = sf_error_number(closed);
   std::error_code ignored;
   fs::remove(*temporary, ignored);
   return Error{ErrorKind::Failed,

@@ -1,9 +1,11 @@
 #include "speaker/speaker_app.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "common/voice/sound_file.h"
@@ -119,6 +121,22 @@ TEST(SpeakerApp, AFolderThatIsALinkToItselfIsSaid) {
   EXPECT_EQ(run_speaker({text, "-o", loop.string()}), 1);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("no folder can be made"),
             std::string::npos);
+}
+
+/// What RLIMIT_FSIZE does to a write is what a full disk does: it fails half-way.
+void speak_into_little_room(const std::string& text, const std::string& out) {
+  const rlimit limit{16'384, 16'384};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  std::_Exit(run_speaker({text, "-o", out}));
+}
+
+TEST(SpeakerApp, SaysWhyTheSoundIsNotWhole) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  EXPECT_EXIT(speak_into_little_room(text, out), testing::ExitedWithCode(1),
+              "talk.wav: cannot be written whole: .*File too large");
+  EXPECT_FALSE(std::filesystem::exists(out + "/talk.wav"));
 }
 
 TEST(SpeakerApp, NeverWritesOverTheLabels) {
