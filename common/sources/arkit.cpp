@@ -13,6 +13,8 @@ namespace aucast::sources {
 namespace {
 
 constexpr double kSecondsPerDay = 86'400;
+/// Frames of a timecode a second, as Live Link Face counts them.
+constexpr double kUsualRate = 60;
 
 std::string pascal_case(std::string name) {
   if (!name.empty() && name.front() >= 'a' && name.front() <= 'z') {
@@ -95,6 +97,7 @@ class Arkit final : public Format {
     return "curves read as AUs by a table, approximate";
   }
   void scan(CsvReader& row) override;
+  void scan_live(CsvReader& row) override;
   void read(CsvReader& row, Observation& out) const override;
 
  private:
@@ -103,7 +106,8 @@ class Arkit final : public Format {
     ArkitCurve meaning;
   };
 
-  [[nodiscard]] double frames_per_second() const;
+  [[nodiscard]] double rate_by_frames() const;
+  [[nodiscard]] double frames_per_second() const { return live_rate_.value_or(rate_by_frames()); }
   [[nodiscard]] std::optional<double> seconds(CsvReader& row) const;
   void read_eyes(CsvReader& row, Observation& out) const;
   static void add_larger(Observation& out, const ArkitCurve& meaning, double value);
@@ -117,6 +121,9 @@ class Arkit final : public Format {
   bool eyes_turn_ = false;
   double frames_max_ = 0;
   double first_second_ = -1;
+  std::optional<double> live_rate_;  ///< nullopt: the table is not live
+  double live_second_ = -1;
+  int live_seconds_ = 0;  ///< how many have begun
 };
 
 bool is_gaze(std::uint8_t number) {
@@ -150,10 +157,27 @@ void Arkit::scan(CsvReader& row) {
   for (const auto& column : eyes_) eyes_turn_ |= row.number(column).value_or(0) != 0;
 }
 
+/// The rate is 60 until a whole second has been counted, and is settled then: a rate that rose with
+/// the frame numbers would set the time back again and again. Later it changes only if a frame
+/// number shows that it is too low.
+void Arkit::scan_live(CsvReader& row) {
+  // The first may have begun before the table; the second is whole when the third begins.
+  constexpr int kCounted = 3;
+  scan(row);
+  const auto timecode = parse_timecode(row.text(timecode_));
+  if (!timecode) return;
+  if (!live_rate_) live_rate_ = kUsualRate;
+  if (timecode->whole_seconds != live_second_) {
+    live_second_ = timecode->whole_seconds;
+    if (++live_seconds_ == kCounted) live_rate_ = rate_by_frames();
+  }
+  if (frames_max_ >= *live_rate_) live_rate_ = rate_by_frames();
+}
+
 /// The least usual rate above every frame number seen. A take that never counts to 24 is too short
-/// to tell; the app's own is 60.
-double Arkit::frames_per_second() const {
-  if (frames_max_ < 24) return 60;
+/// to tell.
+double Arkit::rate_by_frames() const {
+  if (frames_max_ < 24) return kUsualRate;
   for (const double rate : {25.0, 30.0, 48.0, 50.0, 60.0, 120.0, 240.0}) {
     if (frames_max_ < rate) return rate;
   }

@@ -28,6 +28,9 @@ class Format {
   [[nodiscard]] virtual std::string note() const { return {}; }
   /// Called with every row before any is read, to find out what single rows do not show.
   virtual void scan(CsvReader& /*row*/) {}
+  /// The same for a live table, of which later rows are not known yet: called with each row just
+  /// before it is read.
+  virtual void scan_live(CsvReader& row) { scan(row); }
   /// Reads the present row into `out`, which the caller has cleared.
   virtual void read(CsvReader& row, Observation& out) const = 0;
 };

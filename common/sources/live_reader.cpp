@@ -246,7 +246,7 @@ void LiveReader::read_row(const LineSplitter::Line& line, SteadyTime now) {
   const auto next = csv.take(line.text, line.number);
   if (next == CsvReader::Next::Row) {
     table_->row.clear();
-    table_->format->scan(csv);
+    table_->format->scan_live(csv);
     table_->format->read(csv, table_->row);
     if (!csv.has_errors()) {
       if (take_row(line.text, now)) understood();

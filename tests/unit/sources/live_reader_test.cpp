@@ -1,6 +1,11 @@
 // Live sources byte by byte, with damage of every kind.
 #include "common/sources/live_reader.h"
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "protocol/codec.h"
@@ -150,6 +155,41 @@ TEST_F(LiveReaderTest, LiveLinkFaceSaysWhenItsTableIsMissing) {
   start();
   EXPECT_EQ(fed(tables::kLiveLinkFace), Texts{});
   EXPECT_NE(messages().find("arkit_to_au.csv: cannot be read"), std::string::npos);
+}
+
+/// Rows of Live Link Face, `rate` a second, whose timecode counts `counted` frames a second.
+std::string live_link_face(int rows, int rate, int counted) {
+  std::string text = "Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n";
+  for (int row = 0; row < rows; ++row) {
+    const int frames = counted / 5 + row * (counted / rate);
+    std::array<char, 48> line{};
+    std::snprintf(line.data(), line.size(), "01:00:%02d:%02d.250,61,0,0.5\n", frames / counted,
+                  frames % counted);
+    text += line.data();
+  }
+  return text;
+}
+
+TEST_F(LiveReaderTest, LiveLinkFaceLosesNoRowWhileItsFramesAreCounted) {
+  for (const auto& [rate, counted] : {std::pair{60, 60}, {30, 60}, {30, 30}, {25, 25}}) {
+    start({}, jaw_only);
+    const Texts all = fed(live_link_face(5 * rate, rate, counted));
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(5 * rate)) << rate << " of " << counted;
+    EXPECT_EQ(messages().find("left out"), std::string::npos) << rate << " of " << counted;
+    const int step = static_cast<int>(std::lround(1000.0 / rate));
+    const int last = std::stoi(all.back().substr(all.back().find(';') + 1));
+    EXPECT_NEAR(last, step, 3) << "settled";
+  }
+}
+
+TEST_F(LiveReaderTest, LiveLinkFaceOfAHigherRateGoesOnAfterASecond) {
+  start({}, jaw_only);
+  static_cast<void>(fed(live_link_face(2 * 120, 120, 120)));
+  static_cast<void>(messages());
+  const std::string later = live_link_face(5 * 120, 120, 120);
+  std::size_t at = 0;
+  for (int line = 0; line < 1 + 2 * 120; ++line) at = later.find('\n', at) + 1;
+  EXPECT_EQ(fed(later.substr(at)).size(), 3U * 120U);
 }
 
 TEST_F(LiveReaderTest, ARowThatIsNotUnderstoodIsLeftOutAndSaid) {
