@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
+#include <system_error>
 #include <utility>
 
 #include <asio/post.hpp>
@@ -36,10 +37,6 @@ FileReader::FileReader(asio::io_context& io, std::filesystem::path path, Descrip
       timer_(io),
       chunk_(kFileChunkBytes) {}
 
-FileReader::~FileReader() {
-  *alive_ = false;
-}
-
 void FileReader::start() {
   watch();
   await();
@@ -65,6 +62,7 @@ void FileReader::hold(bool held) {
 
 void FileReader::stop() {
   stopped_ = true;
+  waits_.cancel();
   std::error_code ignored;
   notify_.close(ignored);
   timer_.cancel();
@@ -74,10 +72,10 @@ void FileReader::stop() {
 void FileReader::await() {
   if (held_ || stopped_ || waiting_) return;
   waiting_ = true;
-  asio::post(io_, [this, alive = alive_] {
-    if (!*alive) return;
+  asio::post(io_, [this, wait = waits_.begin()] {
+    if (!wait.current()) return;
     waiting_ = false;
-    if (!stopped_) read();
+    read();
   });
 }
 
@@ -116,8 +114,9 @@ void FileReader::read() {
 void FileReader::look_again() {
   if (stopped_ || waiting_) return;
   waiting_ = true;
-  const auto look = [this, alive = alive_](const std::error_code& error) {
-    if (*alive) on_look(error);
+  // Both may be queued already when the first of them is called.
+  const auto look = [this, wait = waits_.begin()](const std::error_code& /*error*/) {
+    if (wait.current()) on_look();
   };
   timer_.expires_after(kLookEvery);
   timer_.async_wait(look);
@@ -125,8 +124,8 @@ void FileReader::look_again() {
   notify_.async_wait(asio::posix::stream_descriptor::wait_read, look);
 }
 
-void FileReader::on_look(const std::error_code& error) {
-  if (error == asio::error::operation_aborted || stopped_ || !waiting_) return;
+void FileReader::on_look() {
+  waits_.cancel();
   waiting_ = false;
   timer_.cancel();
   std::error_code ignored;
@@ -157,7 +156,7 @@ std::string FileReader::changed() const {
 /// False: there is another file, which cannot be opened.
 bool FileReader::begin_anew(const std::string& why) {
   if (replaced()) {
-    Descriptor now(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    Descriptor now(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
     if (!now.open()) {
       // One that has just gone may be replaced in its turn.
       if (errno != ENOENT) events_.on_failure(unreadable_now(path_));

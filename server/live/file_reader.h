@@ -2,10 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <asio/io_context.hpp>
@@ -13,6 +11,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/descriptor.h"
+#include "common/waits.h"
 #include "server/live/input_reader.h"
 
 namespace aucast::server {
@@ -27,7 +26,6 @@ class FileReader final : public InputReader {
   /// present position and is never replaced. `follow`: the file may grow. `events` must outlive it.
   FileReader(asio::io_context& io, std::filesystem::path path, Descriptor file, bool follow,
              const Events& events);
-  ~FileReader() override;
 
   /// Begins to read; watches the file with inotify if possible.
   void start() override;
@@ -42,7 +40,7 @@ class FileReader final : public InputReader {
   void await();
   void read();
   void look_again();
-  void on_look(const std::error_code& error);
+  void on_look();
   [[nodiscard]] bool replaced() const;
   [[nodiscard]] std::string changed() const;
   [[nodiscard]] bool begin_anew(const std::string& why);
@@ -62,8 +60,7 @@ class FileReader final : public InputReader {
   bool held_ = false;
   bool stopped_ = false;  ///< by stop(), or since the input has ended
   bool waiting_ = false;
-  /// Cleared on destruction; handlers that still come see it.
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+  Waits waits_;
 };
 
 }  // namespace aucast::server

@@ -33,9 +33,10 @@ LiveInput::LiveInput(asio::io_context& io, std::filesystem::path path, bool foll
 Result<Descriptor> LiveInput::open_path() const {
   if (open_) return open_();
   // Of stdin a copy: closing ours must not close it. Not O_NONBLOCK, which whoever shares it with
-  // us would get too.
+  // us would get too. No terminal becomes ours, whose hang-up would end us.
+  constexpr int kHow = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
   Descriptor descriptor(path_ == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
-                                     : ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+                                     : ::open(path_.c_str(), kHow));
   if (descriptor.open()) return descriptor;
   return unreadable_now(path_);
 }

@@ -7,11 +7,13 @@
 
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -95,6 +97,37 @@ TEST_F(LiveInputTest, AFifoWaitsForItsNextWriter) {
     EXPECT_FALSE(input.ended());
   }
   EXPECT_EQ(came_, "xxx");
+}
+
+TEST_F(LiveInputTest, AFileThatGrowsAsItIsLookedAtIsReadOnce) {
+  const auto path = folder_.write("growing", "a");
+  LiveInput& input = make(path, true);
+  ASSERT_TRUE(input.start());
+  ASSERT_TRUE(catches_up());
+  const int before = times_caught_up_;
+  std::ofstream(path, std::ios::app) << "b" << std::flush;
+  // The report of the change and the next look are due at once.
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  io_.poll();
+  EXPECT_EQ(came_, "ab");
+  EXPECT_EQ(times_caught_up_, before + 1);
+}
+
+/// Our exit code is 0 if no terminal has become ours.
+void open_terminal_as_leader(asio::io_context& io, const std::string& path) {
+  ::setsid();
+  LiveInput input(io, path, false, {[](std::string_view) {}, [] {}, [] {}, [](const auto&) {}});
+  const bool started = input.start().has_value();
+  std::_Exit(started && ::open("/dev/tty", O_RDONLY | O_NOCTTY) < 0 ? 0 : 1);
+}
+
+TEST_F(LiveInputTest, ATerminalThatIsReadDoesNotBecomeOurs) {
+  const Descriptor terminal(::posix_openpt(O_RDWR | O_NOCTTY));
+  if (!terminal.open()) GTEST_SKIP() << "no terminal can be made here";
+  ASSERT_EQ(::grantpt(terminal.get()), 0);
+  ASSERT_EQ(::unlockpt(terminal.get()), 0);
+  const std::string path = ::ptsname(terminal.get());
+  EXPECT_EXIT(open_terminal_as_leader(io_, path), ::testing::ExitedWithCode(0), "");
 }
 
 TEST_F(LiveInputTest, AFifoThatIsGoneHasEndedWhenItsWriterHas) {
