@@ -36,7 +36,7 @@ void Reception::start() {
 
 void Reception::stop() {
   state_ = State::Stopped;
-  timer_.cancel();
+  stop_waiting();
   drop_parent();
 }
 
@@ -88,7 +88,7 @@ void Reception::on_moved_on() {
   const bool whole = state_ == State::Whole;
   if (state_ != State::Receiving && !whole && parent_->keyframes() > 0) {
     state_ = State::Receiving;
-    timer_.cancel();
+    stop_waiting();
     say_goes_on();
     ever_received_ = true;
     events_.on_first();
@@ -127,7 +127,7 @@ void Reception::on_over(const Parent::Outcome& outcome) {
   if (stream_.whole() && state_ != State::Whole) {
     state_ = State::Whole;
     spdlog::info("{}: it is here whole, {} s", name(), seconds(stream_.place()));
-    timer_.cancel();
+    stop_waiting();
   }
   events_.on_over(outcome);
 }
@@ -141,9 +141,14 @@ void Reception::drop_parent() {
 
 void Reception::await_giving_up() {
   timer_.expires_at(silent_since_ + options_.wait);
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error && state_ == State::Waiting && !stream_.whole()) give_up();
+  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+    if (!error && wait.current() && !stream_.whole()) give_up();
   });
+}
+
+void Reception::stop_waiting() {
+  waits_.cancel();
+  timer_.cancel();
 }
 
 void Reception::give_up() {

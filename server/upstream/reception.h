@@ -10,6 +10,7 @@
 
 #include "common/link/link.h"
 #include "common/time.h"
+#include "common/waits.h"
 #include "protocol/server_session.h"
 #include "server/status/status.h"
 #include "server/upstream/parent.h"
@@ -88,12 +89,14 @@ class Reception {
   void drop_parent();
   void say_goes_on();
   void await_giving_up();
+  void stop_waiting();
   void give_up();
 
   Options options_;
   Events events_;
   RelayedStream stream_;
   asio::steady_timer timer_;
+  Waits waits_;                     ///< for a keyframe
   std::unique_ptr<Parent> parent_;  ///< null: none is connected
   std::string peer_;
   State state_ = State::Waiting;

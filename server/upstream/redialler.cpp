@@ -26,6 +26,7 @@ Redialler::Redialler(asio::io_context& io, Options options, std::function<std::s
 void Redialler::stop() {
   stopped_ = true;
   dialler_.cancel();
+  waits_.cancel();
   timer_.cancel();
 }
 
@@ -78,8 +79,8 @@ void Redialler::failed(const std::string& reason) {
 void Redialler::again_in(Milliseconds wait) {
   if (stopped_) return;
   timer_.expires_after(wait);
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error && !stopped_) dial();
+  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+    if (!error && wait.current()) dial();
   });
 }
 

@@ -13,6 +13,7 @@
 #include "common/link/link.h"
 #include "common/time.h"
 #include "common/tls/context.h"
+#include "common/waits.h"
 #include "protocol/endpoint.h"
 #include "server/upstream/host_turns.h"
 
@@ -63,6 +64,7 @@ class Redialler {
   HostTurns turns_;
   link::Dialler dialler_;
   asio::steady_timer timer_;
+  Waits waits_;  ///< before the next host
   bool stopped_ = false;
   std::vector<std::string> reasons_;  ///< for each host, the reason that was last logged
 };

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <asio/post.hpp>
 
 #include "tests/support/fake_link.h"
 #include "tests/support/kept_log.h"
@@ -53,6 +55,20 @@ class ReceptionTest : public ::testing::Test {
 constexpr const char* kFrom0 = "{hello v=2 window=256 stream=talk duration=120 keyframe=40}";
 constexpr const char* kFrom40 =
     "{hello v=2 window=256 stream=talk duration=120 keyframe=40 from=40}";
+
+TEST_F(ReceptionTest, AWaitThatIsOverDoesNotEndTheNext) {
+  Reception::Options patient = options();
+  patient.wait = Milliseconds(50);
+  asio::io_context io;
+  Reception reception(io, patient, {[] {}, [] {}, [](const Parent::Outcome&) {}});
+  reception.start();
+  std::this_thread::sleep_for(patient.wait + Milliseconds(1));
+  // Runs when the timer's handler is queued already.
+  asio::post(io, [&reception] { reception.start(); });
+  io.poll();
+  EXPECT_FALSE(reception.given_up());
+  EXPECT_TRUE(test::run_until(io, [&] { return reception.given_up(); }));
+}
 
 TEST_F(ReceptionTest, AfterItWasGivenUpOneWhoSendsNothingLeavesItSo) {
   connect(std::string(kFrom0) + "{1}");
