@@ -162,7 +162,8 @@ Result<Converted> write_out(const ConvertOptions& options, const protocol::Strea
   std::string text;
   if (file_ending(options.out) == ".csv") {
     const std::uint64_t ms = protocol::media_ms(stream, options.keyframe_ms);
-    auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes);
+    auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes,
+                            "convert a shorter stream");
     if (!can) return can.error();
     auto table = sources::write_openface_table(stream, options.keyframe_ms);
     text = std::move(table.text);

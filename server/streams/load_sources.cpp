@@ -26,6 +26,8 @@
 namespace aucast::server {
 namespace {
 
+constexpr std::string_view kServeLess = "serve a shorter stream";
+
 Result<void> check_name(const std::filesystem::path& path, const std::string& name) {
   if (protocol::is_stream_name(name)) return {};
   return Error{
@@ -60,7 +62,7 @@ Result<void> encode_file(std::string_view text, const Reading& reading, Source& 
     encoder.add(keyframe);
     // As much again is taken for a moment when the buffers grow.
     if (encoder.keyframes() % kMemoryLookEvery != 0) return {};
-    return check_memory(source.path, encoder.bytes());
+    return check_memory(source.path, encoder.bytes(), kServeLess);
   };
   if (auto read = protocol::read_stream_file(text, sources::name_of(source.path), encode); !read) {
     return read;
@@ -185,7 +187,8 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     return streams;
   }
   const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
-  if (auto can = check_memory(path, lines * kWholeKeyframeBytes); !can) return can.error();
+  auto fits = check_memory(path, lines * kWholeKeyframeBytes, kServeLess);
+  if (!fits) return fits.error();
   auto contents =
       sources::parse_streams(*text, sources::name_of(path), reading.source.recording,
                              conditioning_for(path, reading.conditioning), reading.stop);

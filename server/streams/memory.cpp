@@ -85,15 +85,15 @@ std::optional<std::uint64_t> available_memory() {
   return least;
 }
 
-Result<void> check_memory(const std::filesystem::path& path, std::uint64_t bytes) {
+Result<void> check_memory(const std::filesystem::path& path, std::uint64_t bytes,
+                          std::string_view remedy) {
   const auto available = available_memory();
   if (!available || *available >= bytes + kMemoryReserve) return {};
-  return Error{
-      ErrorKind::Unreadable,
-      at_place(path.string(), "too large to hold: it needs " + megabytes(bytes) +
-                                  " more of memory, and of " + megabytes(*available) +
-                                  " that are left " + megabytes(kMemoryReserve) +
-                                  " are kept free; serve a shorter stream or lower --rate")};
+  return Error{ErrorKind::Unreadable,
+               at_place(path.string(), "too large to hold: it needs " + megabytes(bytes) +
+                                           " more of memory, and of " + megabytes(*available) +
+                                           " that are left " + megabytes(kMemoryReserve) +
+                                           " are kept free; " + std::string(remedy))};
 }
 
 }  // namespace aucast::server

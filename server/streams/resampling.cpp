@@ -9,7 +9,9 @@ Result<void> resample(protocol::StreamFile& stream, double rate, std::uint32_t k
                       const std::filesystem::path& path, const std::stop_token& stop) {
   const auto ms = static_cast<double>(protocol::media_ms(stream, keyframe_ms));
   const auto keyframes = static_cast<std::uint64_t>(ms * rate / 1000);
-  if (auto can = check_memory(path, keyframes * kWholeKeyframeBytes); !can) return can;
+  auto can = check_memory(path, keyframes * kWholeKeyframeBytes,
+                          "lower --rate or choose a shorter stream");
+  if (!can) return can;
   stream = sources::resample(stream, rate, keyframe_ms, stop);
   return {};
 }

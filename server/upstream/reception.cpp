@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -14,10 +15,12 @@ namespace {
 
 using std::chrono::steady_clock;
 
+constexpr std::string_view kRelayLess = "relay a shorter stream, or from a host with more memory";
+
 RelayedStream::Options stream_options(const Reception::Options& options) {
   const std::string& name = options.name;
   return {name, options.classic_min, std::min<Milliseconds>(options.wait, protocol::kStreamWaitMax),
-          [name](std::uint64_t bytes) { return check_memory(name, bytes); }};
+          [name](std::uint64_t bytes) { return check_memory(name, bytes, kRelayLess); }};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "server/streams/check_report.h"
 #include "server/streams/memory.h"
+#include "server/streams/resampling.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -225,15 +226,26 @@ TEST(LoadSources, RateIsForStreamFilesToo) {
   EXPECT_EQ(sources->at(0).stream->times[0], protocol::KeyframeTime(50));
 }
 
+TEST(LoadSources, ARateThatTakesTooMuchMemoryIsNamedInTheRemedy) {
+  protocol::Keyframe minute;
+  minute.time_ms = 60'000;
+  protocol::StreamFile stream;
+  stream.keyframes.assign(100, minute);
+  const auto refused = resample(stream, 1e9, 100, "a.txt");
+  ASSERT_FALSE(refused);
+  EXPECT_TRUE(refused.error().message.ends_with("; lower --rate or choose a shorter stream"));
+  EXPECT_EQ(stream.keyframes.size(), 100U);
+}
+
 TEST(CheckMemory, RefusesWhatWouldLeaveTooLittle) {
   const auto available = available_memory();
   ASSERT_TRUE(available.has_value());
-  EXPECT_TRUE(check_memory("a.txt", 0));
-  const auto refused = check_memory("a.txt", std::uint64_t{1} << 60U);
+  EXPECT_TRUE(check_memory("a.txt", 0, ""));
+  const auto refused = check_memory("a.txt", std::uint64_t{1} << 60U, "buy more");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
   EXPECT_TRUE(has(refused.error(), "a.txt: too large to hold: it needs ")) << "the file";
-  EXPECT_TRUE(has(refused.error(), "serve a shorter stream")) << "the remedy";
+  EXPECT_TRUE(refused.error().message.ends_with("; buy more")) << "the caller's remedy";
 }
 
 }  // namespace
