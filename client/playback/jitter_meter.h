@@ -8,9 +8,9 @@
 namespace aucast::playback {
 
 /// Measures by how much a stream has to be delayed so that late keyframes still come in time. A
-/// keyframe's lateness is the time from the first arrival to its own, minus the times of all
-/// keyframes before it; the result is the spread of lateness over the last kWindow. A keyframe that
-/// was lost and sent again counts with all of its lateness.
+/// keyframe's lateness is how long after the first keyframe it arrived, minus the sum of the times
+/// of all keyframes before it; the result is the spread of lateness over the last kWindow. A
+/// keyframe that was lost and sent again counts with all of its lateness.
 /// Thread: none of its own.
 class JitterMeter {
  public:

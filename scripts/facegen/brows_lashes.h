@@ -9,7 +9,7 @@ namespace aucast::facegen {
 [[nodiscard]] Part make_brow(const Identity& who, int side);
 
 /// What moves with the lids: the lashes and the line they stand in, the fold of the upper lid and
-/// the shade of the lids on the ball.
+/// the shadow of the lids on the eyeball.
 [[nodiscard]] Part make_lashes(const Identity& who, const Skin& skin);
 
 }  // namespace aucast::facegen

@@ -8,8 +8,8 @@
 
 namespace aucast::server {
 
-/// Everything needed to connect to an address of NATS. Secrets that are words have been read; files
-/// that the library reads itself have only been checked.
+/// Everything needed to connect to an address of NATS. Token and login have been read from their
+/// files. The other files are read by NATS' own library; whether they can be read has been checked.
 struct NatsOptions {
   protocol::StreamAddress address;
   std::string token;  ///< empty: none

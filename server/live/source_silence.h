@@ -16,14 +16,14 @@ class SourceSilence {
   /// `time_out` 0: the stream is never over.
   explicit SourceSilence(Milliseconds time_out) : time_out_(time_out) {}
 
-  /// Call it when something comes. Returns whether to log that, which is so if nothing came before
-  /// or the silence was logged.
+  /// Call it when something comes. Returns whether its coming is to be logged: it is the first
+  /// thing to come, or it ends a silence that was logged.
   [[nodiscard]] bool broken() { return std::exchange(said_, false); }
   /// `is_final`: whether nothing can come any more.
   void set_final(bool is_final) { final_ = is_final; }
   [[nodiscard]] bool is_final() const { return final_; }
 
-  /// Whether to log now that nothing has come since `since`; true only once in each silence.
+  /// Whether the silence since `since` is to be logged now; true only once in each silence.
   [[nodiscard]] bool to_be_said(SteadyTime since, SteadyTime now);
   /// Whether a silence can end the stream at all.
   [[nodiscard]] bool ends() const { return time_out_.count() > 0; }

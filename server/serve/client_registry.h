@@ -85,7 +85,7 @@ class ClientRegistry {
 
   [[nodiscard]] std::size_t size() const { return clients_.size(); }
   [[nodiscard]] bool empty() const { return clients_.empty(); }
-  /// How many connections came in: all except those to servers that we have dialled.
+  /// How many of the present connections came in: all except those that we have dialled.
   [[nodiscard]] std::size_t came() const { return clients_.size() - dialled_; }
   [[nodiscard]] std::size_t count(Way way) const;
   /// How many connections that came in have neither been sent away nor ended.

@@ -43,7 +43,8 @@ class PlayingStream {
   /// Call it when playing has been advanced. `now`: by the steady clock; `aus`: those of the face.
   virtual void advanced(Instant /*now*/, const AuFrame& /*aus*/) {}
 
-  /// True once, when a server that is to be remembered has answered.
+  /// Returns true a single time: at the first call after a keyframe has come from a server that the
+  /// window should remember.
   [[nodiscard]] virtual bool take_answer() { return false; }
   /// Why --live has no effect on this stream.
   [[nodiscard]] virtual LiveObjection objection(const PlaybackOptions& /*options*/) const {
@@ -54,12 +55,13 @@ class PlayingStream {
   virtual void stop(Instant now) = 0;
   /// Plays on. Returns false if the stream cannot.
   virtual bool resume(Instant now) = 0;
-  /// Carries out commands that only a LocalStream knows. Returns true if its face is to be shown.
+  /// Carries out commands that only a LocalStream knows. Returns true if the window should now show
+  /// the face of this stream, as after a seek or a step.
   virtual bool apply(const gui::LocalCommand& /*command*/, Instant /*now*/) { return false; }
 
   /// Whether the face does not move and resume() would make it move.
   [[nodiscard]] virtual bool stands() const = 0;
-  /// How long the window may wait while no position is due.
+  /// How long the window may wait when the player names no time for its next position of the face.
   [[nodiscard]] virtual Duration idle_time() const { return kIdle; }
   /// The window's title with what plays: "lecture.txt - AUcast". `over`: whether playing and its
   /// sound have ended.
