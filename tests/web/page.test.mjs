@@ -541,6 +541,101 @@ for (const name of ['chromium', 'firefox']) {
       await tab.close();
     });
 
+    test('what a page asks for while the face loads goes before the attributes', async () => {
+      const tab = await openTab(browser, server.at('http', '?show=1'), small);
+      await tab.evaluate(address => {
+        window.faces = ['play', 'show', 'stop'].map(() => {
+          const face = document.createElement('aucast-player');
+          face.setAttribute('server', address);
+          face.setAttribute('stream', 'talk');
+          document.body.append(face);
+          return face;
+        });
+        const [played, shown, stopped] = window.faces;
+        played.play('lecture');
+        shown.show('12');
+        stopped.stop();
+      }, server.at('ws'));
+      await tab.waitForFunction(() => window.faces[0].speaker === 'A face over a thin wire' &&
+                                      window.faces.every(({ state }) => state), { polling: 50 });
+      assert.deepEqual(await tab.evaluate(() => window.faces.slice(1).map(face => [face.aus, face.state])),
+                       [['12', 'idle'], ['0', 'idle']]);
+      assert.deepEqual(tab.faults, []);
+      await tab.close();
+    });
+
+    test('a stream that has ended begins only when it is asked for again', async () => {
+      const tab = await openTab(browser, server.at('http', '?stream=lecture'), small);
+      await untilState(tab, 'playing');
+      await tab.evaluate(() => {
+        window.face = document.querySelector('aucast-player');
+        return window.face.play('six_expressions');
+      });
+      await untilState(tab, 'ended');
+      const states = await tab.evaluate(async () => {
+        const { face } = window;
+        const stage = face.parentElement;
+        face.remove();
+        await new Promise(resolve => setTimeout(resolve));
+        const away = face.state;
+        stage.append(face);
+        window.keyframes = [];
+        await new Promise(resolve => setTimeout(resolve, 500));  // in which it would have begun
+        return [away, face.state];
+      });
+      assert.deepEqual(states, ['ended', 'ended']);
+      await tab.evaluate(() => {
+        const { shadowRoot } = window.face;
+        [...shadowRoot.querySelectorAll('button')].find(b => b.textContent === 'Play again').click();
+      });
+      await tab.waitForFunction(() => window.keyframes.length > 2);
+      assert.deepEqual(await tab.evaluate(() => window.keyframes.slice(0, 3)), setsOf(expressions).slice(0, 3));
+      await tab.evaluate(() => window.face.setAttribute('stream', 'talk'));
+      assert.equal(await tab.evaluate(() => window.face.asked), 'talk');
+      assert.deepEqual(tab.faults, []);
+      await tab.close();
+    });
+
+    test('a paused face that is put elsewhere is still paused', async () => {
+      const tab = await openTab(browser, server.at('http', '?stream=talk'), small);
+      await untilState(tab, 'playing');
+      await tab.evaluate(() => {
+        window.face = document.querySelector('aucast-player');
+        return window.face.play('lecture');
+      });
+      await untilState(tab, 'playing');
+      const states = await tab.evaluate(async () => {
+        const { face } = window;
+        face.pause();
+        face.advance();
+        const stage = face.parentElement;
+        face.remove();
+        await new Promise(resolve => setTimeout(resolve));
+        const away = face.state;
+        stage.append(face);
+        return [away, await new Promise(resolve => face.addEventListener('state', event => {
+          resolve(event.detail.state);
+        }))];
+      });
+      assert.deepEqual(states, ['idle', 'paused']);
+      await tab.waitForFunction(() => window.face.engine.connected, { polling: 50 });
+      assert.equal(await tab.evaluate(() => window.face.state), 'paused');
+      await tab.evaluate(() => window.face.resume());
+      await untilState(tab, 'playing');
+      assert.equal(await tab.evaluate(() => window.face.speaker), 'A face over a thin wire');
+      assert.deepEqual(tab.faults, []);
+      await tab.close();
+    });
+
+    test('a face without its server plays no more', async () => {
+      const tab = await openTab(browser, server.at('http', '?stream=talk'), small);
+      await untilState(tab, 'playing');
+      await tab.evaluate(() => document.querySelector('aucast-player').removeAttribute('server'));
+      await untilState(tab, 'idle');
+      assert.deepEqual(tab.faults, []);
+      await tab.close();
+    });
+
     test('two faces in a page are two', async () => {
       const tab = await openTab(browser, server.at('http', 'example.html'), { width: 600, height: 900 });
       const [first, second] = await tab.evaluate(async () => {

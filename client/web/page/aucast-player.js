@@ -23,6 +23,8 @@ const WORDS = {
   lost: 'Lost',
 };
 
+const OVER = ['idle', 'ended', 'lost'];
+
 class AucastPlayer extends HTMLElement {
   static observedAttributes = ['face', 'stream', 'server', 'show', 'layers', 'muted', 'volume',
                                'captions'];
@@ -51,9 +53,10 @@ class AucastPlayer extends HTMLElement {
     this.about = { title: '', voice: false, captions: false };
     this.wishes = 0;
     this.token = '';
-    this.asked = '';  // the stream that was to be played last
+    this.wished = false;  // by a method, before the face was there: the attributes come second
+    this.asked = null;  // the stream that was to be played last; null: that of the attribute
     this.wantsDraw = true;
-    this.resumes = false;  // when it comes back to the page
+    this.resumes = '';  // when it comes back to the page: 'playing', 'paused' or nothing
     this.failed = false;  // to load the face
     this.expectFace();
     this.listenToContext();
@@ -63,35 +66,26 @@ class AucastPlayer extends HTMLElement {
 
   /// Shows a set of AUs, `6,12:80`; needs no server. Throws for anything else.
   async show(aus) {
-    ++this.wishes;
-    await this.load({ wished: true });
-    this.engine.show(String(aus));
-    this.engine.advance();
-    this.tell();
-    this.draw();
+    this.wish();
+    await this.load();
+    this.showNow(aus);
   }
 
   /// Plays a stream of `server`; without a name its first one.
-  async play(stream = this.getAttribute('stream') ?? '') {
-    const wish = ++this.wishes;
-    this.asked = stream;
-    await this.load({ wished: true });
-    await this.engine.loadVoice();
-    if (wish !== this.wishes) return;  // something else was asked for since
-    this.engine.play(this.server, stream, this.token);
-    this.tell();
-    this.beat();
-  }
+  async play(stream = this.getAttribute('stream') ?? '') { await this.begin(stream); }
 
   async stop() {
-    ++this.wishes;
-    await this.load({ wished: true });
+    this.wish();
+    await this.load();
     this.engine.stop();
     this.tell();
   }
 
   pause() { this.setPaused(true); }
   resume() { this.setPaused(false); }
+
+  /// The stream that was asked for last, from its beginning.
+  playAgain() { return this.play(this.asked ?? undefined); }
 
   /// The names of the server's streams.
   async streams() { return (await this.list()).map(({ name }) => name); }
@@ -144,7 +138,10 @@ class AucastPlayer extends HTMLElement {
     if (!this.engine) {
       if (!this.starting) this.start();
     } else if (this.resumes) {
-      this.play().catch(error => this.fail(error));
+      const paused = this.resumes === 'paused';
+      this.begin(this.asked, { paused }).catch(error => this.fail(error));
+    } else {
+      this.beat();
     }
   }
 
@@ -155,18 +152,20 @@ class AucastPlayer extends HTMLElement {
       this.sizes?.disconnect();
       this.sizes = null;
       document.removeEventListener('visibilitychange', this.onVisibility);
-      ++this.wishes;
-      if (this.engine) {
-        this.resumes = this.engine.state !== 'idle';
+      if (!this.engine) return;
+      const { state } = this.engine;
+      if (!OVER.includes(state)) {
+        this.resumes = state === 'paused' ? 'paused' : 'playing';
         this.engine.stop();
-        this.sound.close();
-        this.tell();
       }
+      this.sound.close();
+      this.tell();
     });
   }
 
   attributeChangedCallback(name, before, now) {
     if (before === now) return;
+    if (name === 'server' || name === 'stream') this.asked = null;
     if (name === 'muted') {
       this.muted = now !== null;
     } else if (name === 'volume') {
@@ -184,6 +183,8 @@ class AucastPlayer extends HTMLElement {
       if (now !== null) this.show(now).catch(error => this.fail(error));
     } else if (this.server) {
       this.play().catch(error => this.fail(error));
+    } else if (name === 'server') {
+      this.stop().catch(error => this.fail(error));
     }
   }
 
@@ -209,15 +210,14 @@ class AucastPlayer extends HTMLElement {
     this.ready.catch(() => {});  // told in words and by the event 'error'
   }
 
-  /// The promise of the face, which is tried anew if it could not be loaded. `wished`: somebody says
-  /// what it is to do then.
-  load({ wished = false } = {}) {
-    if (this.failed && this.isConnected) this.start(wished);
+  /// The promise of the face, which is tried anew if it could not be loaded.
+  load() {
+    if (this.failed && this.isConnected) this.start();
     return this.ready;
   }
 
-  /// Loads the face, and does what the attributes say unless something else is `wished`.
-  async start(wished = false) {
+  /// Loads the face, and does what the attributes say unless a method says something else.
+  async start() {
     if (this.failed) this.expectFace();
     this.failed = false;
     this.starting = true;
@@ -227,18 +227,49 @@ class AucastPlayer extends HTMLElement {
     } catch (error) {
       this.engine = null;
       this.failed = true;
+      this.wished = false;
       this.settle.reject(error);
       this.fail(error);
     }
     this.starting = false;
-    if (this.failed || wished) return;
+    if (this.failed || this.wished) return;
     try {
-      if (this.hasAttribute('show')) await this.show(this.getAttribute('show'));
-      this.resumes = this.server !== '';
-      if (this.resumes && this.isConnected) await this.play();
+      if (this.hasAttribute('show')) this.showNow(this.getAttribute('show'));
+      if (this.server) await this.play();
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  /// Somebody says what the face is to do, and nothing else from now on. Returns its number.
+  wish() {
+    this.wished = true;
+    this.resumes = '';
+    return ++this.wishes;
+  }
+
+  showNow(aus) {
+    this.engine.show(String(aus));
+    this.engine.advance();
+    this.tell();
+    this.draw();
+  }
+
+  /// Plays a stream once the face is there, and in the page.
+  async begin(stream, { paused = false } = {}) {
+    const wish = this.wish();
+    await this.load();
+    await this.engine.loadVoice();
+    if (wish !== this.wishes) return;  // something else was asked for since
+    this.asked = stream;
+    if (!this.isConnected) {
+      this.resumes = paused ? 'paused' : 'playing';
+      return;
+    }
+    this.engine.play(this.server, stream, this.token);
+    if (paused) this.engine.pause(true);
+    this.tell();
+    this.beat();
   }
 
   async loadFace() {
@@ -270,7 +301,7 @@ class AucastPlayer extends HTMLElement {
     clearTimeout(this.nextBeat);
     if (!this.engine) return;
     this.advance();
-    if (this.engine.state === 'idle') {
+    if (this.engine.state === 'idle' || !this.isConnected) {
       this.draw();
     } else if (document.hidden) {
       this.nextBeat = setTimeout(() => this.beat(), HIDDEN_BEAT_MS);

@@ -151,7 +151,7 @@ export class Controls {
   press() {
     const player = this.player;
     if (this.pause.textContent === 'Play again') {
-      player.play().catch(error => player.fail(error));
+      player.playAgain().catch(error => player.fail(error));
     } else {
       player.setPaused(player.state !== 'paused');
     }

@@ -53,7 +53,7 @@ export class TokenForm {
       return;
     }
     this.player.token = token;
-    this.player.play(this.player.asked).catch(error => this.player.fail(error));
+    this.player.playAgain().catch(error => this.player.fail(error));
   }
 
   close() {
