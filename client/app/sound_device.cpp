@@ -17,18 +17,16 @@ std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options) {
   return nullptr;
 }
 
-Result<std::unique_ptr<sound::SoundTrack>> open_sound_file(
-    const std::filesystem::path& sound_file) {
-  auto track = sound::FileTrack::open(sound_file);
-  if (!track) return track.error();
-  if (!(*track)->complaint().empty()) spdlog::warn("{}", (*track)->complaint());
-  return std::unique_ptr<sound::SoundTrack>(std::move(*track));
-}
-
 Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
     const std::filesystem::path& stream_file) {
   const auto file = sound::sound_beside(stream_file);
-  return file ? open_sound_file(*file) : std::unique_ptr<sound::SoundTrack>();
+  if (!file) return std::unique_ptr<sound::SoundTrack>();
+  auto track = sound::FileTrack::open(*file);
+  if (!track) return track.error();
+  if (const auto complaint = (*track)->take_complaint(); !complaint.empty()) {
+    spdlog::warn("{}", complaint);
+  }
+  return std::unique_ptr<sound::SoundTrack>(std::move(*track));
 }
 
 }  // namespace aucast::app

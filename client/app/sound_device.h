@@ -14,12 +14,7 @@ namespace aucast::app {
 /// cannot be opened, logs that, returns null and clears the request for a voice in `options`.
 [[nodiscard]] std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options);
 
-/// Opens a sound file. Fails as sound::FileTrack::open() does.
-[[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_file(
-    const std::filesystem::path& sound_file);
-
-/// Opens the sound file beside a stream file. Returns null if there is none. Fails as
-/// open_sound_file() does.
+/// Reads the sound file beside a stream file; null: there is none. Errors are those of reading it.
 [[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
     const std::filesystem::path& stream_file);
 

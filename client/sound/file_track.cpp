@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "common/sound_name.h"
+#include "common/text.h"
 #include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
 
@@ -38,34 +42,108 @@ Filter make_filter() {
 }
 
 constexpr float kWhole = 32767;
+constexpr std::size_t kBlockSamples = voice::kEncoderRate;
+
+std::vector<std::int16_t> whole_numbers(std::span<const float> samples) {
+  std::vector<std::int16_t> numbers;
+  numbers.reserve(samples.size());
+  for (const float sample : samples) {
+    numbers.push_back(
+        static_cast<std::int16_t>(std::lround(std::clamp(sample, -1.0F, 1.0F) * kWhole)));
+  }
+  return numbers;
+}
+
+Result<voice::SoundFile> open_short(const std::filesystem::path& path) {
+  auto file = voice::SoundFile::open(path);
+  if (file && file->duration() > std::chrono::hours(FileTrack::kHoursMax)) {
+    return Error{
+        ErrorKind::BadData,
+        at_place(path.string(), "lasts more than the " + std::to_string(FileTrack::kHoursMax) +
+                                    " hours that are played with a face; cut it")};
+  }
+  return file;
+}
 
 }  // namespace
 
 Result<std::unique_ptr<FileTrack>> FileTrack::open(const std::filesystem::path& path) {
-  auto file = voice::SoundFile::open(path);
+  auto file = open_short(path);
   if (!file) return file.error();
   std::unique_ptr<FileTrack> track(new FileTrack);
-  std::vector<float> portion(voice::kEncoderRate);
-  std::size_t count = portion.size();
-  while (count == portion.size()) {
-    count = file->read(portion);
-    for (std::size_t i = 0; i < count; ++i) {
-      const float sample = std::clamp(portion[i], -1.0F, 1.0F);
-      track->samples_.push_back(static_cast<std::int16_t>(std::lround(sample * kWhole)));
-    }
+  track->complaint_ = track->read_rest(*file);
+  track->take_news();
+  return track;
+}
+
+Result<std::unique_ptr<FileTrack>> FileTrack::begin(const std::filesystem::path& path) {
+  auto opened = open_short(path);
+  if (!opened) return opened.error();
+  std::unique_ptr<FileTrack> track(new FileTrack);
+  // Shared, since a std::function is copied.
+  const auto file = std::make_shared<voice::SoundFile>(*std::move(opened));
+  const bool more = track->read_block(*file);
+  track->take_news();
+  if (!more) {
+    track->complaint_ = file->complaint();
+    return track;
   }
-  track->complaint_ = file->complaint();
+  const auto started =
+      track->reading_.start([self = track.get(), file] { return self->read_rest(*file); });
+  if (!started) return started.error();
   return track;
 }
 
 FileTrack::FileTrack(const std::vector<float>& samples) {
-  for (const float sample : samples) {
-    samples_.push_back(static_cast<std::int16_t>(std::lround(sample * kWhole)));
+  for (std::span<const float> left = samples; !left.empty();) {
+    const auto block = left.first(std::min(left.size(), kBlockSamples));
+    append(whole_numbers(block));
+    left = left.subspan(block.size());
   }
+}
+
+FileTrack::~FileTrack() {
+  stop_.request_stop();
+}
+
+/// Reads the next second. Returns false if it was the last one.
+bool FileTrack::read_block(voice::SoundFile& file) {
+  std::vector<float> samples(kBlockSamples);
+  samples.resize(file.read(samples));
+  const bool more = samples.size() == kBlockSamples;
+  Block block = whole_numbers(samples);
+  news_.with([&](std::vector<Block>& news) { news.push_back(std::move(block)); });
+  return more;
+}
+
+/// Returns the file's complaint.
+std::string FileTrack::read_rest(voice::SoundFile& file) {
+  // A header may tell of less than there is.
+  constexpr int kBlocksMax = kHoursMax * 3600;
+  for (int i = 0; i < kBlocksMax && !stop_.stop_requested(); ++i) {
+    if (!read_block(file)) return file.complaint();
+  }
+  return {};
+}
+
+void FileTrack::take_news() {
+  auto blocks = news_.with([](std::vector<Block>& news) { return std::exchange(news, {}); });
+  for (Block& block : blocks) append(std::move(block));
+}
+
+void FileTrack::append(Block block) {
+  count_ += static_cast<std::int64_t>(block.size());
+  blocks_.push_back(std::move(block));
+}
+
+std::string FileTrack::take_complaint() {
+  if (auto said = reading_.take()) complaint_ = *std::move(said);
+  return std::exchange(complaint_, {});
 }
 
 void FileTrack::read(std::int64_t begin, std::span<float> samples) {
   static const Filter filter = make_filter();
+  take_news();
   for (float& out : samples) {
     const std::int64_t at = begin++;
     const std::int64_t whole = at >= 0 ? at / kPhases : -((-at + kPhases - 1) / kPhases);
@@ -79,12 +157,13 @@ void FileTrack::read(std::int64_t begin, std::span<float> samples) {
 }
 
 float FileTrack::at(std::int64_t sample) const {
-  const bool there = sample >= 0 && sample < static_cast<std::int64_t>(samples_.size());
-  return there ? samples_[static_cast<std::size_t>(sample)] : 0;
+  if (sample < 0 || sample >= count_) return 0;
+  const auto index = static_cast<std::size_t>(sample);
+  return blocks_[index / kBlockSamples][index % kBlockSamples];
 }
 
 std::int64_t FileTrack::end() const {
-  return static_cast<std::int64_t>(samples_.size()) * kPhases;
+  return count_ * kPhases;
 }
 
 std::optional<std::filesystem::path> sound_beside(const std::filesystem::path& stream_file) {

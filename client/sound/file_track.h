@@ -4,35 +4,63 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "client/sound/sound_track.h"
 #include "common/result.h"
+#include "common/shared.h"
+#include "common/task.h"
+
+namespace aucast::voice {
+class SoundFile;
+}
 
 namespace aucast::sound {
 
-/// A sound file as the track of a stream that is available whole. All of it is in memory: 115 MB
-/// for an hour. Thread: none of its own.
+/// A sound file as the track of a stream that is available whole. It is kept decoded: 115 MB for
+/// an hour. Thread: the player's; begin() starts another one.
 class FileTrack final : public SoundTrack {
  public:
-  /// Fails with Unreadable or BadData, as voice::SoundFile does.
+  /// A file that lasts longer is refused.
+  static constexpr int kHoursMax = 4;
+
+  /// Reads the file to its end. Unreadable or BadData as voice::SoundFile, BadData if the file is
+  /// too long.
   [[nodiscard]] static Result<std::unique_ptr<FileTrack>> open(const std::filesystem::path& path);
+  /// Reads the first second, and the rest on a thread of its own, many times faster than it is
+  /// played. What has not been read yet is silent. Errors as open(), or Failed when the system has
+  /// no thread left.
+  [[nodiscard]] static Result<std::unique_ptr<FileTrack>> begin(const std::filesystem::path& path);
   /// Samples at voice::kEncoderRate, in [-1,1].
   explicit FileTrack(const std::vector<float>& samples);
+  /// Waits for the thread, which reads no more than a second on.
+  ~FileTrack() override;
 
-  /// As voice::SoundFile::complaint().
-  [[nodiscard]] const std::string& complaint() const { return complaint_; }
+  /// voice::SoundFile's complaint, once, when the file has been read to its end; otherwise empty.
+  [[nodiscard]] std::string take_complaint();
 
   void read(std::int64_t begin, std::span<float> samples) override;
+  /// As of the last read(), where the file is still being read.
   [[nodiscard]] std::int64_t end() const override;
 
  private:
+  /// A second of the file; only the last one may be shorter.
+  using Block = std::vector<std::int16_t>;
   FileTrack() = default;
+  [[nodiscard]] bool read_block(voice::SoundFile& file);
+  [[nodiscard]] std::string read_rest(voice::SoundFile& file);
+  void take_news();
+  void append(Block block);
   [[nodiscard]] float at(std::int64_t sample) const;
 
-  std::vector<std::int16_t> samples_;
+  std::vector<Block> blocks_;
+  std::int64_t count_ = 0;  ///< samples in blocks_
   std::string complaint_;
+  Shared<std::vector<Block>> news_;  ///< what has been read, and was not taken yet
+  std::stop_source stop_;
+  Task<std::string> reading_;  ///< gives the complaint; the last member, since it uses the others
 };
 
 /// The sound file of the same name beside a stream file: .wav, .flac, .opus, .ogg or .mp3, the

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "client/sound/wav_file.h"
 #include "common/voice/voice_encoder.h"
@@ -61,6 +65,89 @@ TEST(FileTrack, ReadsAFileOfAnotherRate) {
   std::vector<float> heard(100);
   (*track)->read(kRate / 2, heard);
   for (const float sample : heard) EXPECT_NEAR(sample, 0.25F, 0.01F);
+}
+
+/// A file of `seconds` seconds, which rises from -1 to 1.
+std::filesystem::path long_file(const TempFolder& folder, int seconds) {
+  auto file = WavFile::open(folder.path() / "long.wav");
+  EXPECT_TRUE(file.has_value());
+  for (int i = 0; i < seconds; ++i) {
+    const float level = 2.0F * static_cast<float>(i) / static_cast<float>(seconds) - 1;
+    (*file)->add(std::vector<float>(kRate, level));
+  }
+  EXPECT_TRUE((*file)->finish().has_value());
+  return folder.path() / "long.wav";
+}
+
+TEST(FileTrack, InTheBackgroundPlaysTheBeginningAtOnceAndTheRestAsItIsRead) {
+  constexpr int kSeconds = 12;
+  const TempFolder folder;
+  const auto path = long_file(folder, kSeconds);
+  const auto whole = FileTrack::open(path);
+  ASSERT_TRUE(whole.has_value());
+  const auto track = FileTrack::begin(path);
+  ASSERT_TRUE(track.has_value());
+  // A second is read within the call, and not the whole file, which would keep the window waiting.
+  EXPECT_EQ((*track)->end(), kRate);
+  std::vector<float> heard(100);
+  std::vector<float> wanted(100);
+  (*track)->read(kRate / 2, heard);
+  (*whole)->read(kRate / 2, wanted);
+  EXPECT_EQ(heard, wanted);
+  while ((*track)->end() < (*whole)->end()) {
+    std::this_thread::yield();
+    (*track)->read(0, heard);
+  }
+  EXPECT_EQ((*track)->end(), (*whole)->end());
+  for (int second = 0; second < kSeconds; ++second) {
+    (*track)->read(second * kRate - 50, heard);
+    (*whole)->read(second * kRate - 50, wanted);
+    EXPECT_EQ(heard, wanted) << second;
+  }
+  EXPECT_EQ((*track)->take_complaint(), "");
+}
+
+TEST(FileTrack, IsLetGoWhileItIsStillRead) {
+  const TempFolder folder;
+  const auto path = long_file(folder, 12);
+  const auto track = FileTrack::begin(path);
+  ASSERT_TRUE(track.has_value());
+}
+
+TEST(FileTrack, ComplainsOnceOfAFileThatWasCutOff) {
+  const TempFolder folder;
+  const auto path = long_file(folder, 10);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  const auto track = FileTrack::begin(path);
+  ASSERT_TRUE(track.has_value());
+  std::string complaint;
+  while (complaint.empty()) {
+    std::this_thread::yield();
+    complaint = (*track)->take_complaint();
+  }
+  EXPECT_NE(complaint.find("long.wav"), std::string::npos) << complaint;
+  EXPECT_EQ((*track)->take_complaint(), "");
+}
+
+TEST(FileTrack, RefusesWhatWouldNotFitIntoMemory) {
+  // A header alone: 8-bit samples, one a millisecond, for five hours.
+  const std::uint32_t count = 5 * 3600 * 1000;
+  const auto bytes = [](std::uint32_t number, int width) {
+    std::string text;
+    for (int i = 0; i < width; ++i) text += static_cast<char>(number >> (8U * unsigned(i)));
+    return text;
+  };
+  const TempFolder folder;
+  const auto path =
+      folder.write("a.wav", "RIFF" + bytes(36 + count, 4) + "WAVEfmt " + bytes(16, 4) +
+                                bytes(1, 2) + bytes(1, 2) + bytes(1000, 4) + bytes(1000, 4) +
+                                bytes(1, 2) + bytes(8, 2) + "data" + bytes(count, 4));
+  std::filesystem::resize_file(path, 44 + count);
+  for (const auto& track : {FileTrack::open(path), FileTrack::begin(path)}) {
+    ASSERT_FALSE(track.has_value());
+    EXPECT_EQ(track.error().kind, ErrorKind::BadData);
+    EXPECT_NE(track.error().message.find("4 hours"), std::string::npos) << track.error().message;
+  }
 }
 
 TEST(SoundBeside, IsTheFileOfTheSameName) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <variant>
 
-#include "client/app/sound_device.h"
 #include "client/gui/texts/texts.h"
 #include "client/sound/openal_out.h"
 #include "common/log.h"
@@ -41,12 +40,13 @@ void SoundSession::play_beside(const std::filesystem::path& file, Instant now) {
 
 void SoundSession::play_sound_file(Instant now) {
   if (!has_device_ || file_.empty() || track_ != nullptr) return;
-  auto track = open_sound_beside(file_);
+  const auto sound = sound::sound_beside(file_);
+  if (!sound) return;
+  auto track = sound::FileTrack::begin(*sound);
   if (!track) {
     notices_.say(track.error().message, true, now);
     return;
   }
-  if (*track == nullptr) return;
   player_.sound().open(player_.playback(), track->get());
   track_ = std::move(*track);
 }
@@ -56,7 +56,7 @@ Result<void> SoundSession::play_file(const std::filesystem::path& sound, const s
   if (!has_device_) {
     return Error{ErrorKind::Failed, gui::tr("said.not_heard", sound.filename().string())};
   }
-  auto track = open_sound_file(sound);
+  auto track = sound::FileTrack::begin(sound);
   if (!track) return track.error();
   player_.sound().open(player_.playback(), track->get());
   track_ = std::move(*track);
@@ -66,6 +66,11 @@ Result<void> SoundSession::play_file(const std::filesystem::path& sound, const s
 
 void SoundSession::advanced(Instant now) {
   if (const auto place = player_.heard_place()) spoken_.move_to(*player_.playback(), *place);
+  if (track_ != nullptr) {
+    if (const auto complaint = track_->take_complaint(); !complaint.empty()) {
+      spdlog::warn("{}", complaint);
+    }
+  }
   if (player_.sound().take_loss()) {
     has_device_ = false;
     missed_ = true;

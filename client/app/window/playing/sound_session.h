@@ -10,10 +10,10 @@
 #include "client/app/player_options.h"
 #include "client/app/window/playing/spoken_text.h"
 #include "client/gui/model/gui_commands.h"
+#include "client/sound/file_track.h"
 #include "client/sound/heard_player.h"
 #include "client/sound/sound_out.h"
 #include "client/sound/sound_player.h"
-#include "client/sound/sound_track.h"
 #include "common/result.h"
 #include "common/time.h"
 
@@ -63,9 +63,8 @@ class SoundSession {
 
   sound::HeardPlayer& player_;
   Notices& notices_;
-  std::unique_ptr<sound::SoundTrack> track_;  ///< the sound file; null: the sound comes with what
-                                              ///< plays
-  bool wanted_;                               ///< the options do not turn sound off
+  std::unique_ptr<sound::FileTrack> track_;  ///< null: the sound comes with what plays
+  bool wanted_;                              ///< sound is not turned off by the options
   bool has_device_ = false;
   bool missed_ = false;               ///< sound is wanted, and no device plays it
   std::string device_;                ///< the chosen one; empty: the default one
