@@ -4,6 +4,7 @@
 #include <array>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "common/files.h"
 #include "common/text.h"
@@ -16,24 +17,58 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kFileMax = std::size_t{1} << 20U;
+/// Broken files that are kept.
+constexpr int kBrokenMax = 5;
 constexpr std::array<std::string_view, 2> kMixers = {"maximum", "average"};
 constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "cosine"};
 constexpr std::array<std::string_view, 5> kGrounds = {"studio", "black", "grey", "white", "none"};
 
-/// Fields that the file does not have keep their values.
+/// What the tables of a file share.
+struct Reading {
+  std::string file;
+  std::vector<std::string> left_out{};
+  Problems problems{file};
+
+  /// Whether nothing is wrong with what was read since the last call; else that is left out.
+  [[nodiscard]] bool good() {
+    const auto result = std::exchange(problems, Problems(file)).result();
+    if (!result) left_out.push_back(result.error().message);
+    return result.has_value();
+  }
+};
+
+/// Fields that the file does not have, or has with a wrong value, keep their values.
 class Fields : public TableReader {
  public:
-  using TableReader::TableReader;
+  Fields(const TomlValue& table, Reading& reading)
+      : TableReader(table, reading.problems), reading_(reading) {}
 
   void take(std::string_view key, int& value, int low, int high) {
-    value = integer_or(key, value, low, high);
+    take(value, integer_or(key, value, low, high));
   }
-  void take(std::string_view key, bool& value) { value = boolean_or(key, value); }
-  void take(std::string_view key, std::string& value) { value = text_or(key, value); }
+  void take(std::string_view key, bool& value) { take(value, boolean_or(key, value)); }
+  void take(std::string_view key, std::string& value) { take(value, text_or(key, value)); }
   template <typename Enum, std::size_t N>
   void take(std::string_view key, Enum& value, const std::array<std::string_view, N>& words) {
-    value = static_cast<Enum>(word_or(key, static_cast<std::size_t>(value), words));
+    take(value, static_cast<Enum>(word_or(key, static_cast<std::size_t>(value), words)));
   }
+  void take(std::string_view key, std::vector<std::string>& values) { take(values, texts(key)); }
+  void leave_out(std::string_view key, const std::string& why) {
+    wrong(key, why);
+    static_cast<void>(reading_.good());
+  }
+  void finish() {
+    TableReader::finish();
+    static_cast<void>(reading_.good());
+  }
+
+ private:
+  template <typename T>
+  void take(T& value, T read) {
+    if (reading_.good()) value = std::move(read);
+  }
+
+  Reading& reading_;
 };
 
 /// The names of gui::Behind, in its order.
@@ -54,21 +89,33 @@ void read_remote(Fields fields, KeptSettings& settings) {
   fields.take("tls", remote.tls);
   fields.take("tls_ca", remote.authorities_file);
   fields.take("token_file", remote.token_file);
-  for (const std::string& other : fields.texts("others")) {
+  std::vector<std::string> others;
+  fields.take("others", others);
+  for (const std::string& other : others) {
     if (auto endpoint = protocol::parse_endpoint(other)) {
       remote.others.push_back(*std::move(endpoint));
     } else {
-      fields.wrong("others", endpoint.error().message);
+      fields.leave_out("others", endpoint.error().message);
     }
   }
-  settings.recent = fields.texts("recent");
+  fields.take("recent", settings.recent);
   if (settings.recent.size() > kRecentMax) settings.recent.resize(kRecentMax);
-  if (const auto wrong = problem(remote)) fields.wrong("address", *wrong);
+  const RemoteSettings usual;
+  if (remote.playout > remote.buffer) {
+    fields.leave_out("playout", *problem(remote));
+    remote.buffer = usual.buffer;
+    remote.playout = usual.playout;
+  }
+  if (const auto wrong = problem(remote)) {
+    fields.leave_out("address", *wrong);
+    remote.address = usual.address;
+    remote.others.clear();
+  }
   fields.finish();
 }
 
 void read_files(Fields fields, KeptSettings& settings) {
-  settings.recent_files = fields.texts("recent");
+  fields.take("recent", settings.recent_files);
   if (settings.recent_files.size() > kRecentMax) settings.recent_files.resize(kRecentMax);
   fields.take("own_folder", settings.own_folder);
   fields.finish();
@@ -107,13 +154,12 @@ void read_rendering(Fields fields, RenderingSettings& rendering) {
   using Blink = playback::BlinkOptions;
   std::string layers = view::format_layers(rendering.layers);
   fields.take("show", layers);
-  rendering.layers.textured = false;
-  if (!layers.empty()) {
-    if (auto parsed = view::parse_layers(layers)) {
-      rendering.layers = *parsed;
-    } else {
-      fields.wrong("show", parsed.error().message);
-    }
+  if (layers.empty()) {
+    rendering.layers.textured = false;
+  } else if (auto parsed = view::parse_layers(layers)) {
+    rendering.layers = *parsed;
+  } else {
+    fields.leave_out("show", parsed.error().message);
   }
   fields.take("background", rendering.ground, kGrounds);
   fields.take("light_yaw_deg", rendering.light_yaw_deg, -kLightYawMaxDeg, kLightYawMaxDeg);
@@ -137,7 +183,8 @@ void read_pictures(Fields fields, PictureSettings& pictures) {
   fields.take("width", pictures.width, 0, kPictureSideMax);
   fields.take("height", pictures.height, 0, kPictureSideMax);
   if (const auto name = picture_name(pictures.pattern, {}, 1); !name) {
-    fields.wrong("name", name.error().message);
+    fields.leave_out("name", name.error().message);
+    pictures.pattern = PictureSettings().pattern;
   }
   fields.finish();
 }
@@ -151,6 +198,20 @@ void read_display(Fields fields, DisplaySettings& display) {
 void read_sound(Fields fields, int& volume) {
   fields.take("volume", volume, 0, 100);
   fields.finish();
+}
+
+/// Renames the file to FILE.broken, FILE.broken.2 and so on, whichever there is not yet. Empty: it
+/// stays where it is.
+fs::path put_aside(const fs::path& file) {
+  for (int number = 1; number <= kBrokenMax; ++number) {
+    fs::path aside = file;
+    aside += number == 1 ? ".broken" : ".broken." + std::to_string(number);
+    std::error_code failed;
+    if (fs::exists(fs::symlink_status(aside, failed))) continue;
+    fs::rename(file, aside, failed);
+    return failed ? fs::path() : aside;
+  }
+  return {};
 }
 
 std::string line(std::string_view key, int value) {
@@ -178,33 +239,32 @@ Result<fs::path> settings_file(const char* xdg_config_home, const char* home) {
   return *base / "aucast" / "face-player.toml";
 }
 
-Result<KeptSettings> parse_settings(std::string_view text, const std::string& file) {
-  auto document = parse_toml(text, file);
+Result<ParsedSettings> parse_settings(std::string_view text, const std::string& file) {
+  const auto document = parse_toml(text, file);
   if (!document) return document.error();
   KeptSettings settings;
-  Problems problems(file);
-  TableReader reader(*document, problems);
-  if (const auto* table = reader.table_if("remote")) read_remote({*table, problems}, settings);
-  if (const auto* table = reader.table_if("files")) read_files({*table, problems}, settings);
-  for (const auto* table : reader.tables("table")) read_table({*table, problems}, settings.tables);
-  static_cast<void>(reader.table_if("tables"));  // held for all files once
-  if (const auto* table = reader.table_if("face")) read_face({*table, problems}, settings);
-  if (const auto* table = reader.table_if("animation")) {
-    read_animation({*table, problems}, settings);
+  Reading reading{file};
+  Fields sections(*document, reading);
+  const auto section = [&](std::string_view name, const auto& read) {
+    const TomlValue* const table = sections.table_if(name);
+    if (reading.good() && table != nullptr) read(Fields(*table, reading));
+  };
+  section("remote", [&](Fields fields) { read_remote(std::move(fields), settings); });
+  section("files", [&](Fields fields) { read_files(std::move(fields), settings); });
+  const auto tables = sections.tables("table");
+  if (reading.good()) {
+    for (const TomlValue* table : tables) read_table({*table, reading}, settings.tables);
   }
-  if (const auto* table = reader.table_if("rendering")) {
-    read_rendering({*table, problems}, settings.rendering);
-  }
-  if (const auto* table = reader.table_if("window")) {
-    read_display({*table, problems}, settings.display);
-  }
-  if (const auto* table = reader.table_if("pictures")) {
-    read_pictures({*table, problems}, settings.pictures);
-  }
-  if (const auto* table = reader.table_if("sound")) read_sound({*table, problems}, settings.volume);
-  reader.finish();
-  if (auto good = problems.result(); !good) return good.error();
-  return settings;
+  section("tables", [](const Fields&) {});  // held for all files once
+  section("face", [&](Fields fields) { read_face(std::move(fields), settings); });
+  section("animation", [&](Fields fields) { read_animation(std::move(fields), settings); });
+  section("rendering",
+          [&](Fields fields) { read_rendering(std::move(fields), settings.rendering); });
+  section("window", [&](Fields fields) { read_display(std::move(fields), settings.display); });
+  section("pictures", [&](Fields fields) { read_pictures(std::move(fields), settings.pictures); });
+  section("sound", [&](Fields fields) { read_sound(std::move(fields), settings.volume); });
+  sections.finish();
+  return ParsedSettings{std::move(settings), std::move(reading.left_out)};
 }
 
 std::string format_settings(const KeptSettings& settings) {
@@ -280,20 +340,15 @@ LoadedSettings load_settings(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return loaded;
   const auto text = read_file(file, kFileMax);
-  auto parsed = text ? parse_settings(*text, file.string()) : Result<KeptSettings>(text.error());
+  auto parsed = text ? parse_settings(*text, file.string()) : Result<ParsedSettings>(text.error());
   if (parsed) {
-    loaded.settings = std::move(*parsed);
+    loaded.settings = std::move(parsed->settings);
+    loaded.left_out = std::move(parsed->left_out);
     return loaded;
   }
   // What could not be read may be in the best of order.
-  loaded.may_write = false;
-  fs::path aside = file;
-  aside += ".broken";
-  if (text) {
-    std::error_code failed;
-    fs::rename(file, aside, failed);
-    loaded.may_write = !failed;
-  }
+  const fs::path aside = text ? put_aside(file) : fs::path();
+  loaded.may_write = !aside.empty();
   loaded.complaint =
       parsed.error().message + "; the usual settings are used, " +
       (loaded.may_write ? "that file is now " + aside.string() +

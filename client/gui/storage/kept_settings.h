@@ -36,9 +36,16 @@ inline constexpr std::size_t kRecentMax = 8;
 [[nodiscard]] Result<std::filesystem::path> settings_file(const char* xdg_config_home,
                                                           const char* home);
 
-/// Reads settings. What is missing gets its default. Fails with BadData for the first error, as
-/// "file:line:column: ...".
-[[nodiscard]] Result<KeptSettings> parse_settings(std::string_view text, const std::string& file);
+struct ParsedSettings {
+  KeptSettings settings;
+  /// "file:line:column: ..." of what was left out: a value that is wrong, and the first unknown key
+  /// of each table.
+  std::vector<std::string> left_out;
+};
+
+/// Reads settings. What is missing or left out gets its default. BadData "file:line:column: ..." if
+/// the text is not TOML.
+[[nodiscard]] Result<ParsedSettings> parse_settings(std::string_view text, const std::string& file);
 /// The settings as a commented TOML file, from which parse_settings() gets the same settings.
 [[nodiscard]] std::string format_settings(const KeptSettings& settings);
 
@@ -51,13 +58,15 @@ void remember_file(std::vector<std::string>& recent, const std::string& file);
 /// The result of load_settings().
 struct LoadedSettings {
   KeptSettings settings;  ///< the defaults if there was no file, or it could not be read
-  std::string complaint;  ///< a sentence for the user; empty: all is well
+  std::vector<std::string> left_out{};  ///< as ParsedSettings'
+  std::string complaint;  ///< why there are none, as a sentence for the user; empty: they are there
   bool may_write = true;  ///< false: writing would destroy a file that could neither be read nor
                           ///< renamed
 };
 
-/// Reads the settings. A file with errors is renamed to FILE.broken, which replaces an earlier
-/// FILE.broken, so that its contents are not lost; a file that cannot be read stays as it is.
+/// Reads the settings. A file that is not TOML is renamed, so that it is not overwritten, to
+/// FILE.broken, or FILE.broken.2 to .5 if there is one already; where there are all five, and if it
+/// cannot be read, the file stays as it is.
 [[nodiscard]] LoadedSettings load_settings(const std::filesystem::path& file);
 /// Writes the settings, completely or not at all. Makes the folder if it is missing.
 [[nodiscard]] Result<void> save_settings(const KeptSettings& settings,

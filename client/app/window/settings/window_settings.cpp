@@ -101,11 +101,23 @@ std::filesystem::path usual_file(const PlayerOptions& options) {
   return file ? *file : std::filesystem::path();
 }
 
+/// The first one; the others are in the log.
+std::string left_out_words(const std::vector<std::string>& left_out) {
+  const std::size_t more = left_out.size() - 1;
+  return left_out.front() + (more == 0 ? "" : " (and " + std::to_string(more) + " more)") +
+         "; the usual " + (more == 0 ? "setting is" : "settings are") + " used";
+}
+
 }  // namespace
 
 WindowSettings WindowSettings::load(const PlayerOptions& options) {
   WindowSettings settings(options, usual_file(options));
-  if (!settings.complaint_.empty()) spdlog::warn("{}", settings.complaint_);
+  for (const std::string& one : settings.left_out_) {
+    spdlog::warn("{}; the usual setting is used", one);
+  }
+  if (settings.left_out_.empty() && !settings.complaint_.empty()) {
+    spdlog::warn("{}", settings.complaint_);
+  }
   return settings;
 }
 
@@ -115,6 +127,8 @@ WindowSettings::WindowSettings(const PlayerOptions& options, std::filesystem::pa
     gui::LoadedSettings loaded = gui::load_settings(file_);
     kept_ = std::move(loaded.settings);
     complaint_ = std::move(loaded.complaint);
+    left_out_ = std::move(loaded.left_out);
+    if (!left_out_.empty()) complaint_ = left_out_words(left_out_);
     if (!loaded.may_write) file_.clear();
   }
   in_force_ = kept_;

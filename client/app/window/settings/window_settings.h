@@ -34,6 +34,7 @@ class WindowSettings {
   gui::KeptSettings in_force_;
   std::set<std::string> given_;
   std::string complaint_;
+  std::vector<std::string> left_out_;  ///< of the file
 };
 
 }  // namespace aucast::app

@@ -41,54 +41,77 @@ TEST(KeptSettings, AreReadAsTheyAreWritten) {
   for (const KeptSettings& settings : {KeptSettings{}, unusual()}) {
     const auto read = parse_settings(format_settings(settings), "s.toml");
     ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(*read, settings);
+    EXPECT_EQ(read->settings, settings);
+    EXPECT_TRUE(read->left_out.empty());
   }
 }
 
 TEST(KeptSettings, AFileOfBeforeTablesWereKeptByFileIsStillGood) {
-  EXPECT_EQ(parse_settings("[tables]\nfps = 25\n", "s.toml").value(), KeptSettings{});
+  EXPECT_EQ(parse_settings("[tables]\nfps = 25\n", "s.toml").value().settings, KeptSettings{});
 }
 
 TEST(KeptSettings, TheSecondsOfANeutralFaceAreReadUnderTheirOlderName) {
   const auto read = parse_settings("[[table]]\nfile = \"/a.csv\"\nquiet_s = 2\n", "s.toml");
   ASSERT_TRUE(read) << read.error().message;
-  ASSERT_EQ(read->tables.size(), 1U);
-  EXPECT_EQ(read->tables[0].settings.neutral_s, 2);
+  ASSERT_EQ(read->settings.tables.size(), 1U);
+  EXPECT_EQ(read->settings.tables[0].settings.neutral_s, 2);
 }
 
 TEST(KeptSettings, NoLayerIsAChoiceToo) {
   KeptSettings settings;
   settings.rendering.layers.textured = false;
-  EXPECT_EQ(parse_settings(format_settings(settings), "s.toml").value(), settings);
+  EXPECT_EQ(parse_settings(format_settings(settings), "s.toml").value().settings, settings);
 }
 
 TEST(KeptSettings, WhatIsNotSaidIsAsUsual) {
-  EXPECT_EQ(parse_settings("", "s.toml").value(), KeptSettings{});
+  EXPECT_EQ(parse_settings("", "s.toml").value().settings, KeptSettings{});
   const auto some = parse_settings("[remote]\nport = 4651\n", "s.toml");
   ASSERT_TRUE(some) << some.error().message;
   KeptSettings wanted;
   wanted.remote.port = 4651;
-  EXPECT_EQ(*some, wanted);
+  EXPECT_EQ(some->settings, wanted);
 }
 
-TEST(KeptSettings, ComplaintsSayWhere) {
+TEST(KeptSettings, WhatIsWrongIsLeftOutAndSaidAndTheRestIsRead) {
   for (const auto& [text, where] : std::vector<std::pair<std::string, std::string>>{
            {"[remote]\nport = 70000\n", "s.toml:2:"},
            {"[remote]\nport = \"x\"\n", "s.toml:2:"},
            {"[pictures]\nname = \"{x}\"\n", "stands for nothing"},
            {"[remote]\nothers = [\"a:b\"]\n", "s.toml:2:"},
-           {"[remote\n", "s.toml:1:"},
            {"[remote]\nprot = 1\n", "s.toml:2:1: "},
            {"[animation]\nmixer = \"middle\"\n", "maximum, average"},
            {"[rendering]\nshow = \"bones\"\n", "jaw-tags"},
+           {"[rendering]\nshow = 1\nblinking = 1\n", "show must be a text"},
            {"[remote]\naddress = \"a b\"\n", "s.toml:2:"},
            {"[remote]\nbuffer = 10\nplayout = 20\n", "playout"},
-           {"[remote]\nrecent = [1]\n", "must hold texts"}}) {
-    const auto read = parse_settings(text, "s.toml");
-    ASSERT_FALSE(read) << text;
-    EXPECT_EQ(read.error().kind, ErrorKind::BadData);
-    EXPECT_NE(read.error().message.find(where), std::string::npos) << read.error().message;
+           {"[remote]\nrecent = [1]\n", "must hold texts"},
+           {"[[table]]\nfps = -1\n[later]\na = 1\n", "s.toml:2:"},
+           {"face = 1\n", "face must be a table"},
+           {"table = 1\n", "must be written [[table]]"}}) {
+    const auto read = parse_settings(text + "[sound]\nvolume = 40\n", "s.toml");
+    ASSERT_TRUE(read) << text << read.error().message;
+    KeptSettings wanted;
+    wanted.volume = 40;
+    wanted.tables = read->settings.tables;
+    EXPECT_EQ(read->settings, wanted) << text;
+    ASSERT_FALSE(read->left_out.empty()) << text;
+    EXPECT_NE(read->left_out[0].find(where), std::string::npos) << read->left_out[0];
   }
+}
+
+TEST(KeptSettings, EachThatIsWrongIsSaid) {
+  const auto read =
+      parse_settings("[remote]\nport = 0\nbuffer = \"\"\nplayout = 7\nx = 1\n[y]\n", "s.toml");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->settings.remote.playout, 7);
+  EXPECT_EQ(read->left_out.size(), 4U);
+}
+
+TEST(KeptSettings, WhatIsNotTomlIsNotRead) {
+  const auto read = parse_settings("[remote\n", "s.toml");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().kind, ErrorKind::BadData);
+  EXPECT_NE(read.error().message.find("s.toml:1:"), std::string::npos) << read.error().message;
 }
 
 TEST(KeptSettings, LiveWhereTheUsersSettingsLive) {
@@ -130,14 +153,32 @@ TEST(KeptSettings, ABrokenFileIsPutAsideAndSaid) {
   EXPECT_EQ(read_file(folder.path() / "face-player.toml.broken").value(), text);
 }
 
-TEST(KeptSettings, WhatIsWrongAndCannotBeMovedIsNotWrittenTo) {
+TEST(KeptSettings, FiveBrokenFilesAreKeptAndTheNextIsNotWrittenTo) {
   const test::TempFolder folder;
-  const auto file = folder.write("face-player.toml", "[remote]\nport = many\n");
-  // In its way stands a folder that is not empty.
-  std::filesystem::create_directories(folder.path() / "face-player.toml.broken" / "x");
+  const auto file = folder.path() / "face-player.toml";
+  const auto text = [](int number) { return "broken " + std::to_string(number) + "\n"; };
+  for (int number = 1; number <= 6; ++number) {
+    folder.write("face-player.toml", text(number));
+    const LoadedSettings loaded = load_settings(file);
+    EXPECT_EQ(loaded.may_write, number <= 5) << number;
+    EXPECT_FALSE(loaded.complaint.empty());
+  }
+  EXPECT_EQ(read_file(file).value(), text(6));
+  EXPECT_EQ(read_file(file.string() + ".broken").value(), text(1));
+  for (int number = 2; number <= 5; ++number) {
+    EXPECT_EQ(read_file(file.string() + ".broken." + std::to_string(number)).value(), text(number));
+  }
+}
+
+TEST(KeptSettings, WithOneThatIsWrongTheFileStaysWhereItIs) {
+  const test::TempFolder folder;
+  const auto file = folder.write("face-player.toml", "[remote]\nport = 0\n[sound]\nvolume = 40\n");
   const LoadedSettings loaded = load_settings(file);
-  EXPECT_FALSE(loaded.may_write);
-  EXPECT_FALSE(loaded.complaint.empty());
+  EXPECT_EQ(loaded.settings.volume, 40);
+  EXPECT_EQ(loaded.left_out.size(), 1U);
+  EXPECT_TRUE(loaded.complaint.empty());
+  EXPECT_TRUE(loaded.may_write);
+  EXPECT_TRUE(std::filesystem::exists(file));
 }
 
 TEST(KeptSettings, WhatCannotBeReadStaysWhereItIs) {
@@ -167,7 +208,7 @@ TEST(KeptSettings, FilesAndTheFaceAreRememberedToo) {
   EXPECT_EQ(settings.recent_files.front(), "/streams/9.txt");
   const auto again = parse_settings(format_settings(settings), "f");
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(*again, settings);
+  EXPECT_EQ(again->settings, settings);
 }
 
 TEST(KnownTables, EachIsReadAsItWasLastAndNoneAsAnother) {

@@ -182,6 +182,17 @@ TEST_F(WindowSettingsTest, ABrokenFileIsSaidAndKeptAside) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "face-player.toml.broken"));
 }
 
+TEST_F(WindowSettingsTest, ASettingThatIsWrongIsSaidAndTheOthersAreUsed) {
+  write("[remote]\nbuffer = 0\nprot = 1\n[sound]\nvolume = 40\n");
+  const WindowSettings settings(parsed({}), file_);
+  EXPECT_EQ(settings.in_force().volume, 40);
+  EXPECT_NE(settings.complaint().find("face-player.toml:2:"), std::string::npos);
+  EXPECT_NE(settings.complaint().find("(and 1 more); the usual settings are used"),
+            std::string::npos)
+      << settings.complaint();
+  EXPECT_TRUE(std::filesystem::exists(file_));
+}
+
 TEST_F(WindowSettingsTest, AFullOrReadOnlyPlaceIsSaid) {
   WindowSettings settings(parsed({}), "/proc/nowhere/face-player.toml");
   gui::KeptSettings now = settings.in_force();
