@@ -13,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool lies_in(const fs::path& inner, const fs::path& outer) {
-  const fs::path a = fs::weakly_canonical(inner);
-  const fs::path b = fs::weakly_canonical(outer);
-  const auto [end_a, end_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-  return end_b == b.end();
-}
-
 /// The file name that face.toml gives for its AUs.
 Result<fs::path> aus_file_of(const fs::path& face_folder) {
   const fs::path description = face_folder / face::kFaceFile;
@@ -91,11 +84,12 @@ std::vector<FaceEntry> faces_in(const fs::path& folder) {
 }
 
 bool is_own_face(const fs::path& face_folder, const fs::path& user_faces) {
-  try {
-    return lies_in(face_folder, user_faces);
-  } catch (const fs::filesystem_error&) {
-    return false;  // a folder that cannot be looked into
-  }
+  std::error_code failed;
+  const fs::path face = fs::weakly_canonical(face_folder, failed);
+  if (failed) return false;
+  const fs::path own = fs::weakly_canonical(user_faces, failed);
+  if (failed) return false;
+  return std::mismatch(face.begin(), face.end(), own.begin(), own.end()).second == own.end();
 }
 
 Result<fs::path> save_aus(const fs::path& face_folder, const std::vector<SavedAu>& aus) {
