@@ -58,7 +58,7 @@ void SocketLink::write(std::string_view bytes) {
 
 void SocketLink::finish() {
   finishing_ = true;
-  browser::end_socket(id_);
+  gone_ ? later_.set(now()) : browser::end_socket(id_);
 }
 
 void SocketLink::close() {
@@ -94,6 +94,7 @@ void SocketLink::received(std::uint32_t socket, std::string_view bytes) {
 void SocketLink::closed(std::uint32_t socket) {
   const auto self = find(socket);
   if (!self) return;
+  self->gone_ = true;
   if (self->finishing_) {
     self->end({Why::Finished, ""});
   } else if (!self->open_) {
@@ -104,14 +105,19 @@ void SocketLink::closed(std::uint32_t socket) {
   }
 }
 
-/// Hands out everything as long as reading is on.
+/// Hands out everything as long as reading is on; after finish() nothing but the end.
 void SocketLink::hand_out() {
   const auto self = shared_from_this();
+  if (finishing_) {
+    if (gone_) end({Why::Finished, ""});
+    return;
+  }
   if (reading_ && user_ != nullptr && !held_.empty()) {
     const std::string bytes = std::exchange(held_, {});
     user_->on_bytes(bytes);
   }
-  if (reading_ && user_ != nullptr && held_.empty() && std::exchange(peer_ended_, false)) {
+  if (reading_ && user_ != nullptr && !finishing_ && held_.empty() &&
+      std::exchange(peer_ended_, false)) {
     user_->on_peer_end();
   }
 }

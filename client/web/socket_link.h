@@ -53,7 +53,8 @@ class SocketLink final : public link::Link, public std::enable_shared_from_this<
   bool open_ = false;
   bool reading_ = true;
   bool finishing_ = false;
-  bool peer_ended_ = false;
+  bool gone_ = false;        ///< the browser has closed the socket, and says no more of it
+  bool peer_ended_ = false;  ///< the user is still to be told so
   std::uint64_t wire_bytes_ = 0;
 };
 
