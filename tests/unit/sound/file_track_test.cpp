@@ -80,7 +80,7 @@ std::filesystem::path long_file(const TempFolder& folder, int seconds) {
 }
 
 TEST(FileTrack, InTheBackgroundPlaysTheBeginningAtOnceAndTheRestAsItIsRead) {
-  constexpr int kSeconds = 12;
+  constexpr int kSeconds = 6;
   const TempFolder folder;
   const auto path = long_file(folder, kSeconds);
   const auto whole = FileTrack::open(path);
@@ -109,7 +109,7 @@ TEST(FileTrack, InTheBackgroundPlaysTheBeginningAtOnceAndTheRestAsItIsRead) {
 
 TEST(FileTrack, IsLetGoWhileItIsStillRead) {
   const TempFolder folder;
-  const auto path = long_file(folder, 12);
+  const auto path = long_file(folder, 6);
   const auto track = FileTrack::begin(path);
   ASSERT_TRUE(track.has_value());
 }
