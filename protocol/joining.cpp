@@ -26,7 +26,7 @@ struct Joining::TokenWords {
 Joining::Joining(const ServerCatalogue& catalogue, Admission admission, TokenCount token_count,
                  Silence silence)
     : catalogue_(&catalogue),
-      trusted_(admission == Admission::Trusted),
+      owner_(admission == Admission::Owner),
       token_count_(token_count),
       silence_(silence) {
   if (admission == Admission::Full) no_room_ = "the server is full";
@@ -89,8 +89,14 @@ Joining::Answer Joining::publisher(const HelloAsked& asked, Instant now) const {
 
 /// nullopt: the token is right, or none is needed.
 std::optional<Joining::Refusal> Joining::viewer_refused(std::string_view token, Instant now) const {
+  if (owner_) {
+    // It cannot be guessed. If tries were counted, others of this host would shut the owner out.
+    const std::string& wanted = catalogue_->owner_token;
+    if (!wanted.empty() && same_secret(token, wanted)) return std::nullopt;
+    return Refusal{{401, "only the program that started this server may watch here (--preview)"}};
+  }
   constexpr TokenWords kWords = TokenWords::viewers();
-  if (trusted_ || catalogue_->token.empty()) return std::nullopt;
+  if (catalogue_->token.empty()) return std::nullopt;
   if (auto refusal = may_not_show(token, kWords, now)) return refusal;
   if (same_secret(token, catalogue_->token)) return std::nullopt;
   return wrong_token(kWords, now);

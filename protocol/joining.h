@@ -49,7 +49,7 @@ class Joining {
   [[nodiscard]] Refusal wrong_token(const TokenWords& words, Instant now) const;
 
   const ServerCatalogue* catalogue_;
-  bool trusted_;                   ///< the client needs no token to watch
+  bool owner_;                     ///< needs the owner's token to watch
   const char* no_room_ = nullptr;  ///< why there is no room for this client; null: there is
   TokenCount token_count_;
   Silence silence_;

@@ -357,7 +357,7 @@ ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_tr
                                       Joining(catalogue, admission, token_count, silence), now))) {
   const Duration patience = kGraceRoundTrips * std::clamp<Duration>(round_trip, {}, kGraceMax);
   // Where nobody is served without a hello it may take its time.
-  const bool token_needed = !catalogue.token.empty() && admission != Admission::Trusted;
+  const bool token_needed = !catalogue.token.empty() || admission == Admission::Owner;
   const bool hello_needed = silence == Silence::Refused || token_needed;
   state_->deadline = now + (hello_needed ? Duration(kHelloTimeMax)
                                          : std::clamp<Duration>(patience, kGraceMin, kGraceMax));

@@ -29,6 +29,8 @@ struct ServerCatalogue {
   bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
+  /// What a client of Admission::Owner must show in place of `token`; empty: there is none.
+  std::string owner_token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.
   std::shared_ptr<const Publishers> publishers{};
@@ -70,10 +72,10 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection, Ha
 
 [[nodiscard]] std::string_view name(CloseConnection::Why why);
 
-/// Whether there is room for one more client, and whether it needs the token.
+/// Whether there is room for one more client, and which token it needs.
 enum class Admission : std::uint8_t {
   Welcome,
-  Trusted,      ///< welcome even without the token
+  Owner,        ///< welcome with ServerCatalogue::owner_token alone
   Full,         ///< a client that says hello gets {error 503 ...}, any other a plain close
   FullAddress,  ///< the same, because too many clients come from its address
 };

@@ -88,7 +88,8 @@ int serve_until_signal(const TransmitterOptions& options, Repertoire repertoire)
         if (!options.stats.empty()) {
           if (auto can = check_writable(options.stats); !can) return can;
         }
-        return print_now("listening on " + where.address + "\n" +
+        return print_now("listening on " + where.address +
+                         (where.owner_token.empty() ? "" : " " + where.owner_token) + "\n" +
                          (where.web.empty() ? "" : "web on " + where.web + "\n"));
       },
       [&options](const std::stop_token& stop) { return load_repertoire(options, stop); });

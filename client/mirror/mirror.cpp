@@ -129,7 +129,7 @@ void Mirror::take(preview::Record record) {
   course_.with([&record](Course& course) {
     MirrorState& state = course.state;
     std::visit(
-        Overloaded{[&](preview::Listening& one) { state.address = std::move(one.address); },
+        Overloaded{[&](preview::Listening& one) { state.own = std::move(one); },
                    [&](preview::Seen& one) {
                      state.seen = std::make_shared<const preview::Seen>(std::move(one));
                    },

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/preview/orders.h"
+#include "common/preview/preview_reader.h"
 #include "common/preview/seen.h"
 
 namespace aucast::mirror {
@@ -27,7 +28,7 @@ struct Trouble {
 
 /// What the child has reported so far.
 struct MirrorState {
-  std::string address;  ///< ADDR:PORT at which this host can play the stream; empty: not yet known
+  preview::Listening own;  ///< where this host can play the stream; no address: not yet known
   std::shared_ptr<const preview::Seen> seen;  ///< the newest picture; null: none yet
   std::string live;                           ///< ADDR:PORT for guests; empty: it is not live
   std::size_t watching = 0;                   ///< how many guests watch

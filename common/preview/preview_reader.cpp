@@ -1,5 +1,6 @@
 #include "common/preview/preview_reader.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -74,8 +75,10 @@ Result<std::optional<Record>> PreviewReader::next() {
 Result<std::optional<Record>> PreviewReader::take_line(std::string_view line,
                                                        std::size_t line_bytes) {
   std::optional<Record> record;
-  if (const auto address = after(line, "listening on")) {
-    record = Listening{std::string(*address)};
+  if (const auto where = after(line, "listening on")) {
+    const std::size_t blank = std::min(where->find(' '), where->size());
+    record = Listening{std::string(where->substr(0, blank)),
+                       std::string(where->substr(std::min(blank + 1, where->size())))};
   } else if (const auto open = after(line, "live")) {
     record = Live{std::string(*open)};
   } else if (line == "private") {

@@ -14,6 +14,7 @@ namespace aucast::preview {
 /// The stream can be played at this address, on this host only.
 struct Listening {
   std::string address;  ///< ADDR:PORT
+  std::string token;    ///< to be shown there; empty: none
 };
 /// Others can connect at this address.
 struct Live {

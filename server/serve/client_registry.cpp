@@ -70,8 +70,7 @@ protocol::Admission ClientRegistry::admission_of(AddressKey address, Way way) co
   if (inside >= clients_max_) return protocol::Admission::Full;
   const std::size_t most = options_.max_clients_per_address;
   if (most != 0 && of_address_.count(address) >= most) return protocol::Admission::FullAddress;
-  // Who started us with --preview has the token; its programs need not show it.
-  return way == Way::Owner ? protocol::Admission::Trusted : protocol::Admission::Welcome;
+  return way == Way::Owner ? protocol::Admission::Owner : protocol::Admission::Welcome;
 }
 
 void ClientRegistry::farewell(const ClientRecord& record) {

@@ -51,7 +51,7 @@ class ClientRegistry {
   /// How a client is connected.
   enum class Way : std::uint8_t {
     Tcp,
-    Owner,  ///< over TCP: the program that started us with --preview, or another one on this host
+    Owner,  ///< over TCP: the program that started us with --preview, which shows its own token
     WebSocket,
     Dialled,  ///< we have dialled it (--push)
     Guest,    ///< over TCP, at the port that --preview opens for others while the Owner allows it

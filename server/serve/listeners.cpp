@@ -59,9 +59,12 @@ Result<void> Listeners::open_web() {
 }
 
 void Listeners::start() {
-  const bool only_owner = options_.preview && tcp_.endpoint().address().is_loopback();
-  accept_from(tcp_, only_owner ? ClientRegistry::Way::Owner : ClientRegistry::Way::Tcp);
+  accept_from(tcp_, only_for_owner() ? ClientRegistry::Way::Owner : ClientRegistry::Way::Tcp);
   if (web_) web_->start();
+}
+
+bool Listeners::only_for_owner() const {
+  return options_.preview && tcp_.endpoint().address().is_loopback();
 }
 
 /// For messages: the fields of the window, since its user sets them there.

@@ -55,6 +55,9 @@ class Listeners {
 
   /// Where --port listens; only after open().
   [[nodiscard]] const asio::ip::tcp::endpoint& endpoint() const { return tcp_.endpoint(); }
+  /// Whether only the program that started us with --preview is served at --port; only after
+  /// open().
+  [[nodiscard]] bool only_for_owner() const;
   /// Where --web listens, as ADDR:PORT; empty: there is no --web.
   [[nodiscard]] std::string web_endpoint_text() const;
   /// How many times accepting had to pause.

@@ -14,13 +14,17 @@
 namespace aucast::server {
 namespace {
 
-/// An ID by which relays see their own streams come back.
-std::string random_id() {
+/// Of an ID by which relays see their own streams come back.
+constexpr std::size_t kIdDigits = 12;
+/// 128 bits, which nobody guesses.
+constexpr std::size_t kOwnerTokenDigits = 32;
+
+std::string random_digits(std::size_t count) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::random_device random;
-  std::string id;
-  while (id.size() < 12) id += kDigits[random() % kDigits.size()];
-  return id;
+  std::string digits;
+  while (digits.size() < count) digits += kDigits[random() % kDigits.size()];
+  return digits;
 }
 
 }  // namespace
@@ -30,7 +34,7 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
     : io_(io),
       options_(options),
       events_(std::move(events)),
-      id_(random_id()),
+      id_(random_digits(kIdDigits)),
       sources_(io, options, id_,
                {[this] { on_moment_of_source(); }, [this] { add_faces(); }, events_.on_sight,
                 events_.given_up}),
@@ -42,6 +46,7 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
       catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
       held_back_max_(held_back_for(*catalogue_, options.voice)) {
   catalogue_->id = id_;
+  catalogue_->owner_token = random_digits(kOwnerTokenDigits);
   open_to_publishers();
 }
 

@@ -78,7 +78,8 @@ class Transmitter {
     const auto pushers =
         pushers_.open(options_.push, programme_.catalogue()->id, programme_.held_back_max());
     if (!pushers) return pushers.error();
-    const ReadyAt where{link::endpoint_text(listeners_.endpoint()), listeners_.web_endpoint_text()};
+    ReadyAt where{link::endpoint_text(listeners_.endpoint()), listeners_.web_endpoint_text()};
+    if (listeners_.only_for_owner()) where.owner_token = programme_.catalogue()->owner_token;
     if (auto ready = on_ready(where); !ready) return ready.error();
     say_who_can_connect();
     begin_ = std::chrono::steady_clock::now();

@@ -15,7 +15,8 @@ namespace aucast::server {
 /// The addresses at which clients can connect, as ADDR:PORT.
 struct ReadyAt {
   std::string address;
-  std::string web;  ///< of --web; empty: there is none
+  std::string web;            ///< of --web; empty: there is none
+  std::string owner_token{};  ///< what clients must show at `address`; empty: that is for anybody
 };
 
 /// Called when clients can connect; an error ends serve() before any is accepted.

@@ -223,8 +223,10 @@ OptionRow preview_row(TransmitterOptions& options) {
           "For a program that starts this one: standard output tells what the camera sees, as "
           "small pictures with landmarks and AUs, and standard input takes orders to let others in "
           "or send them away. The end of standard input ends the program. Both must be pipes or "
-          "sockets. The only SOURCE is a camera. --token-file and --tls-cert are for those who are "
-          "let in, not for programs of this host. The format is in common/preview/README.md.",
+          "sockets. The only SOURCE is a camera. Before others are let in, only who shows the "
+          "token "
+          "of the line \"listening on\" is served; --token-file and --tls-cert are for those who "
+          "are let in. The format is in common/preview/README.md.",
       .value = flag(options.preview),
       .where = Where::Typed};
 }

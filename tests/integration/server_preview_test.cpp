@@ -86,7 +86,7 @@ TEST_F(ServerPreview, LetsOthersInAndShowsThemOutWhileTheCameraGoesOn) {
   EXPECT_EQ(seen->height, 12U);
   EXPECT_TRUE(seen->points.empty()) << "a grey picture shows nobody";
   RawClient window(own->address);
-  ASSERT_TRUE(window.send("{hello v=2 window=3}"));
+  ASSERT_TRUE(window.send("{hello v=2 window=3 token=" + own->token + "}"));
   EXPECT_TRUE(window.receive_until("}").starts_with("{hello"));
 
   order(preview::GoLive{"127.0.0.1", 0});
@@ -125,14 +125,32 @@ TEST_F(ServerPreview, LetsOthersInAndShowsThemOutWhileTheCameraGoesOn) {
   EXPECT_NE(refused->sentence.find("no address in numbers"), std::string::npos);
 }
 
-TEST_F(ServerPreview, OnlyGuestsMustShowTheToken) {
+TEST_F(ServerPreview, NobodyElseOfThisHostWatchesBeforeOthersAreLetIn) {
+  start();
+  const auto own = next<preview::Listening>();
+  ASSERT_TRUE(own.has_value());
+  EXPECT_EQ(own->token.size(), 32U);
+  for (const std::string hello :
+       {"{hello v=2 window=3}", "{hello v=2 window=3 token=sesame}", "{streams v=2}"}) {
+    RawClient stranger(own->address);
+    ASSERT_TRUE(stranger.send(hello));
+    EXPECT_TRUE(stranger.receive_until("}").starts_with("{error 401")) << hello;
+  }
+  reader_ = {};
+  start();
+  const auto next_time = next<preview::Listening>();
+  ASSERT_TRUE(next_time.has_value());
+  EXPECT_NE(next_time->token, own->token);
+}
+
+TEST_F(ServerPreview, OnlyGuestsMustShowTheTokenOfTheFile) {
   const auto token = folder_.write("token", "sesame\n");
   std::filesystem::permissions(token, std::filesystem::perms::owner_read);
   start({"--token-file", token.string()});
   const auto own = next<preview::Listening>();
   ASSERT_TRUE(own.has_value());
   RawClient window(own->address);
-  ASSERT_TRUE(window.send("{hello v=2 window=3}"));
+  ASSERT_TRUE(window.send("{hello v=2 window=3 token=" + own->token + "}"));
   EXPECT_TRUE(window.receive_until("}").starts_with("{hello"));
   order(preview::GoLive{"127.0.0.1", 0});
   const auto live = next<preview::Live>();

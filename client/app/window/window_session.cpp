@@ -138,8 +138,8 @@ void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now)
 
 void WindowSession::advance(Instant now) {
   notices_.expire(now);
-  if (const auto own = mirror_.advance()) {
-    playback_.watch_own(*own, now);
+  if (auto own = mirror_.advance()) {
+    playback_.watch_own(own->endpoint, std::move(own->token), now);
     show(Shown::Playback);
   }
   playback_.advance(now);

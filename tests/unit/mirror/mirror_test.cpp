@@ -47,7 +47,7 @@ class MirrorTest : public testing::Test {
 };
 
 constexpr const char* kObey =
-    "echo 'listening on 127.0.0.1:4711'; cat record\n"
+    "echo 'listening on 127.0.0.1:4711 0a1b'; cat record\n"
     "while read order port bind; do\n"
     "  case $order in live) echo live $bind:$port; echo watching 2;; *) echo private;; esac\n"
     "done\n";
@@ -57,7 +57,8 @@ TEST_F(MirrorTest, TellsWhatItsCameraSeesAndGoesLive) {
   ASSERT_TRUE(becomes([](const MirrorState& state) { return state.seen != nullptr; }));
   MirrorState state = mirror_->state();
   EXPECT_EQ(*state.seen, one_pixel(9));
-  EXPECT_EQ(state.address, "127.0.0.1:4711");
+  EXPECT_EQ(state.own.address, "127.0.0.1:4711");
+  EXPECT_EQ(state.own.token, "0a1b");
   EXPECT_EQ(state.live, "");
   const std::string arguments = folder_.read("arguments");
   EXPECT_NE(arguments.find("--preview"), std::string::npos);

@@ -39,7 +39,7 @@ std::vector<Record> records_of(const std::string& bytes, std::size_t at_once) {
 }
 
 TEST(Preview, IsReadBackHoweverItIsCut) {
-  const std::string bytes = "listening on 127.0.0.1:40123\n" + seen_record(two_pixels()) +
+  const std::string bytes = "listening on 127.0.0.1:40123 0a1b\n" + seen_record(two_pixels()) +
                             live_record("0.0.0.0:4650") + watching_record(3) +
                             seen_record(two_pixels()) + private_record() +
                             refused_record("cannot listen\nthere");
@@ -47,6 +47,7 @@ TEST(Preview, IsReadBackHoweverItIsCut) {
     const auto records = records_of(bytes, at_once);
     ASSERT_EQ(records.size(), 7U);
     EXPECT_EQ(std::get<Listening>(records[0]).address, "127.0.0.1:40123");
+    EXPECT_EQ(std::get<Listening>(records[0]).token, "0a1b");
     EXPECT_EQ(std::get<Seen>(records[1]), two_pixels());
     EXPECT_EQ(std::get<Live>(records[2]).address, "0.0.0.0:4650");
     EXPECT_EQ(std::get<Watching>(records[3]).count, 3U);
@@ -54,6 +55,13 @@ TEST(Preview, IsReadBackHoweverItIsCut) {
     EXPECT_TRUE(std::holds_alternative<Private>(records[5]));
     EXPECT_EQ(std::get<Refused>(records[6]).sentence, "cannot listen there");
   }
+}
+
+TEST(Preview, WhereAnybodyIsServedThereIsNoToken) {
+  const auto records = records_of("listening on 192.0.2.1:4650\n", 5);
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(std::get<Listening>(records[0]).address, "192.0.2.1:4650");
+  EXPECT_EQ(std::get<Listening>(records[0]).token, "");
 }
 
 TEST(Preview, APictureWithoutAFaceHasNoPointsAndNoAus) {

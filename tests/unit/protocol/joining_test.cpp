@@ -64,11 +64,23 @@ TEST_F(JoiningTest, AWrongTokenIsAnsweredLaterAndAMissingOneAtOnce) {
   EXPECT_EQ(text_of(joining().hello(hello("word"), now_)), "in");
 }
 
-TEST_F(JoiningTest, WhoIsTrustedNeedsNoToken) {
-  catalogue_.token = "word";
-  EXPECT_EQ(text_of(joining(Admission::Trusted).hello(hello(""), now_)), "in");
-  EXPECT_EQ(text_of(joining(Admission::Trusted).list({}, now_)), "list");
-  EXPECT_EQ(text_of(joining(Admission::Trusted).classic(now_)), "in");
+TEST_F(JoiningTest, TheOwnerShowsATokenOfItsOwnAndNobodyElseIsLetInThere) {
+  catalogue_.owner_token = "mine";
+  for (const char* viewers : {"", "word"}) {
+    catalogue_.token = viewers;
+    // However many try, the owner is not shut out.
+    for (std::size_t i = 0; i <= kWrongTokensMax; ++i) {
+      EXPECT_EQ(text_of(joining(Admission::Owner).hello(hello("word"), now_)), "401");
+    }
+    EXPECT_EQ(text_of(joining(Admission::Owner).hello(hello(""), now_)), "401");
+    EXPECT_EQ(text_of(joining(Admission::Owner).list({}, now_)), "401");
+    EXPECT_EQ(text_of(joining(Admission::Owner).classic(now_)), "401");
+    EXPECT_EQ(text_of(joining(Admission::Owner).hello(hello("mine"), now_)), "in");
+    EXPECT_EQ(text_of(joining(Admission::Owner).list({"mine"}, now_)), "list");
+  }
+  EXPECT_EQ(text_of(joining().hello(hello("mine"), now_)), "401 later");
+  catalogue_.owner_token.clear();
+  EXPECT_EQ(text_of(joining(Admission::Owner).hello(hello(""), now_)), "401");
 }
 
 TEST_F(JoiningTest, WhoGuessesTooOftenIsComparedNoMore) {

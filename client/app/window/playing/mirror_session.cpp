@@ -136,7 +136,7 @@ void MirrorSession::finish() {
   view_.phase = Phase::Off;
 }
 
-std::optional<protocol::Endpoint> MirrorSession::advance() {
+std::optional<MirrorSession::OwnServer> MirrorSession::advance() {
   if (mirror_ == nullptr) return std::nullopt;
   mirror::MirrorState state = mirror_->state();
   view_.phase = phase(state);
@@ -151,14 +151,14 @@ std::optional<protocol::Endpoint> MirrorSession::advance() {
     finish();
     return std::nullopt;
   }
-  if (state.address.empty() || std::exchange(played_, true)) return std::nullopt;
-  auto endpoint = protocol::parse_endpoint(state.address);
+  if (state.own.address.empty() || std::exchange(played_, true)) return std::nullopt;
+  auto endpoint = protocol::parse_endpoint(state.own.address);
   if (!endpoint) {
     view_.trouble = endpoint.error().message;
     finish();
     return std::nullopt;
   }
-  return *std::move(endpoint);
+  return OwnServer{*std::move(endpoint), std::move(state.own.token)};
 }
 
 }  // namespace aucast::app

@@ -26,9 +26,15 @@ class MirrorSession {
   void apply(const gui::MirrorCommand& command);
   /// Sets the camera or film that the button Start opens next time.
   void set_source(std::string source) { view_.source = std::move(source); }
-  /// Updates view() with what the camera reports. Returns, once, the endpoint where the camera's
-  /// stream can be played, as soon as that is known.
-  [[nodiscard]] std::optional<protocol::Endpoint> advance();
+  /// Where the camera's stream can be played.
+  struct OwnServer {
+    protocol::Endpoint endpoint;
+    std::string token;  ///< to be shown there; empty: none
+    friend bool operator==(const OwnServer&, const OwnServer&) = default;
+  };
+  /// Updates view() with what the camera reports. Returns, once, where its stream can be played,
+  /// when that is known.
+  [[nodiscard]] std::optional<OwnServer> advance();
   [[nodiscard]] const gui::MirrorView& view() const { return view_; }
   [[nodiscard]] bool running() const { return mirror_ != nullptr; }
 
@@ -46,7 +52,7 @@ class MirrorSession {
   Start start_;
   std::unique_ptr<mirror::OwnCamera> mirror_;
   gui::MirrorView view_;
-  bool played_ = false;  ///< advance() has returned the endpoint
+  bool played_ = false;  ///< advance() has returned the server
   bool ending_ = false;
 };
 

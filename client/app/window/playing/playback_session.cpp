@@ -81,8 +81,10 @@ void PlaybackSession::open_remote(net::RemoteOptions options, RemoteStream::Serv
   begin(std::make_unique<RemoteStream>(std::move(playback), buffers_, server), now);
 }
 
-void PlaybackSession::watch_own(const net::Endpoint& endpoint, Instant now) {
-  net::RemoteOptions remote = remote_options(options_.playback, endpoint, {});
+void PlaybackSession::watch_own(const net::Endpoint& endpoint, std::string token, Instant now) {
+  net::Security security;
+  security.token = std::move(token);
+  net::RemoteOptions remote = remote_options(options_.playback, endpoint, std::move(security));
   remote.others.clear();
   remote.stream.clear();
   remote.reconnect = remote.voice = false;

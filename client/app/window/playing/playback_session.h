@@ -35,9 +35,9 @@ class PlaybackSession {
   void open(std::vector<playback::Keyframe> keyframes, std::string name, Instant now);
   /// Plays the stream of the user's own camera, with the lowest delay and without voice. Its
   /// address is not remembered.
-  void watch_own(const net::Endpoint& endpoint, Instant now);
-  /// Call it when the stream that plays was read from this file. Uses the sound file and the
-  /// captions beside the file, if there are any.
+  void watch_own(const net::Endpoint& endpoint, std::string token, Instant now);
+  /// Says that what plays was read from this file. If there are a sound file and captions beside
+  /// it, they are used.
   void play_beside(const std::filesystem::path& file, Instant now);
   /// Sound and captions of what plays.
   [[nodiscard]] SoundSession& sound() { return sound_; }

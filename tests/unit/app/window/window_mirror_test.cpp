@@ -1,6 +1,7 @@
 // The camera of the window, with a script in the place of au-transmitter. What the session makes of
 // what it tells is in playing/mirror_session_test.cpp.
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -48,13 +49,17 @@ TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
   // Somebody listens there: a refused connection could be "no connection" again already.
   const test::LoopbackSocket child = test::listen_on_loopback();
   begin("echo 'listening on " + child.address() +
-        "'; cat record\n"
+        " 0a1b'; cat record\n"
         "read order port bind; echo live $bind:$port; read order; echo private; read order");
   EXPECT_TRUE(model().mirror.wanted);
   ASSERT_TRUE(reaches(Phase::Private));
   EXPECT_NE(model().mirror.seen, nullptr);
   EXPECT_NE(model().playing.state, "no connection") << "its own stream is played";
   EXPECT_TRUE(session_->recent().empty()) << "and not remembered";
+  const int window = ::accept(child.descriptor, nullptr, nullptr);
+  std::string hello;
+  for (char letter = 0; letter != '}' && ::recv(window, &letter, 1, 0) == 1;) hello += letter;
+  EXPECT_NE(hello.find("token=0a1b"), std::string::npos) << hello;
   ask(gui::GoLive{"127.0.0.1", 4650});
   ASSERT_TRUE(reaches(Phase::Live));
   EXPECT_EQ(model().mirror.live, "127.0.0.1:4650");
@@ -64,6 +69,7 @@ TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
   ASSERT_TRUE(reaches(Phase::Off));
   EXPECT_EQ(model().mirror.trouble, "");
   EXPECT_EQ(model().mirror.seen, nullptr);
+  ::close(window);
   ::close(child.descriptor);
 }
 

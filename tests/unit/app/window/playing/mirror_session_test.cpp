@@ -46,7 +46,7 @@ class MirrorSessionTest : public testing::Test {
   }
   void see() {
     script_.state.seen = std::make_shared<const preview::Seen>();
-    script_.state.address = "127.0.0.1:4711";
+    script_.state.own = {"127.0.0.1:4711", "0a1b"};
   }
   void lose(Trouble::Kind kind) {
     script_.state.over = true;
@@ -69,7 +69,7 @@ TEST_F(MirrorSessionTest, ItsStreamIsToldOnceAsSoonAsItIsThere) {
   EXPECT_EQ(session_.view().phase, Phase::Starting);
   EXPECT_EQ(session_.advance(), std::nullopt);
   see();
-  EXPECT_EQ(session_.advance(), (protocol::Endpoint{"127.0.0.1", 4711}));
+  EXPECT_EQ(session_.advance(), (MirrorSession::OwnServer{{"127.0.0.1", 4711}, "0a1b"}));
   EXPECT_EQ(session_.view().phase, Phase::Private);
   EXPECT_NE(session_.view().seen, nullptr);
   EXPECT_EQ(session_.advance(), std::nullopt) << "it plays already";
@@ -193,7 +193,7 @@ TEST_F(MirrorSessionTest, WhoLacksTheModelsIsToldWhatToDoAndNotWhichFileIsMissin
 TEST_F(MirrorSessionTest, AnAddressThatIsNoneIsASentenceThatStays) {
   session_.apply(gui::StartMirror{"camera"});
   see();
-  script_.state.address = "127.0.0.1:99999";
+  script_.state.own.address = "127.0.0.1:99999";
   EXPECT_EQ(session_.advance(), std::nullopt);
   const std::string trouble = session_.view().trouble;
   EXPECT_NE(trouble, "");
