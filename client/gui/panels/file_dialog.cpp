@@ -82,7 +82,7 @@ void up_button(const Look& look, const BrowserView& view, GuiCommands& commands)
 /// has been typed of it is put there.
 bool path_begins(const BrowserView& view, FileForm& form) {
   auto& typed = ImGui::GetIO().InputQueueCharacters;
-  const bool begins = !typed.empty() && typed[0] == '/';
+  const bool begins = !typed.empty() && (typed[0] == '/' || typed[0] == '~');
   if (!begins || is_saving(view.purpose) || ImGui::IsAnyItemActive()) return false;
   std::string path;
   for (const ImWchar character : typed) {

@@ -1,8 +1,10 @@
 #include "client/app/window/files/file_session.h"
 
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
+#include "client/gui/storage/home_folder.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/gui/texts/said_text.h"
 #include "common/files.h"
@@ -45,7 +47,8 @@ void FileSession::browse(gui::Purpose purpose, std::string name) {
 
 std::string FileSession::choose(const std::string& name, const Use& use) {
   std::filesystem::path file;
-  if (!browser_.view().open || !browser_.choose(name, file)) return {};
+  const std::string path = gui::with_home(name, std::getenv("HOME"));
+  if (!browser_.view().open || !browser_.choose(path, file)) return {};
   const gui::Purpose purpose = browser_.view().purpose;
   const Result<std::string> used = use(purpose, file);
   if (!used) {

@@ -37,9 +37,9 @@ class FileSession {
     browser_.open(gui::Purpose::LookForFaces, folder);
   }
   void enter(const std::filesystem::path& folder) { browser_.enter(folder); }
-  /// The user has chosen `name`. Calls `use` for that file and returns the sentence from `use`,
-  /// unless the user must be asked something first. If `use` fails, the dialog stays open and says
-  /// why.
+  /// The user has chosen or typed `name`, in which a leading ~ is the home folder. Calls `use` for
+  /// that file and returns the sentence from `use`, unless the user must be asked something first.
+  /// If `use` fails, the dialog stays open and says why.
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
   /// Says in the dialog why a file cannot be used. Returns false if the dialog is not open.
   [[nodiscard]] bool refuse(std::string problem);

@@ -1,9 +1,11 @@
 #include "client/app/window/files/gallery_session.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 #include <variant>
 
+#include "client/gui/storage/home_folder.h"
 #include "client/gui/texts/said_text.h"
 #include "common/overloaded.h"
 
@@ -36,7 +38,8 @@ PlayerOptions GallerySession::options_under(PlayerOptions options) const {
   const gui::GallerySettings& settings = view_.settings;
   options.command = Command::Gallery;
   options.quiet = true;
-  options.gallery = {settings.folder, gui::wanted_sections(settings), gui::wanted_sweeps(settings)};
+  options.gallery = {gui::with_home(settings.folder, std::getenv("HOME")),
+                     gui::wanted_sections(settings), gui::wanted_sweeps(settings)};
   options.output.width = settings.width;
   options.output.height = settings.height;
   return options;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
 
+#include "client/gui/storage/home_folder.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/mirror/host_addresses.h"
@@ -43,6 +45,13 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
       return gui::tr("camera.silent");
   }
   return {};
+}
+
+/// The source with the home folder in place of the ~ with which a film's path begins.
+std::string with_home(const std::string& source) {
+  const std::string device = gui::device_of(source);
+  return source.substr(0, source.size() - device.size()) +
+         gui::with_home(device, std::getenv("HOME"));
 }
 
 /// What is wrong with a file that is named in place of a camera: au-transmitter would take it for a
@@ -88,10 +97,10 @@ gui::MirrorView MirrorSession::view_of_options() const {
 
 void MirrorSession::start(const std::string& source) {
   if (mirror_ != nullptr) return;
-  options_.source = source;
+  options_.source = with_home(source);
   view_ = view_of_options();
   played_ = ending_ = false;
-  view_.trouble = problem_of(source);
+  view_.trouble = problem_of(options_.source);
   if (!view_.trouble.empty()) return;
   auto started = start_(options_);
   if (!started) {

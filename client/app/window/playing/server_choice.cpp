@@ -1,8 +1,10 @@
 #include "client/app/window/playing/server_choice.h"
 
+#include <cstdlib>
 #include <utility>
 
 #include "client/app/remote_options.h"
+#include "client/gui/storage/home_folder.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/net/security.h"
 
@@ -21,12 +23,13 @@ void ServerChoice::answered() {
 
 Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& settings,
                                                    bool voice) const {
+  const char* const home = std::getenv("HOME");
   net::SecurityOptions protection = options_.security;
   protection.tls |= settings.tls;
   if (protection.tls && !settings.authorities_file.empty()) {
-    protection.files.authorities = settings.authorities_file;
+    protection.files.authorities = gui::with_home(settings.authorities_file, home);
   }
-  if (!settings.token_file.empty()) protection.token = settings.token_file;
+  if (!settings.token_file.empty()) protection.token = gui::with_home(settings.token_file, home);
   auto security = net::load_security(protection, settings.address);
   if (!security) return security.error();
   const net::Endpoint asked{settings.address, static_cast<std::uint16_t>(settings.port)};

@@ -1,11 +1,13 @@
 #include "client/app/window/settings/settings_session.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 #include <variant>
 
 #include "client/app/window/settings/language_choice.h"
 #include "client/app/window/settings/window_style.h"
+#include "client/gui/storage/home_folder.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 
@@ -75,8 +77,10 @@ void SettingsSession::change_animation(const gui::AnimationSettings& settings, I
 }
 
 void SettingsSession::change_pictures(const gui::PictureSettings& settings) {
-  const bool moved = settings.folder != pictures_.folder;
+  const std::string folder = gui::with_home(settings.folder, std::getenv("HOME"));
+  const bool moved = folder != pictures_.folder;
   pictures_ = settings;
+  pictures_.folder = folder;
   if (moved) events_.on_picture_folder(pictures_.folder);
 }
 

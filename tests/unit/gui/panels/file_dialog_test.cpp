@@ -124,6 +124,20 @@ TEST_F(FileDialog, APathThatIsTypedAtOnceIsForItsField) {
   EXPECT_EQ(asked<ChooseFile>()->file, "/data/y.csv");
 }
 
+TEST_F(FileDialog, APathInTheHomeFolderIsTypedAtOnceToo) {
+  model_.browser.purpose = Purpose::PlayStream;
+  model_.browser.folder = "/data";
+  model_.browser.entries = {{"anger.txt", false}};
+  model_.browser.open = true;
+  frames(5);
+  type("~");
+  EXPECT_EQ(ImGui::GetActiveID(), dialog()->GetID("##folder"));
+  type("/x.csv");
+  press(ImGuiKey_Enter);
+  ASSERT_TRUE(asked<ChooseFile>());
+  EXPECT_EQ(asked<ChooseFile>()->file, "~/x.csv");
+}
+
 TEST_F(FileDialog, HasTheKeysFromTheFrameInWhichItComes) {
   EXPECT_FALSE(gui_->wants_keys());
   model_.browser.open = true;

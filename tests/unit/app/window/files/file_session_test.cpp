@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/home_variable.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {
@@ -115,6 +116,32 @@ TEST_F(FileSessionTest, StreamsThatWereOpenedAreRememberedTheNewestFirst) {
   session_.opened(in("streams") + "/talk.txt");
   EXPECT_EQ(session_.recent(),
             (std::vector{in("streams") + "/talk.txt", in("lectures") + "/one.txt"}));
+}
+
+TEST_F(FileSessionTest, ATildeThatIsTypedIsTheHomeFolder) {
+  const test::HomeVariable home;
+  home.folder().write("lara.csv", "");
+  session_.browse(Purpose::PlayStream, "");
+  EXPECT_EQ(choose("~"), "");
+  EXPECT_EQ(view().folder, home.folder().path());
+  session_.enter(in("lectures"));
+  EXPECT_EQ(choose("~/"), "");
+  EXPECT_EQ(view().folder, home.folder().path());
+  session_.enter(in("lectures"));
+  EXPECT_EQ(choose("~/lara.csv"), "used");
+  session_.browse(Purpose::ExportAu, "au90.toml");
+  session_.enter(in("made"));
+  EXPECT_EQ(choose("~/au90"), "used");
+  EXPECT_EQ(used_, (std::vector{home.in("lara.csv"), home.in("au90.toml")}));
+}
+
+TEST_F(FileSessionTest, AFolderThatIsCalledATildeIsReachedFromTheOneAround) {
+  const test::HomeVariable home;
+  folder_.write("made/~/table.csv", "");
+  session_.browse(Purpose::ExportMesh, "two.obj");
+  session_.enter(in("made"));
+  EXPECT_EQ(choose("./~"), "");
+  EXPECT_EQ(view().folder, in("made/~"));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/home_variable.h"
+
 namespace aucast::app {
 namespace {
 
@@ -173,6 +175,18 @@ TEST_F(GallerySessionTest, WithoutAFolderNothingBegins) {
   EXPECT_EQ(gui::problem(settings), "Name the AUs or expressions to sweep.");
   settings.sections = {};
   EXPECT_EQ(gui::problem(settings), "Choose what is to be drawn.");
+}
+
+TEST_F(GallerySessionTest, ItsFolderMayBeInTheHomeFolder) {
+  const test::HomeVariable home;
+  gui::GallerySettings settings;
+  settings.folder = "~/pictures";
+  ask(gui::ChangeGallery{settings});
+  EXPECT_EQ(session_.view().settings.folder, "~/pictures") << "as long as it is typed";
+  ask(gui::BeginGallery{});
+  draw(3);
+  end();
+  EXPECT_EQ(made_with_.gallery.folder, home.in("pictures"));
 }
 
 }  // namespace

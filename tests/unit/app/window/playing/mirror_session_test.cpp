@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "client/gui/texts/texts.h"
+#include "tests/support/home_variable.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {
@@ -211,6 +212,18 @@ TEST_F(MirrorSessionTest, WithoutAuTransmitterIsASentence) {
   refused_ = Error{ErrorKind::Failed, "no more processes"};
   session_.apply(gui::StartMirror{"camera"});
   EXPECT_EQ(session_.view().trouble, "no more processes");
+}
+
+TEST_F(MirrorSessionTest, AFilmMayBeInTheHomeFolder) {
+  const test::HomeVariable home;
+  home.folder().write("talk.mp4", "");
+  for (const char* source : {"~/talk.mp4", "camera:~/talk.mp4"}) {
+    session_.apply(gui::StartMirror{source});
+    EXPECT_EQ(session_.view().trouble, "");
+    lose(Trouble::Kind::NoPictures);
+    static_cast<void>(session_.advance());
+  }
+  EXPECT_EQ(opened_, (std::vector{home.in("talk.mp4"), "camera:" + home.in("talk.mp4")}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "client/app/window/settings/window_settings.h"
+#include "tests/support/home_variable.h"
 
 namespace aucast::app {
 namespace {
@@ -86,6 +87,22 @@ TEST(ServerChoice, OnlyAServerThatAnsweredIsKept) {
   EXPECT_EQ(servers.to_keep().address, "other.example.org");
   EXPECT_EQ(servers.recent(),
             (std::vector<std::string>{"other.example.org", "lecture.example.org"}));
+}
+
+TEST(ServerChoice, ItsFilesMayBeInTheHomeFolder) {
+  const test::HomeVariable home;
+  home.folder().write("token", "secret\n");
+  const PlaybackOptions options;
+  const ServerChoice servers(options);
+  gui::RemoteSettings form;
+  form.tls = true;
+  form.token_file = "~/token";
+  const auto server = servers.server_of(form, false);
+  ASSERT_TRUE(server) << server.error().message;
+  form.authorities_file = "~/ca.pem";
+  const auto refused = servers.server_of(form, false);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find(home.in("ca.pem")), std::string::npos);
 }
 
 }  // namespace

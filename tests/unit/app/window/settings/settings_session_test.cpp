@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "client/gui/texts/texts.h"
+#include "tests/support/home_variable.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {
@@ -135,6 +136,18 @@ TEST_F(SettingsSessionTest, PicturesAreDrawnAsTheWindowShowsThem) {
   EXPECT_TRUE(applied.output.transparent);
   EXPECT_TRUE(applied.output.layers.muscles);
   EXPECT_EQ(applied.face.mixer, face::Mixer::Average);
+}
+
+TEST_F(SettingsSessionTest, PicturesMayGoToTheHomeFolder) {
+  const test::HomeVariable home;
+  gui::PictureSettings settings;
+  settings.folder = "~/stimuli";
+  ask(gui::ChangePictures{settings});
+  EXPECT_EQ(session_->pictures().folder, home.in("stimuli"));
+  EXPECT_EQ(folders_, std::vector<std::string>{home.in("stimuli")});
+  settings.folder = "./~";
+  ask(gui::ChangePictures{settings});
+  EXPECT_EQ(session_->pictures().folder, "./~");
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace aucast::gui {
+
+/// The path that somebody typed, as the system takes it: "~" alone or before a slash is replaced by
+/// the home folder. A folder that is really called "~" is typed as "./~". `home` is the value of
+/// HOME; if it is null or no absolute path, the text stays as it is.
+[[nodiscard]] std::string with_home(std::string_view typed, const char* home);
+
+}  // namespace aucast::gui
