@@ -22,7 +22,7 @@ struct TimelineRow {
 /// An AU of the keyframe being composed.
 struct ComposedAu {
   int number = 0;
-  std::string name;
+  std::string name;  ///< of FACS, or the user's own
   int left_percent = 0;
   int right_percent = 0;
   friend bool operator==(const ComposedAu&, const ComposedAu&) = default;

@@ -47,7 +47,7 @@ struct BufferBar {
 /// One AU, in the keyframe under way and on the face at this moment.
 struct AuRow {
   std::string label;          ///< "12", "L14"
-  std::string name;           ///< FACS name; empty for a number without one
+  std::string name;           ///< of FACS, or the user's own; empty: it has none
   int received_percent = 0;   ///< 0: not received; a rule added it, or it is fading
   int shown_percent = 0;      ///< 0: a rule removed it, or it does not show yet
   std::string why;            ///< the rule that changed it; empty: none did
@@ -135,7 +135,7 @@ struct EditorView {
 /// An AU in the editor's list.
 struct AuEntry {
   int number = 0;
-  std::string name;     ///< FACS name
+  std::string name;     ///< of FACS, or the user's own
   std::string muscles;  ///< what it drives: "zygomaticus major 0.8, lip corner 1"
   std::string looks;    ///< what a face with it looks like; empty: unknown
   bool own = false;     ///< the user has made or changed it

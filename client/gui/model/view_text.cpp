@@ -81,10 +81,10 @@ std::string reasons(int number, Side side, std::span<const face::RuleExplained> 
 }
 
 AuRow row_of(int number, Side side, float received, float shown,
-             std::span<const face::RuleExplained> rules) {
+             std::span<const face::RuleExplained> rules, const face::AuRecordings& recordings) {
   AuRow row;
   row.label = (side == Side::Left ? "L" : side == Side::Right ? "R" : "") + std::to_string(number);
-  row.name = au_name(number);
+  row.name = au_name(number, saved_au_name(number, recordings));
   row.received_percent = percent_of(received);
   row.shown_percent = percent_of(shown);
   if (row.received_percent != row.shown_percent) row.why = reasons(number, side, rules);
@@ -92,6 +92,21 @@ AuRow row_of(int number, Side side, float received, float shown,
 }
 
 }  // namespace
+
+std::string saved_au_name(int number, const face::AuRecordings& recordings) {
+  if (const auto name = facs_name(number)) return std::string(*name);
+  const auto saved = recordings.find(number);
+  return saved == recordings.end() ? std::string() : saved->second.note;
+}
+
+std::string au_name_of(const GuiModel& model, int number) {
+  if (model.known_aus != nullptr) {
+    for (const AuEntry& entry : *model.known_aus) {
+      if (entry.number == number) return au_name(number, entry.name);
+    }
+  }
+  return au_name(number);
+}
 
 std::string effect_in_words(const face::RuleExplained& one) {
   return tr("rule.effect", shares(one.before), outcome(one.after));
@@ -218,7 +233,7 @@ std::vector<AuRow> au_rows(const AuFrame& received, const AuFrame& shown,
   // Asked at every tick of the window: of most AUs there is nothing to say, so no row is made.
   const auto add = [&](int number, Side side, float before, float after) {
     if (percent_of(before) + percent_of(after) == 0) return;
-    AuRow row = row_of(number, side, before, after, rules);
+    AuRow row = row_of(number, side, before, after, rules, recordings);
     if (!recordings.contains(number)) {
       row.shown_percent = 0;
       row.why = tr("state.no_au", number);

@@ -61,6 +61,12 @@ namespace aucast::gui {
 /// `rate` and `mean` are in bytes a second.
 [[nodiscard]] std::string traffic_text(std::uint64_t bytes, double rate, double mean);
 
+/// The name of an AU as au_name() takes it: that of FACS, else the one that the user has saved it
+/// with. Empty if it has neither.
+[[nodiscard]] std::string saved_au_name(int number, const face::AuRecordings& recordings);
+/// The name of an AU as the panels show it: in the language in use, or the user's own.
+[[nodiscard]] std::string au_name_of(const GuiModel& model, int number);
+
 /// What a rule read and what it changed: "51 100 % and 52 40 %: 51 60 %, 52 gone".
 [[nodiscard]] std::string effect_in_words(const face::RuleExplained& one);
 

@@ -99,8 +99,9 @@ Rows rows_here(const Look& look, std::size_t count) {
 
 /// Draws the curves that are seen, each with its number, its name above it and its value at
 /// `place`.
-void draw_rows(const Look& look, const LocalView& local, const CurvesForm& form, const Rows& rows,
+void draw_rows(const Look& look, const GuiModel& model, const CurvesForm& form, const Rows& rows,
                Duration place) {
+  const LocalView& local = model.local;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
   for (std::size_t i = 0; i < rows.count; ++i) {
@@ -110,7 +111,7 @@ void draw_rows(const Look& look, const LocalView& local, const CurvesForm& form,
     const ImVec2 to(rows.right, rows.top(i + 1) - look.scale);
     if (!ImGui::IsRectVisible(corner, to)) continue;
     list.AddText(ImGui::GetFont(), name_height(), corner, ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                 au_name(curve.number).c_str());
+                 au_name_of(model, curve.number).c_str());
     list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
     line_of(look, form.outlines[i], from, to);
     const float y = (from.y + to.y - ImGui::GetTextLineHeight()) / 2;
@@ -155,7 +156,7 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
   const Duration pointed = rows.place_of(pointer.x, local.total);
   if (pressed && !used_by_keys()) commands.push_back(LocalCommand(Seek{pointed}));
 
-  draw_rows(look, local, form, rows, hovered ? pointed : local.position);
+  draw_rows(look, model, form, rows, hovered ? pointed : local.position);
   draw_place(look, rows, rows.x_of(local.position, local.total), colour_of(Tone::Waiting));
   if (arrows.held) {
     const auto row = static_cast<std::size_t>(form.row);
@@ -164,11 +165,12 @@ void curves_part(const Look& look, const GuiModel& model, CurvesForm& form, GuiC
     ImGui::GetWindowDrawList()->AddRect(ImVec2(rows.left, top),
                                         ImVec2(rows.right, rows.top(row + 1)),
                                         colour_of(Tone::Waiting), 0, 0, look.scale);
-    tell(au_name(curves[row].number), local.position, rows.left, top);
+    tell(au_name_of(model, curves[row].number), local.position, rows.left, top);
   } else if (hovered) {
     draw_place(look, rows, rows.x_of(pointed, local.total), ImGui::GetColorU32(ImGuiCol_Text));
     const auto row = static_cast<std::size_t>((pointer.y - rows.corner.y) / rows.height);
-    tell(row < rows.count ? au_name(curves[row].number) : "", pointed, pointer.x, pointer.y);
+    tell(row < rows.count ? au_name_of(model, curves[row].number) : "", pointed, pointer.x,
+         pointer.y);
   }
 }
 

@@ -314,7 +314,8 @@ void buffers(const Look& look, const GuiModel& model, bool& large) {
 
 /// The strongest AUs over the last half minute, each with its colour and its number beside it; a
 /// click makes it larger, with their names.
-void intensities(const Look& look, const PlayingView& playing, bool& large) {
+void intensities(const Look& look, const GuiModel& model, bool& large) {
+  const PlayingView& playing = model.playing;
   if (playing.au_history.empty()) return;
   constexpr float kSmall = 96;
   constexpr float kLarge = 260;
@@ -329,7 +330,7 @@ void intensities(const Look& look, const PlayingView& playing, bool& large) {
   if (!large) return;
   for (std::size_t i = 0; i < playing.au_history.size(); ++i) {
     const int number = playing.au_history[i].number;
-    const std::string text = std::to_string(number) + "  " + au_name(number);
+    const std::string text = std::to_string(number) + "  " + au_name_of(model, number);
     line_name(look, static_cast<int>(i), text);
   }
 }
@@ -364,7 +365,7 @@ void animation(const Look& look, const GuiModel& model, GuiCommands& commands) {
 void action_units(const Look& look, const GuiModel& model, RemoteForm& form) {
   if (std::exchange(form.to_aus, false)) ImGui::SetScrollHereY(0);
   heading(look, tr("play.aus"), tr("tip.au"));
-  intensities(look, model.playing, form.large_chart);
+  intensities(look, model, form.large_chart);
   const bool made = model.editor.active || model.composer.active;
   const std::vector<AuRow>& rows =
       made ? model.playing.aus

@@ -156,7 +156,7 @@ gui::ComposerView ComposerSession::view(bool active) const {
     const int left = percent_of(current.aus.left[index]);
     const int right = percent_of(current.aus.right[index]);
     if (left == 0 && right == 0) continue;
-    view.aus.push_back({number, std::string(facs_name(number).value_or("")), left, right});
+    view.aus.push_back({number, gui::saved_au_name(number, mapping_.recordings), left, right});
   }
   if (current.ms) view.ms = static_cast<int>(*current.ms);
   view.file = composer_.file();

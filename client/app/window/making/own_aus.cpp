@@ -4,10 +4,10 @@
 
 #include "client/app/window/making/own_faces.h"
 #include "client/face/face_folder.h"
+#include "client/gui/model/view_text.h"
 #include "client/gui/storage/face_copies.h"
 #include "client/gui/storage/user_face.h"
 #include "client/gui/texts/texts.h"
-#include "common/action_unit.h"
 #include "common/files.h"
 
 namespace aucast::app {
@@ -50,8 +50,7 @@ std::vector<gui::AuEntry> OwnAus::entries() const {
     if (number == 0) continue;
     gui::AuEntry entry;
     entry.number = number;
-    const auto name = facs_name(number);
-    entry.name = name ? std::string(*name) : recording.note;
+    entry.name = gui::saved_au_name(number, mapping_.recordings);
     entry.muscles = gui::drive_in_words(gui::drive_of(mapping_.face, recording.activation));
     const auto looks = assets_.au_looks.find(number);
     if (looks != assets_.au_looks.end()) entry.looks = looks->second;

@@ -303,6 +303,9 @@ TEST_F(EditedSessionTest, TheFaceThatTheSlidersShowIsTheOneThatIsSaved) {
   const auto face = face::load_face(copy, assets_->data_folder);
   ASSERT_TRUE(face) << face.error().message;
   EXPECT_NEAR(face->recordings.at(90).activation[*face->channel_index("jaw")], jaw, 0.01);
+  ask(gui::ShowAus{"90"});
+  ASSERT_EQ(model().editor.compound.size(), 1U);
+  EXPECT_EQ(model().editor.compound[0].name, "open");
   ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
   session_.reset();
   SetUpTestSuite();  // the face of the assets is the copy now

@@ -141,6 +141,27 @@ TEST(ViewText, SidesThatDifferHaveRowsOfTheirOwn) {
   EXPECT_EQ(rows[2].shown_percent, 20);
 }
 
+TEST(ViewText, AnAuThatFacsDoesNotNameHasTheNameThatItWasSavedWith) {
+  face::AuRecordings recordings = kAll;
+  recordings[90].note = "Puffy cheeks";
+  recordings[12].note = "a smile";
+  const AuFrame aus = frame({{12, Side::Both, 100}, {90, Side::Both, 100}});
+  const auto rows = au_rows(aus, aus, {}, recordings);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].name, "Lip Corner Puller");
+  EXPECT_EQ(rows[1].name, "Puffy cheeks");
+  GuiModel model;
+  EXPECT_EQ(au_name_of(model, 12), "Lip Corner Puller");
+  std::vector<AuEntry> known(2);
+  known[0].number = 12;
+  known[0].name = "Lip Corner Puller";
+  known[1].number = 90;
+  known[1].name = "Puffy cheeks";
+  model.known_aus = std::make_shared<const std::vector<AuEntry>>(known);
+  EXPECT_EQ(au_name_of(model, 90), "Puffy cheeks");
+  EXPECT_EQ(au_name_of(model, 91), "");
+}
+
 TEST(ViewText, AChangedAuNamesTheRule) {
   face::RuleSet rules;
   rules.rules.push_back({face::RuleKind::Opposition, {51, 52}, {}, 1, false, false, ""});

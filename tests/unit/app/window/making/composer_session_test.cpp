@@ -58,6 +58,16 @@ TEST_F(ComposerSessionTest, AnAuIsShownAndListedWhenItsKeyframeIsAdded) {
   EXPECT_EQ(composer_->view(true).total, "1 keyframe, 0.50 s");
 }
 
+TEST_F(ComposerSessionTest, AnAuOfTheUsersOwnHasItsName) {
+  face::AuRecording puffy = mapping_->recordings.at(26);
+  puffy.number = 90;
+  puffy.note = "Puffy cheeks";
+  mapping_->recordings[90] = puffy;
+  ask(gui::ComposeAu{90, 100, 100, false});
+  ASSERT_EQ(composer_->view(true).aus.size(), 1U);
+  EXPECT_EQ(composer_->view(true).aus[0].name, "Puffy cheeks");
+}
+
 TEST_F(ComposerSessionTest, ATimeChangesNoFace) {
   ask(gui::ComposeMood{0.8F, 0.5F, false});
   EXPECT_FALSE(ask(gui::ComposeTime{-1, false}));
