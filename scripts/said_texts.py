@@ -2,7 +2,8 @@
 
 What comes up in English from other folders is recognised by the rows of client/gui/texts/english_errors.h. Reworded
 there, a sentence would stay English in every other language and nobody would notice: so each part of a row between two
-places to fill in must stand in a string of the code, or be what the system says.
+places to fill in must stand in a string of the code, or be what the system says. So must what the window says in other
+words, in client/gui/texts/said_text.cpp.
 """
 
 import os
@@ -10,10 +11,13 @@ import re
 
 TABLE = "client/gui/texts/english_errors.h"
 TABLES = "client/gui/texts/english"
+IN_WINDOW = "client/gui/texts/said_text.cpp"
 SPEAKERS = ("common/", "protocol/", "server/", "client/")
 # A comment may have a quote in it, and a raw string any.
 TOKEN = re.compile(r'//[^\n]*|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\\n]|\\.)*)"', re.S)
 ROW = re.compile(r'\{\s*"((?:net|made|bad)\.\w+)",((?:\s*"(?:[^"\\\n]|\\.)*")+)\s*\}')
+# What is said, and the key of the window's words.
+OTHER_WORDS = re.compile(r'\{((?:\s*"(?:[^"\\\n]|\\.)*")+),\s*"(\w+\.\w+)"\}')
 # Between two strings that the compiler joins.
 BETWEEN = re.compile(r"\s*")
 
@@ -46,6 +50,8 @@ def system_texts():
 def rows(table):
     for row in ROW.finditer(table):
         yield table.count("\n", 0, row.start()) + 1, row[1], "".join(strings(row[2]))
+    for row in OTHER_WORDS.finditer(table):
+        yield table.count("\n", 0, row.start()) + 1, row[2], "".join(strings(row[1]))
 
 
 # What the window calls settings, and counted(); both are put together when something is said.
@@ -89,9 +95,10 @@ def unsaid(table, sources):
 
 def findings(root, paths):
     """(path, line, text) of what is translated but never said."""
-    if TABLE not in paths:
-        return
     sources = [(root / path).read_text(encoding="utf-8") for path in paths
-               if path.startswith(SPEAKERS) and not path.startswith(TABLES)]
-    for line, key, part in unsaid((root / TABLE).read_text(encoding="utf-8"), sources):
-        yield TABLE, line, f"{key}: nothing says '{part}'"
+               if path.startswith(SPEAKERS) and not path.startswith(TABLES) and path != IN_WINDOW]
+    for table in (TABLE, IN_WINDOW):
+        if table not in paths:
+            continue
+        for line, key, part in unsaid((root / table).read_text(encoding="utf-8"), sources):
+            yield table, line, f"{key}: nothing says '{part}'"

@@ -289,6 +289,13 @@ class TidyTest(unittest.TestCase):
         for source in ('f("it is away; call ");\n', '// "it is gone; call "\n', 'f("it is");\n'):
             self.assert_found(said(source), "client/gui/texts/english_errors.h:2: bad.gone: nothing says 'it is gone; call'")
         self.assert_clean(said("", "No such file or directory"))
+        for spoken in (True, False):
+            files = said('f("it is gone; call ");\n' + 'f("leave out --tls");\n' * spoken)
+            files["client/gui/texts/said_text.cpp"] = 'x = {{"leave out "\n "--tls", "play.tls"}};\n'
+            if spoken:
+                self.assert_clean(files)
+            else:
+                self.assert_found(files, "client/gui/texts/said_text.cpp:1: play.tls: nothing says 'leave out --tls'")
         tip = said("") | {"client/gui/texts/english_tips.h": '#pragma once\n{"it is gone; call "},\n'}
         self.assert_found(tip, "nothing says 'it is gone; call'")
 

@@ -45,15 +45,9 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
      "answered without a list of its streams: it may be a classic server, with one"},
     {"net.not_protocol", "the server sent what is not the protocol: {what}"},
     {"net.token_seen", "everybody on the way could read the token; {remedy}"},
-    {"net.no_tls",
-     "the server does not speak TLS; leave out --tls (of aucasts:// the s), or serve with "
-     "--tls-cert"},
     {"net.expired", "the server's certificate has expired on {time}"},
     {"net.not_yet",
      "the server's certificate is not valid yet; is the clock of this computer right?"},
-    {"net.unknown_authority",
-     "the server's certificate comes from an authority that is not known here; {option} FILE names "
-     "one to believe"},
     {"net.revoked", "the server's certificate has been revoked"},
     {"net.no_revocations",
      "the server's certificate comes from an authority of which {option} has no revocation list"},

@@ -51,8 +51,10 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"camera.no_models",
      "The camera cannot be used yet: what finds a face in its pictures is not on this computer. It "
      "is free, comes from Google and is fetched once over the Internet. You, or whoever looks "
-     "after this computer, can do that in a terminal:\n\n{command}\n\nThen press Start again. All "
+     "after this computer, can do that in a terminal{where}:\n\n{command}\n\nThen press Start "
+     "again. All "
      "else works without it."},
+    {"camera.in_sources", ", in the folder of AUcast's source"},
     {"camera.no_film", "{file}: there is no such film."},
     {"camera.is_folder", "{file} is a folder: name a camera, or a film in it."},
     {"camera.is_picture", "{file} is a picture: name a camera or a film."},
@@ -156,7 +158,18 @@ inline constexpr std::array kEnglishPlaying = std::to_array<EnglishText>({
     {"play.tls", "TLS"},
     {"play.authorities_file", "CA file"},
     {"play.token_file", "Token file"},
-    {"play.needs_token", "401 a token is needed here: name its file under Connection, Token file"},
+    {"play.needs_token",
+     "{code} a token is needed here: name its file under Connection, Token file"},
+    {"play.tls_only",
+     "{code} this server speaks TLS only: switch TLS on under Connection, or begin its address "
+     "with "
+     "aucasts://"},
+    {"play.no_tls",
+     "the server does not speak TLS: switch TLS off under Connection, or begin its address with "
+     "aucast://"},
+    {"play.unknown_authority",
+     "the server's certificate comes from an authority that is not known here: name its file under "
+     "Connection, CA file"},
     {"play.path_hint", "the path of a file"},
     {"play.next_help", "They apply from the next Connect."},
     {"play.strongest", "The strongest, last 30 s"},

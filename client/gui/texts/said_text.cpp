@@ -1,5 +1,6 @@
 #include "client/gui/texts/said_text.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -40,21 +41,47 @@ bool is_said(std::string_view key) {
   return key.starts_with("net.") || key.starts_with("made.") || key.starts_with("bad.");
 }
 
-/// A server's words, which name an option of face-player; the window has a field for it.
-constexpr std::string_view kNeedsToken = "401 a token is needed here (--token-file)";
+/// Words that name an option of face-player, for which the window has a field, as a pattern, and
+/// what the window says in place of them. scripts/tidy.py checks that they are said so.
+struct InWindow {
+  std::string_view said;
+  TextKey text;
+};
+constexpr std::array<InWindow, 4> kInWindow = {
+    {{"{code} a token is needed here (--token-file)", "play.needs_token"},
+     {"{code} this server speaks TLS only (face-player --tls)", "play.tls_only"},
+     {"the server does not speak TLS; leave out --tls (of aucasts:// the s), or serve with "
+      "--tls-cert",
+      "play.no_tls"},
+     {"the server's certificate comes from an authority that is not known here; {option} FILE "
+      "names one to believe",
+      "play.unknown_authority"}}};
+
+std::optional<std::string> translated(std::string_view english);
+
+/// Translates what can be translated; returns whether any of it can.
+bool translate(Values& values) {
+  bool any = false;
+  for (std::string& value : values) {
+    auto better = translated(value);
+    any |= better.has_value();
+    if (better) value = *std::move(better);
+  }
+  return any;
+}
 
 std::optional<std::string> translated(std::string_view english) {
-  if (english == kNeedsToken) return tr("play.needs_token");
+  for (const InWindow& one : kInWindow) {
+    auto values = places_in(english, one.said);
+    if (!values) continue;
+    translate(*values);
+    return filled(one.text.row(), *values);
+  }
   for (std::size_t row = 0; row < kEnglish.size(); ++row) {
     if (!is_said(kEnglish[row].key)) continue;
     auto values = places_in(english, kEnglish[row].text);
     if (!values) continue;
-    bool any = false;
-    for (std::string& value : *values) {
-      auto better = translated(value);
-      any |= better.has_value();
-      if (better) value = *std::move(better);
-    }
+    const bool any = translate(*values);
     // Of "host: words" nothing is known but the colon.
     if (std::string_view(kEnglish[row].key) == "net.at" && !any) continue;
     return filled(row, *values);

@@ -9,7 +9,8 @@
 namespace aucast::gui {
 
 /// Translates a message that other code made in English (english_errors.h) into the language in
-/// use. Parts that are not in that table, such as a server's own words, stay as they are.
+/// use. Parts that are not in that table, such as a server's own words, stay as they are. Where
+/// face-player's options are named, and the window has a field for the same, names that field.
 [[nodiscard]] std::string in_used_language(const std::string& english);
 
 /// The same for an error. If no part of it can be translated and its kind is BadData or Unreadable,

@@ -25,6 +25,13 @@ using Phase = gui::MirrorView::Phase;
 
 namespace {
 
+/// What to do where there are no models; `command` fetches them. An installation has the script in
+/// a folder that is named; else it is in the source.
+std::string without_models(const std::string& command) {
+  const char* const where = command.starts_with('/') ? "" : gui::tr("camera.in_sources");
+  return gui::tr("camera.no_models", where, command);
+}
+
 std::string in_words(const mirror::Trouble& trouble, bool film) {
   using Kind = mirror::Trouble::Kind;
   switch (trouble.kind) {
@@ -32,7 +39,7 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
       break;
     case Kind::Said:
       if (const auto missing = gui::places_said("bad.no_models", trouble.said); !missing.empty()) {
-        return gui::tr("camera.no_models", missing.back());
+        return without_models(missing.back());
       }
       return gui::in_used_language(trouble.said);
     case Kind::NoPictures:

@@ -134,6 +134,31 @@ TEST_F(SaidText, ATokenIsAskedForWhereTheWindowHasAFieldForIt) {
   }
 }
 
+TEST_F(SaidText, NamesNoOptionWhereTheWindowHasAField) {
+  const std::string at = "venus:4650: ";
+  const std::string certificate =
+      at +
+      "the server's certificate comes from an authority that is not known here; --tls-ca FILE "
+      "names one to believe";
+  for (const bool in_french : {false, true}) {
+    if (in_french) use_french();
+    const std::string only = in_used_language(
+        at + "the server refused: 400 this server speaks TLS only (face-player --tls)");
+    const std::string none = in_used_language(
+        at +
+        "the server does not speak TLS; leave out --tls (of aucasts:// the s), or serve with "
+        "--tls-cert");
+    const std::string unknown = in_used_language(certificate);
+    for (const std::string& shown : {only, none, unknown}) {
+      EXPECT_EQ(shown.find("--"), std::string::npos) << shown;
+      EXPECT_NE(shown.find("venus:4650"), std::string::npos) << shown;
+    }
+    EXPECT_NE(only.find("aucasts://"), std::string::npos) << only;
+    EXPECT_NE(none.find("aucast://"), std::string::npos) << none;
+    EXPECT_NE(unknown.find(tr("play.authorities_file")), std::string::npos) << unknown;
+  }
+}
+
 TEST_F(SaidText, KeepsNamesAndNumbersAndWhatItDoesNotKnow) {
   use_french();
   const std::string refused = in_used_language(kSaid[0]);

@@ -189,6 +189,17 @@ TEST_F(MirrorSessionTest, WhoLacksTheModelsIsToldWhatToDoAndNotWhichFileIsMissin
             std::string::npos)
       << trouble;
   EXPECT_EQ(trouble.find("tflite"), std::string::npos) << trouble;
+  const std::string sources = gui::tr("camera.in_sources");
+  EXPECT_EQ(trouble.find(sources), std::string::npos) << "the path says where the script is";
+  session_.apply(gui::StartMirror{"camera"});
+  lose(Trouble::Kind::Said);
+  script_.state.ended.said =
+      "data/models/detection.tflite: the models that read faces are not installed; "
+      "'scripts/install_models.sh data' fetches them";
+  static_cast<void>(session_.advance());
+  EXPECT_NE(session_.view().trouble.find(sources + ":\n\nscripts/install_models.sh data\n"),
+            std::string::npos)
+      << session_.view().trouble;
 }
 
 TEST_F(MirrorSessionTest, AnAddressThatIsNoneIsASentenceThatStays) {
