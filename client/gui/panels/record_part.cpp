@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 
 #include "client/gui/panels/panels.h"
@@ -18,13 +19,50 @@ void put(const std::string& text, std::array<char, N>& field) {
 
 constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
 
-/// Where pictures and videos are saved. Initially folded.
+/// What is being written at present, each in a line. `whole`: with the whole paths of the files, in
+/// place of their names.
+std::string under_way(const GuiModel& model, bool whole) {
+  std::string lines;
+  const auto add = [&lines](const std::string& line) {
+    lines += (lines.empty() ? "" : "\n") + line;
+  };
+  const auto named = [whole](const std::string& file) {
+    return whole ? file : std::filesystem::path(file).filename().string();
+  };
+  const VideoView& video = model.video;
+  if (!video.recording.empty()) add(tr("play.recording", named(video.recording)));
+  if (!video.completing.empty()) add(tr("play.completing", named(video.completing)));
+  const ExportView& exported = model.exported;
+  if (!exported.file.empty()) add(tr("play.writing", named(exported.file), exported.percent));
+  const GalleryView& gallery = model.gallery;
+  if (gallery.running && !gallery.open) add(tr("play.gallery_runs", progress_text(gallery)));
+  if (!model.onsets.empty()) add(tr("play.times_go", named(model.onsets)));
+  return lines;
+}
+
+/// Says what is being written at the right of the line that begins with `label`, so that nothing
+/// below moves when it begins or ends.
+void say_under_way(const GuiModel& model, const char* label) {
+  std::string text = under_way(model, false);
+  if (text.empty()) return;
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
+    text.replace(at, 1, ", ");
+  }
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() +
+                  ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x);
+  fitted_text(text, right, colour_of(Tone::Quiet));
+}
+
+/// Where pictures and videos are saved, initially folded, and what is being written there.
 void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
                    GuiCommands& commands) {
   const PictureSettings& now = model.pictures;
   const bool open = ImGui::TreeNodeEx(
       tr("play.where"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
-  tip(tr("tip.where"));
+  const std::string written = under_way(model, true);
+  tip(tr("tip.where") + (written.empty() ? written : "\n" + written));
+  say_under_way(model, tr("play.where"));
   if (!open) return;
   if (!form.filled || form.taken != now) {
     if (!form.filled || form.taken.folder != now.folder) put(now.folder, form.folder);
@@ -118,15 +156,6 @@ void record_part(const Look& look, const GuiModel& model, RecordForm& form, GuiC
   if (wide_button(tr("button.export"), 3, 4, true)) ImGui::OpenPopup("export");
   tip(tr("play.export_tip"));
   export_menu(model, commands);
-  if (recording) quiet_text(tr("play.recording", model.video.recording));
-  if (!model.video.completing.empty()) quiet_text(tr("play.completing", model.video.completing));
-  const ExportView& exported = model.exported;
-  if (!exported.file.empty()) quiet_text(tr("play.writing", exported.file, exported.percent));
-  const GalleryView& gallery = model.gallery;
-  if (gallery.running && !gallery.open) {
-    quiet_text(tr("play.gallery_runs", progress_text(gallery)));
-  }
-  if (!model.onsets.empty()) quiet_text(tr("play.times_go", model.onsets));
   where_they_go(look, model, form, commands);
 }
 

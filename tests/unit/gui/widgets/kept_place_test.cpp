@@ -31,11 +31,13 @@ class KeptPlaces : public GuiByHand {
 };
 
 TEST_F(KeptPlaces, WhatThePointerIsOnStaysThere) {
+  model_.playing.local = true;
+  frames(2);
   read_on();
   ASSERT_NE(pointed_, 0U);
   const float scrolled = contents()->Scroll.y;
   ASSERT_GT(scrolled, 0);
-  model_.video.recording = "/home/anna/pictures/a-face-that-is-recorded.mp4";
+  model_.playing.local = false;  // a server's stream has buffers
   frames(1);
   EXPECT_TRUE(gui_->rows_moved()) << "that frame is not shown";
   frames(1);
@@ -43,7 +45,7 @@ TEST_F(KeptPlaces, WhatThePointerIsOnStaysThere) {
   EXPECT_GT(contents()->Scroll.y, scrolled + 10);
   frames(1);
   EXPECT_EQ(ImGui::GetHoveredID(), pointed_);
-  model_.video.recording.clear();
+  model_.playing.local = true;
   frames(3);
   EXPECT_EQ(ImGui::GetHoveredID(), pointed_);
   EXPECT_EQ(contents()->Scroll.y, scrolled);
@@ -63,10 +65,23 @@ TEST_F(KeptPlaces, AusThatComeAndGoMoveNothing) {
   EXPECT_EQ(contents()->ContentSize.y, before) << "a neutral keyframe";
 }
 
+TEST_F(KeptPlaces, WhatIsBeingWrittenMovesNothing) {
+  frames(4);
+  const float before = contents()->ContentSize.y;
+  model_.video.recording = "/home/anna/pictures/a-face-that-is-recorded.mp4";
+  model_.video.completing = "/home/anna/pictures/the-one-before.mp4";
+  model_.exported = {"/home/anna/pictures/face.glb", 40, false};
+  model_.gallery.running = true;
+  model_.onsets = "/home/anna/times.csv";
+  frames(4);
+  EXPECT_EQ(contents()->ContentSize.y, before);
+}
+
 TEST_F(KeptPlaces, AtTheTopOfThePanelNothingIsScrolled) {
   ImGui::GetIO().DisplaySize = ImVec2(800, 420);
+  model_.playing.local = true;
   frames(2);
-  model_.video.recording = "/home/anna/pictures/a-face-that-is-recorded.mp4";
+  model_.playing.local = false;
   frames(1);
   EXPECT_FALSE(gui_->rows_moved());
   frames(2);
