@@ -83,9 +83,10 @@ Result<std::string> WindowFiles::use(gui::Purpose purpose, const fs::path& file,
       return std::string();
     }
     case gui::Purpose::ComposeStream: {
+      const bool unsaved = users_.composer.unsaved();
       if (auto loaded = users_.composer.load(file); !loaded) return loaded.error();
       hooks_.show(Shown::Composer, now);
-      return std::string();
+      return unsaved ? std::string(gui::tr("said.other_stream")) : std::string();
     }
     case gui::Purpose::SaveStream:
       return save_composition(file);

@@ -89,7 +89,10 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
         editor_.set_linked(one.linked);
         return false;
       },
-      [&](const gui::LoadAu& one) { return edit([&] { editor_.load(one.number); }); },
+      [&](const gui::LoadAu& one) {
+        tell_of_replaced(now);
+        return edit([&] { editor_.load(one.number); });
+      },
       [](const gui::ShowEdited&) { return true; },
       [&](const gui::SaveAu& one) {
         save_au(one, now);
@@ -181,8 +184,18 @@ void EditorSession::show_none_of_them() {
   expressions_.aus.clear();
 }
 
+/// A sentence for when another face comes into the editor; empty if what is there is saved.
+std::string EditorSession::replaced() const {
+  return editor_.unsaved() ? gui::tr("said.edit_replaced") : std::string();
+}
+
+void EditorSession::tell_of_replaced(Instant now) {
+  if (const std::string text = replaced(); !text.empty()) notices_.say(text, false, now);
+}
+
 /// The editor takes `target`; the face goes there from the one that is shown.
 void EditorSession::go_to(std::vector<float> target, bool continued, Instant now) {
+  tell_of_replaced(now);
   editor_.take(target, continued);
   transition_.emplace(shown_, std::move(target), transition_settings_, now);
 }
@@ -239,6 +252,7 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
   }
   const auto saved = own_.take(*recordings);
   if (!saved) return saved.error();
+  const std::string lost = replaced();
   transition_.reset();
   show_none_of_them();
   editor_.recorded_anew(recordings->begin()->first);
@@ -247,7 +261,8 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
   for (const auto& [number, recording] : *recordings) {
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
   }
-  return gui::tr("said.aus_imported", numbers, saved->string());
+  const std::string imported = gui::tr("said.aus_imported", numbers, saved->string());
+  return lost.empty() ? imported : imported + "\n" + lost;
 }
 
 bool EditorSession::remove_au(int number, Instant now) {

@@ -95,6 +95,8 @@ class EditorSession {
   [[nodiscard]] std::string note_of(int number) const;
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
+  [[nodiscard]] std::string replaced() const;
+  void tell_of_replaced(Instant now);
   [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
   void saved_in(const std::filesystem::path& file);
   void list_aus();

@@ -183,6 +183,20 @@ TEST_F(WindowSessionComposerTest, ANewStreamSaysHowWhatIsNotSavedComesBack) {
   EXPECT_EQ(model().composer.rows->size(), 2U);
 }
 
+TEST_F(WindowSessionComposerTest, AnOpenedStreamSaysHowWhatIsNotSavedComesBack) {
+  const test::TempFolder folder;
+  const std::string file = folder.write("one.txt", "Beg_Stream\n12;500\nEnd_Stream\n").string();
+  for (const bool unsaved : {false, true}) {
+    if (unsaved) make_two();
+    ask(gui::Browse{gui::Purpose::ComposeStream});
+    ask(gui::ChooseFile{file});
+    EXPECT_EQ(model().composer.rows->size(), 1U);
+    EXPECT_EQ(model().notice.text, unsaved ? gui::tr("said.other_stream") : "");
+  }
+  compose(gui::UndoComposing{});
+  EXPECT_TRUE(model().composer.unsaved);
+}
+
 TEST_F(WindowSessionComposerTest, LeavingAsksAboutAKeyframeThatWasNotAdded) {
   const test::TempFolder folder;
   compose(gui::ComposeAu{12, 50, 50, false});

@@ -163,6 +163,7 @@ TEST_F(EditedSessionTest, SeveralAusTogetherGoThroughRulesAndMixer) {
   EXPECT_TRUE(model().editor.compound.empty()) << "the face is another one now";
   ask(gui::ShowAus{"no AUs"});
   EXPECT_TRUE(model().notice.bad);
+  ask(gui::Undo{});
   ask(gui::ShowAus{"12"});
   EXPECT_EQ(model().notice.text, "") << "the mistake is mended";
 }
@@ -324,6 +325,19 @@ TEST_F(EditedSessionTest, ASavingThatFailsIsSaidAndLosesNothing) {
   EXPECT_TRUE(model().editor.unsaved);
   EXPECT_EQ(shown("jaw"), 3.5F);
   ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0);
+}
+
+TEST_F(EditedSessionTest, AnExpressionThatReplacesWhatIsNotSavedSaysThatUndoBringsItBack) {
+  open_nothing();
+  ask(gui::SetChannel{channel("head_turn_left"), 0.59F, false});
+  EXPECT_TRUE(model().notice.text.empty());
+  ask(gui::ShowExpression{expression("surprise")});
+  EXPECT_EQ(model().notice.text,
+            "another face is in the editor: Undo (Ctrl+Z) brings back what is not saved");
+  session_->undo(clock_.now());
+  EXPECT_FLOAT_EQ(shown("head_turn_left"), 0.59F);
+  session_->ask_to_leave();
+  EXPECT_TRUE(model().asks_to_leave);
 }
 
 TEST_F(EditedSessionTest, LeavingAsksWhenSomethingIsNotSaved) {

@@ -294,6 +294,43 @@ TEST_F(EditorSessionTest, AusOfAFileBecomeOnesOwnAndTheFirstIsShown) {
   EXPECT_EQ(entry(77).name, "Yell");
 }
 
+TEST_F(EditorSessionTest, AnotherFaceSaysHowWhatIsNotSavedComesBack) {
+  const std::vector<gui::EditorCommand> others = {gui::ShowExpression{0}, gui::ShowAus{"12"},
+                                                  gui::LoadAu{26}};
+  for (const gui::EditorCommand& other : others) {
+    ask(other);
+    EXPECT_EQ(notices_.view().text, "") << "there was nothing: " << other.index();
+    set("jaw", 3);
+    ask(other);
+    EXPECT_EQ(notices_.view().text, gui::tr("said.edit_replaced")) << other.index();
+    EXPECT_FALSE(notices_.view().bad);
+    EXPECT_FALSE(editor_->unsaved());
+    ask(gui::Undo{});
+    EXPECT_EQ(at("jaw"), 3);
+    EXPECT_TRUE(editor_->unsaved());
+    ask(gui::Undo{});
+    notices_.clear();
+  }
+}
+
+TEST_F(EditorSessionTest, AnExpressionThatCannotBeShownReplacesNothing) {
+  set("jaw", 3);
+  EXPECT_FALSE(ask(gui::ShowExpression{3}));
+  EXPECT_NE(notices_.view().text, gui::tr("said.edit_replaced"));
+  EXPECT_TRUE(editor_->unsaved());
+}
+
+TEST_F(EditorSessionTest, AusOfAFileSayHowWhatIsNotSavedComesBack) {
+  const auto file = data_.write("one.toml", "[[au]]\nnumber = 26\ndrive = { jaw = 2.0 }\n");
+  set("jaw", 3);
+  const auto imported = editor_->import_aus(file);
+  ASSERT_TRUE(imported.has_value()) << imported.error().message;
+  EXPECT_TRUE(imported->ends_with(gui::tr("said.edit_replaced"))) << *imported;
+  ask(gui::Undo{});
+  EXPECT_EQ(at("jaw"), 3);
+  EXPECT_TRUE(editor_->unsaved());
+}
+
 TEST_F(EditorSessionTest, OnAnotherFaceTheSameAusAreShown) {
   ask(gui::ShowAus{"26"});
   arrive();
