@@ -52,6 +52,7 @@ void LocalStream::toggle_repeat(playback::LocalPlayback& playhead, Instant now) 
 
 bool LocalStream::apply(const gui::LocalCommand& command, Instant now) {
   playback::LocalPlayback& playhead = playback_->playhead(now);
+  const bool ended = playhead.over(now);
   const Overloaded carry_out{[&](const gui::Seek& one) {
                                playhead.seek(one.position, now);
                                return true;
@@ -84,7 +85,9 @@ bool LocalStream::apply(const gui::LocalCommand& command, Instant now) {
                                toggle_repeat(playhead, now);
                                return false;
                              }};
-  return std::visit(carry_out, command);
+  const bool shows = std::visit(carry_out, command);
+  // Repeat and a loop begin anew what had ended.
+  return shows || (ended && !playhead.over(now));
 }
 
 bool LocalStream::stands() const {

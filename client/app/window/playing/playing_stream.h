@@ -56,7 +56,8 @@ class PlayingStream {
   /// Plays on. Returns false if the stream cannot.
   virtual bool resume(Instant now) = 0;
   /// Carries out commands that only a LocalStream knows. Returns true if the window should now show
-  /// the face of this stream, as after a seek or a step.
+  /// the face of this stream, as after a seek or a step, or when a stream that had ended plays
+  /// again.
   virtual bool apply(const gui::LocalCommand& /*command*/, Instant /*now*/) { return false; }
 
   /// Whether the face does not move and resume() would make it move.

@@ -209,6 +209,19 @@ TEST_F(StreamSessionTest, AStepTakesTheFaceBackFromTheEditor) {
   EXPECT_LT(shown("jaw"), 4);
 }
 
+TEST_F(StreamSessionTest, RepeatAfterTheEndTakesTheFaceBackFromTheEditor) {
+  open();
+  go_on(Milliseconds(600));
+  ASSERT_TRUE(session_->over());
+  ask(gui::ShowAus{"12"});
+  EXPECT_TRUE(model().editor.active);
+  ask(LocalCommand(gui::ToggleRepeat{}));
+  EXPECT_FALSE(model().editor.active);
+  EXPECT_EQ(model().playing.activity, Activity::Playing);
+  go_on(Milliseconds(100));
+  EXPECT_EQ(session_->keyframe_shown(), 1U);
+}
+
 TEST_F(StreamSessionTest, TheTableOfAusIsOfTheFaceThatIsShown) {
   open();
   session_->toggle_pause(clock_.now());

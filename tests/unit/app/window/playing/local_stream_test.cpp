@@ -119,6 +119,23 @@ TEST_F(LocalStreamTest, WhetherItRepeatsIsSaid) {
   EXPECT_NE(notices_.view().text, repeats);
 }
 
+TEST_F(LocalStreamTest, WhatBeginsAnewAfterItsEndIsShown) {
+  go_on(Milliseconds(600));
+  EXPECT_FALSE(ask(gui::SetSpeed{50})) << "that begins nothing";
+  EXPECT_TRUE(ask(gui::ToggleRepeat{}));
+  EXPECT_FALSE(stream_.stands());
+}
+
+TEST_F(LocalStreamTest, ALoopThatEndsWithItIsShownLikewise) {
+  go_on(Milliseconds(200));
+  EXPECT_FALSE(ask(gui::MarkLoop{}));
+  go_on(Milliseconds(400));
+  EXPECT_TRUE(stream_.stands());
+  EXPECT_TRUE(ask(gui::MarkLoop{}));
+  EXPECT_FALSE(stream_.stands());
+  EXPECT_EQ(stream_.local_view().position, Milliseconds(200));
+}
+
 TEST_F(LocalStreamTest, AllOfItIsExportedWhereverItStands) {
   EXPECT_EQ(stream_.played().keyframes.size(), 3U);
   EXPECT_EQ(stream_.played().begun, 3U);
