@@ -117,12 +117,15 @@ std::string lost_in_words(const GuiModel& model) {
   return text;
 }
 
-/// Whether nothing in the editor is unsaved when the AU is saved that is edited. An expression that
-/// is no AU has no place to go to, and a name is saved with its AU.
-bool can_save(const EditorView& editor) {
+/// Why something in the editor would stay unsaved if the AU that is edited were saved; empty:
+/// nothing would. An expression that is no AU has no place to go to, and a name is saved with its
+/// AU.
+std::string why_not_saved(const EditorView& editor) {
+  if (!editor.unsaved) return "";
+  if (editor.au < 1) return tr("leave.no_number");
   const bool others = std::any_of(editor.names.begin(), editor.names.end(),
                                   [&](const auto& name) { return name.first != editor.au; });
-  return !editor.unsaved || (editor.au > 0 && !others);
+  return others ? tr("leave.other_names") : "";
 }
 
 /// To stay comes first, and is what Enter does.
@@ -145,8 +148,12 @@ void leave_buttons(const GuiModel& model, float room, const char* leave, GuiComm
   const bool escaped = !ImGui::IsWindowAppearing() &&
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (wide_button(tr("leave.stay"), 0, shares, true, true) || escaped) answer(Leave{false});
-  if (unsaved && wide_button(tr("button.save"), 1, shares, can_save(model.editor))) {
-    answer({.really = false, .saves = true});
+  if (unsaved) {
+    const std::string why_not = why_not_saved(model.editor);
+    if (wide_button(tr("button.save"), 1, shares, why_not.empty())) {
+      answer({.really = false, .saves = true});
+    }
+    tip(why_not, true);
   }
   if (wide_button(leave, shares - 1, shares, true)) answer(Leave{true});
 }

@@ -183,6 +183,29 @@ TEST_F(OverFace, SavingIsNotOfferedWhenSomethingStaysUnsaved) {
   EXPECT_TRUE(saves());
 }
 
+TEST_F(OverFace, SavingSaysWhyItIsNotOfferedOnLeaving) {
+  model_.asks_to_leave = true;
+  model_.editor.unsaved = true;
+  const auto said = [this] {
+    point_at(1, 1);
+    frames(4);
+    const ImGuiWindow* const question = ImGui::FindWindowByID(ImHashStr("###leave"));
+    // "Stay" has the focus; "Save" is the next.
+    const ImRect stay = question->NavRectRel[0];
+    const ImVec2 origin = question->DC.CursorStartPos;
+    point_at(origin.x + stay.Max.x + stay.GetWidth() / 2, origin.y + stay.GetCenter().y);
+    return tooltip() != nullptr ? tooltip()->ContentSize.x : 0.0F;
+  };
+  const float of_number = said();
+  EXPECT_GT(of_number, 0) << "an expression is no AU";
+  model_.editor.au = 2;
+  EXPECT_EQ(said(), 0);
+  model_.editor.names = {{77, "yawn"}};
+  const float of_names = said();
+  EXPECT_GT(of_names, 0);
+  EXPECT_NE(of_names, of_number) << "another reason";
+}
+
 TEST_F(OverFace, SaveSaysWhyItIsGreyWithoutAKeyframe) {
   ASSERT_TRUE(go_to_tab("Compose"));
   const auto tips_of_row = [this] {
