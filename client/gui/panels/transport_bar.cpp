@@ -16,12 +16,16 @@ namespace {
 constexpr float kSpeedWidth = 78;
 constexpr float kLoopWidth = 76;
 constexpr float kRepeatWidth = 66;
-/// With less width, the bar leaves out what there are keys for.
+/// With less width, the bar has the texts in a line of their own.
 constexpr float kRoomy = 560;
-constexpr float kNarrow = 370;
-/// Height at scale 1, and what the line of names adds to it.
+/// With less width, speed and loop too.
+constexpr float kNarrow = 366;
+/// With less width, the bar leaves out what there are keys for.
+constexpr float kNarrowest = 200;
+/// Height at scale 1, and what the lines of names, and of speed and loop, add to it.
 constexpr float kOneLineHeight = 76;
 constexpr float kNamesHeight = 24;
+constexpr float kLoopHeight = 31;
 /// By the arrows of the bar.
 constexpr Milliseconds kArrowStep{1'000};
 constexpr Milliseconds kFarArrowStep{10'000};
@@ -285,18 +289,23 @@ void roomy_bar(const Look& look, const LocalView& local, GuiCommands& commands) 
   repeat_button(look, local, true, commands);
 }
 
-/// The bar in two lines: texts are below the buttons.
+/// The bar in two or three lines: texts are below the buttons.
 void small_bar(const Look& look, const LocalView& local, float width, GuiCommands& commands) {
-  if (width < kNarrow * look.scale) {
+  const bool whole = width >= kNarrowest * look.scale;
+  if (whole) {
+    steps(look, local, commands);
+  } else {
     pause_button(look, local, commands);
-    repeat_button(look, local, false, commands);
+  }
+  repeat_button(look, local, false, commands);
+  if (width < kNarrow * look.scale) {
     ImGui::NewLine();
   } else {
-    steps(look, local, commands);
-    repeat_button(look, local, false, commands);
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::SameLine(ImGui::GetWindowWidth() - style.WindowPadding.x - style.ItemSpacing.x -
                     (kSpeedWidth + kLoopWidth) * look.scale);
+  }
+  if (whole) {
     speed_choice(look, local, commands);
     ImGui::SameLine();
     loop_button(look, local, commands);
@@ -308,8 +317,10 @@ void small_bar(const Look& look, const LocalView& local, float width, GuiCommand
 
 float transport_height(const Look& look, const GuiModel& model, float width) {
   if (!model.local.open) return 0;
-  const bool roomy = width > kRoomy * look.scale;
-  return (roomy ? kOneLineHeight : kOneLineHeight + kNamesHeight) * look.scale;
+  float height = kOneLineHeight;
+  if (width <= kRoomy * look.scale) height += kNamesHeight;
+  if (width >= kNarrowest * look.scale && width < kNarrow * look.scale) height += kLoopHeight;
+  return height * look.scale;
 }
 
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands) {

@@ -12,7 +12,7 @@ namespace {
 constexpr float kTipWidth = 26;
 constexpr float kTipWidthLeast = 8;
 /// A window with fewer rows than this is a bar.
-constexpr float kBarRows = 4;
+constexpr float kBarRows = 5;
 
 struct TipPlace {
   ImVec2 at;

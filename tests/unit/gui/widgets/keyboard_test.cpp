@@ -332,6 +332,24 @@ TEST_F(Keyboard, RepeatIsInTheSmallestBarToo) {
   EXPECT_TRUE(asked<ToggleRepeat>());
 }
 
+TEST_F(Keyboard, ANarrowBarHasAllOfAWideOneInMoreLines) {
+  model_.display.settings.text_percent = 120;
+  ASSERT_TRUE(gui_->prepare(model_.display));
+  for (const float width : {900.0F, 800.0F, 1200.0F}) {
+    ImGui::GetIO().DisplaySize = ImVec2(width, 600);
+    play_something();
+    const ImGuiWindow* const bar = ImGui::FindWindowByName("transport");
+    ASSERT_NE(bar, nullptr);
+    for (const char* label : {"##kb", "##fb", "##fo", "##ko", "##speed", tr("play.loop_a")}) {
+      const ImGuiID item = ImHashStr(label, 0, bar->ID);
+      for (int i = 0; i < 200 && focus() != item; ++i) press(ImGuiKey_Tab);
+      EXPECT_EQ(focus(), item) << label << " at " << width;
+    }
+    EXPECT_LE(bar->ContentSize.x, bar->InnerRect.GetWidth()) << width;
+    EXPECT_LE(bar->ContentSize.y + 2 * bar->WindowPadding.y, bar->Size.y + 1) << width;
+  }
+}
+
 struct TabWidgets {
   const char* tab;
   std::vector<TextKey> labels;

@@ -219,6 +219,16 @@ TEST_F(Tips, WhatIsSaidOfAButtonOfTheBarStandsAboveTheBar) {
   EXPECT_FALSE(tooltip()->Rect().Overlaps(bar));
 }
 
+TEST_F(Tips, WhatIsSaidOfAButtonOfABarOfThreeLinesStandsAboveTheBarToo) {
+  model_.display.settings.text_percent = 120;
+  ASSERT_TRUE(gui_->prepare(model_.display));
+  play_something();
+  const ImRect bar = rect_of("transport");
+  point_at(bar.Min.x + 30, bar.Min.y + 90);
+  ASSERT_NE(tooltip(), nullptr);
+  EXPECT_FALSE(tooltip()->Rect().Overlaps(bar));
+}
+
 TEST_F(Tips, ATimeStandsOverTheBarOnlyWhereThePointerIs) {
   play_something();
   const ImRect bar = rect_of("transport");
