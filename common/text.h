@@ -35,7 +35,7 @@ namespace aucast {
 /// and invalid UTF-8 as \xNN.
 [[nodiscard]] std::string printable(std::string_view bytes);
 
-/// The known word that the fewest edits turn into `word`; nullopt when that takes too many.
+/// The known word that becomes `word` with the fewest edits; nullopt if even these are too many.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  const std::vector<std::string>& known);
 

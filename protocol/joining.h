@@ -23,8 +23,8 @@ class Joining {
     bool silent = false;
     Duration after{};  ///< how long to wait before replying, to slow down guessing of tokens
   };
-  /// A stream that is here or may come (never in the state Refused), the refusal, a publisher whose
-  /// stream is accepted, or the list of streams that was asked for.
+  /// A stream that is here or may still come (a refused one is a Refusal), the refusal, a publisher
+  /// whose stream is accepted, or the list of streams that was asked for.
   using Answer = std::variant<StreamChoice, Refusal, HandOver, StreamList>;
 
   /// The catalogue must outlive it.

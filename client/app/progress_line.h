@@ -15,8 +15,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows `text()` if it is time for it. `last`: no more texts follow, so a terminal shows this
-  /// one.
+  /// Shows `text()` if it is time for it. `last`: no more texts follow; a terminal then shows this
+  /// one even if it is not time for it yet.
   template <typename Text>
   void show(const Text& text, bool last = false) {
     if (is_due(last)) write(text());

@@ -27,8 +27,8 @@ class Gui {
   /// true. The font's texture must then be made anew before the backends begin their frame.
   [[nodiscard]] bool prepare(const DisplayView& display);
 
-  /// Call it with the model of the next frames before their input is taken, because a dialog gets
-  /// the keys from its first frame on.
+  /// Call it with the model that the next frames will be drawn from, before the input for those
+  /// frames is taken: a dialog that opens gets the keys in its very first frame.
   void expect(const GuiModel& model);
 
   /// Makes one frame, after the backends have begun theirs; the result is ImGui's draw data. What

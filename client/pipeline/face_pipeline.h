@@ -15,11 +15,11 @@ struct FaceState {
 };
 
 /// Turns a set of AUs into activations: blends (rules), mixes, then interpolates between start and
-/// end frame. Only this class decides that order. The caller deforms, with a FaceDeformer, because
-/// not every position is drawn. The mapping must outlive it; a change to the mapping takes effect
-/// at the next keyframe or remake(). After construction memory is allocated only by neutral() and
-/// change_face(), and by begin_keyframe() and remake() when the mapping has been given more rules.
-/// Thread: the player's.
+/// end frame. Only this class decides that order. Deforming the mesh (FaceDeformer) is left to the
+/// caller, because not every face that at() gives is drawn. The mapping must outlive it; a change
+/// to the mapping takes effect at the next keyframe or remake(). Once constructed, it allocates
+/// memory only in neutral() and change_face() and, if the mapping has been given more rules, in
+/// begin_keyframe() and remake(). Thread: the player's.
 class FacePipeline {
  public:
   FacePipeline(const AuMapping& mapping, playback::Interpolation interpolation);

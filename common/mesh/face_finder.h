@@ -20,8 +20,9 @@ class FaceFinder {
   [[nodiscard]] static Result<FaceFinder> make(std::span<const std::uint8_t> bytes,
                                                std::string_view file);
 
-  /// The squares to look for landmarks in: one around each face, level with its eyes, the clearest
-  /// face first, no more than `most`. Faces with a score below kSureMin are left out.
+  /// The squares to look for landmarks in: one around each face, turned so that its eyes are level
+  /// in it; the clearest face first, no more than `most`. Faces with a score below kSureMin are
+  /// left out.
   [[nodiscard]] std::vector<Square> find(const Picture& picture, std::size_t most);
 
   static constexpr float kSureMin = 0.5F;

@@ -21,9 +21,10 @@ struct LoudAu {
 inline constexpr double kNeutralPercentMax = 30;
 
 /// The AUs that are stronger than kNeutralPercentMax in what is taken for a neutral face, the
-/// strongest first. If there are none: the AUs that move by more than that, since the median of a
-/// face that talks or grimaces may be weak. Turns of head and eyes do not count, since the camera
-/// may be to one side, nor do movements of the eyelids, which blink and follow the eyes.
+/// strongest first. If there are none: the AUs that move by more than that. What is taken for the
+/// neutral face is a median, which may be weak although the face talks or grimaces. Turns of head
+/// and eyes do not count, since the camera may be to one side, nor do movements of the eyelids,
+/// which blink and follow the eyes.
 [[nodiscard]] std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral);
 
 /// What to tell the user about these AUs: "AU12 100 %, AU1 40 %: no neutral face was taken off".

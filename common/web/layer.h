@@ -8,12 +8,11 @@
 
 namespace aucast::web {
 
-/// The server's side of one WebSocket (RFC 6455) without its socket: what comes over the wire after
-/// the upgrade goes in, what is to go over the wire comes out. Text messages are read as one flow
-/// of ASCII bytes; where messages and fragments begin does not matter. Answers pings and the peer's
-/// Close on its own. After a failure or a Close of either side nothing more goes in; what
-/// take_output() still gives tells the peer why.
-/// Thread: none of its own.
+/// The server's side of one WebSocket (RFC 6455) without its socket: the bytes that arrive after
+/// the upgrade are put in, and the bytes that are to be sent are taken out. Text messages are read
+/// as one flow of ASCII bytes; where messages and fragments begin does not matter. Answers pings
+/// and the peer's Close on its own. After a failure or a Close of either side nothing more goes in;
+/// what take_output() still gives tells the peer why. Thread: none of its own.
 class Layer {
  public:
   /// `frame_bytes_max`: the longest payload of a frame; a header that announces a longer one is a

@@ -24,9 +24,9 @@ inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{64} << 20U;
 /// is known.
 [[nodiscard]] std::optional<std::uint64_t> available_memory();
 
-/// Fails if the file at `path` may not take `bytes` of memory with kMemoryReserve left; the message
-/// ends with `remedy`. Without this check the system would kill the process instead of refusing the
-/// memory.
+/// Fails if `bytes` of memory for the file at `path` would leave less than kMemoryReserve free; the
+/// message ends with `remedy`. Without this check the system would kill the process instead of
+/// refusing the memory.
 [[nodiscard]] Result<void> check_memory(const std::filesystem::path& path, std::uint64_t bytes,
                                         std::string_view remedy);
 

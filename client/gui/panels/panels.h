@@ -103,10 +103,10 @@ void composer_panel(const Look& look, const GuiModel& model, ComposerForm& form,
 /// What is shown until something is opened: a sample, files, and where to find the rest.
 void welcome(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 
-/// The height of transport_bar(); 0: it is not shown, because no stream that is available whole
-/// plays. If `width` is small, it has a second line.
+/// The height of transport_bar(); 0 if it is not shown: nothing plays, or a stream that is not
+/// available whole. If `width` is small, it has a second line.
 [[nodiscard]] float transport_height(const Look& look, const GuiModel& model, float width);
-/// The bar under the face that controls a stream that is available whole. `width`: what the side
+/// The bar under the face, to control a stream that is available whole. `width`: what the side
 /// panel leaves free.
 void transport_bar(const Look& look, const GuiModel& model, float width, GuiCommands& commands);
 /// The part for saving what is shown and played: pictures, video, gallery and stream files, and

@@ -59,14 +59,15 @@ void remember_file(std::vector<std::string>& recent, const std::string& file);
 struct LoadedSettings {
   KeptSettings settings;  ///< the defaults if there was no file, or it could not be read
   std::vector<std::string> left_out{};  ///< as ParsedSettings'
-  std::string complaint;  ///< why there are none, as a sentence for the user; empty: they are there
+  std::string complaint;  ///< why the file's settings are not used, as a sentence for the user;
+                          ///< empty: they are used, or there is no file
   bool may_write = true;  ///< false: writing would destroy a file that could neither be read nor
                           ///< renamed
 };
 
-/// Reads the settings. A file that is not TOML is renamed, so that it is not overwritten, to
-/// FILE.broken, or FILE.broken.2 to .5 if there is one already; where there are all five, and if it
-/// cannot be read, the file stays as it is.
+/// Reads the settings. A file that can be read but is not TOML is renamed, so that it is not
+/// overwritten: to FILE.broken or, if that exists, to the first of FILE.broken.2 to .5 that does
+/// not. If all five exist, the file stays as it is; so does a file that cannot be read.
 [[nodiscard]] LoadedSettings load_settings(const std::filesystem::path& file);
 /// Writes the settings, completely or not at all. Makes the folder if it is missing.
 [[nodiscard]] Result<void> save_settings(const KeptSettings& settings,

@@ -13,8 +13,9 @@
 
 namespace aucast::app {
 
-/// Small pictures of the face at keyframes, drawn off screen when they are seen and kept as
-/// textures. The context must be current whenever this is used. Thread: the player's.
+/// Small pictures of the face at keyframes. Each is drawn into a framebuffer off screen when its
+/// keyframe comes into view, and kept as a texture. The context must be current whenever this is
+/// used. Thread: the player's.
 class KeyframeThumbnails {
  public:
   /// Returns the activations of the face for these AUs, one per channel.
