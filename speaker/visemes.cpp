@@ -11,8 +11,8 @@ namespace {
 constexpr Viseme kPause{"pause", {}, 0.6F, 0};
 constexpr Viseme kClosed{"closed", {{{24, 0.25F}}}, 1.0F, 60, true};
 constexpr Viseme kTeeth{"teeth", {{{32, 0.6F}, {25, 0.2F}}}, 1.0F, 60, false, true};
-constexpr Viseme kRound{"round", {{{18, 0.7F}, {25, 0.35F}, {26, 0.15F}}}, 0.9F, 150};
-constexpr Viseme kRoundOpen{"round open", {{{22, 0.4F}, {25, 0.5F}, {26, 0.45F}}}, 0.8F, 130};
+constexpr Viseme kRound{"round", {{{18, 0.8F}, {22, 0.8F}}}, 0.9F, 150};
+constexpr Viseme kRoundOpen{"round open", {{{22, 0.55F}, {25, 0.35F}, {26, 0.45F}}}, 0.8F, 130};
 constexpr Viseme kHush{"hush", {{{22, 0.6F}, {25, 0.4F}, {26, 0.05F}}}, 0.85F, 130};
 constexpr Viseme kHiss{"hiss", {{{20, 0.2F}, {25, 0.45F}, {26, 0.05F}}}, 0.6F, 90};
 constexpr Viseme kTongueTeeth{"tongue", {{{19, 0.2F}, {25, 0.45F}, {26, 0.15F}}}, 0.6F, 80};
