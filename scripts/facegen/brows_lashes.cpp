@@ -166,7 +166,7 @@ Vec3 along_lash(const LashGrowth& growth, double s) {
 /// eye hang over the cheek; seen end-on they would be a drawn line.
 Maps maps_along(const LashGrowth& growth, double s) {
   Maps maps = growth.root.maps;
-  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.36 * s;
+  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.60 * s;
   return maps;
 }
 
@@ -297,7 +297,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
 
 /// Which way a hair lies: up at the nose, then along the brow, from both edges towards its ridge.
 Vec3 hair_direction(const BrowPlace& place, double t, double s, double astray) {
-  const double upright = mix(0.70, 0.10, smooth_step(0.0, 0.45, t));
+  const double upright = mix(0.50, 0.10, smooth_step(0.0, 0.45, t));
   const double angle = upright - 0.42 * s * smooth_step(0.05, 0.4, t) + 0.30 * (astray - 0.5);
   return place.along * std::cos(angle) + place.across * std::sin(angle);
 }
@@ -320,7 +320,9 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const double length = (0.28 + 0.58 * half_width) * (0.75 + 0.5 * chance(4)) *
                           mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
-    const double alpha = mix(0.32, 0.95, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5));
+    // As dark at the edges as in the middle, they are a comb.
+    const double alpha = mix(0.32, 0.95, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5)) *
+                         (1 - 0.55 * smooth_step(0.35, 0.90, std::abs(s)));
     const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
     const double thick = mix(0.0105, 0.0140, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};

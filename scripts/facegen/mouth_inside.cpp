@@ -75,7 +75,7 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr double kLostBetweenTeeth = 0.50;
+constexpr double kLostBetweenTeeth = 0.42;
 
 /// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
 /// and behind them light gets lost.
@@ -218,7 +218,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.0, 0.35, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.1, 0.55, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.74, 0.66, 0.60};
