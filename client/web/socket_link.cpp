@@ -122,7 +122,7 @@ void SocketLink::hand_out() {
   }
 }
 
-void SocketLink::end(link::Ending ending) {
+void SocketLink::end(const link::Ending& ending) {
   link::LinkUser* const user = user_;
   close();
   if (user != nullptr) user->on_closed(ending);

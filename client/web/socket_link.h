@@ -42,7 +42,7 @@ class SocketLink final : public link::Link, public std::enable_shared_from_this<
  private:
   SocketLink();
   void hand_out();
-  void end(link::Ending ending);
+  void end(const link::Ending& ending);
 
   const std::uint32_t id_;
   link::LinkUser* user_ = nullptr;
