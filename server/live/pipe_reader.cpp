@@ -32,16 +32,13 @@ PipeReader::PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::pat
                        const Events& events)
     : pipe_(std::move(pipe)), path_(std::move(path)), events_(events), chunk_(kPipeChunkBytes) {}
 
-PipeReader::~PipeReader() {
-  *alive_ = false;
-}
-
 void PipeReader::hold(bool held) {
   if (std::exchange(held_, held) && !held) await();
 }
 
 void PipeReader::stop() {
   stopped_ = true;
+  waits_.cancel();
   std::error_code ignored;
   pipe_.close(ignored);
 }
@@ -50,8 +47,8 @@ void PipeReader::await() {
   if (held_ || stopped_ || waiting_) return;
   waiting_ = true;
   pipe_.async_wait(asio::posix::stream_descriptor::wait_read,
-                   [this, alive = alive_](const std::error_code& error) {
-                     if (!*alive || stopped_) return;
+                   [this, wait = waits_.begin()](const std::error_code& error) {
+                     if (!wait.current()) return;
                      waiting_ = false;
                      if (error) {
                        fail(error.value());

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include <asio/posix/stream_descriptor.hpp>
 
 #include "common/descriptor.h"
+#include "common/waits.h"
 #include "server/live/input_reader.h"
 
 namespace aucast::server {
@@ -25,7 +25,6 @@ class PipeReader final : public InputReader {
 
   /// `path`: for messages. `events` must outlive it.
   PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path, const Events& events);
-  ~PipeReader() override;
 
   void start() override { await(); }
   void hold(bool held) override;
@@ -44,8 +43,7 @@ class PipeReader final : public InputReader {
   bool held_ = false;
   bool stopped_ = false;
   bool waiting_ = false;
-  /// Cleared on destruction; handlers that still come see it.
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+  Waits waits_;
 };
 
 }  // namespace aucast::server
