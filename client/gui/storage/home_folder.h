@@ -9,5 +9,7 @@ namespace aucast::gui {
 /// the home folder. A folder that is really called "~" is typed as "./~". `home` is the value of
 /// HOME; if it is null or no absolute path, the text stays as it is.
 [[nodiscard]] std::string with_home(std::string_view typed, const char* home);
+/// The same with this process' HOME.
+[[nodiscard]] std::string with_home(std::string_view typed);
 
 }  // namespace aucast::gui

@@ -1,6 +1,5 @@
 #include "client/app/window/files/file_session.h"
 
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -47,7 +46,7 @@ void FileSession::browse(gui::Purpose purpose, std::string name) {
 
 std::string FileSession::choose(const std::string& name, const Use& use) {
   std::filesystem::path file;
-  const std::string path = gui::with_home(name, std::getenv("HOME"));
+  const std::string path = gui::with_home(name);
   if (!browser_.view().open || !browser_.choose(path, file)) return {};
   const gui::Purpose purpose = browser_.view().purpose;
   const Result<std::string> used = use(purpose, file);

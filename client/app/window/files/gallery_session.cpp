@@ -1,7 +1,6 @@
 #include "client/app/window/files/gallery_session.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 #include <variant>
 
@@ -38,8 +37,8 @@ PlayerOptions GallerySession::options_under(PlayerOptions options) const {
   const gui::GallerySettings& settings = view_.settings;
   options.command = Command::Gallery;
   options.quiet = true;
-  options.gallery = {gui::with_home(settings.folder, std::getenv("HOME")),
-                     gui::wanted_sections(settings), gui::wanted_sweeps(settings)};
+  options.gallery = {gui::with_home(settings.folder), gui::wanted_sections(settings),
+                     gui::wanted_sweeps(settings)};
   options.output.width = settings.width;
   options.output.height = settings.height;
   return options;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -57,8 +56,7 @@ std::string in_words(const mirror::Trouble& trouble, bool film) {
 /// The source with the home folder in place of the ~ with which a film's path begins.
 std::string with_home(const std::string& source) {
   const std::string device = gui::device_of(source);
-  return source.substr(0, source.size() - device.size()) +
-         gui::with_home(device, std::getenv("HOME"));
+  return source.substr(0, source.size() - device.size()) + gui::with_home(device);
 }
 
 /// What is wrong with a file that is named in place of a camera: au-transmitter would take it for a

@@ -1,6 +1,5 @@
 #include "client/app/window/playing/server_choice.h"
 
-#include <cstdlib>
 #include <utility>
 
 #include "client/app/remote_options.h"
@@ -23,13 +22,12 @@ void ServerChoice::answered() {
 
 Result<net::RemoteOptions> ServerChoice::server_of(const gui::RemoteSettings& settings,
                                                    bool voice) const {
-  const char* const home = std::getenv("HOME");
   net::SecurityOptions protection = options_.security;
   protection.tls |= settings.tls;
   if (protection.tls && !settings.authorities_file.empty()) {
-    protection.files.authorities = gui::with_home(settings.authorities_file, home);
+    protection.files.authorities = gui::with_home(settings.authorities_file);
   }
-  if (!settings.token_file.empty()) protection.token = gui::with_home(settings.token_file, home);
+  if (!settings.token_file.empty()) protection.token = gui::with_home(settings.token_file);
   auto security = net::load_security(protection, settings.address);
   if (!security) return security.error();
   const net::Endpoint asked{settings.address, static_cast<std::uint16_t>(settings.port)};

@@ -1,7 +1,6 @@
 #include "client/app/window/settings/settings_session.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <variant>
 
@@ -77,7 +76,7 @@ void SettingsSession::change_animation(const gui::AnimationSettings& settings, I
 }
 
 void SettingsSession::change_pictures(const gui::PictureSettings& settings) {
-  const std::string folder = gui::with_home(settings.folder, std::getenv("HOME"));
+  const std::string folder = gui::with_home(settings.folder);
   const bool moved = folder != pictures_.folder;
   pictures_ = settings;
   pictures_.folder = folder;
