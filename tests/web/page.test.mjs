@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, afterEach, before, describe, test } from 'node:test';
 
-import { auTransmitter, differing, facePlayer, launch, openPage, openTab, root, serve,
+import { afterFirstPicture, auTransmitter, differing, facePlayer, launch, openPage, openTab, root, serve,
          serveFiles, setsOf, touch, untilState, usable } from './support.mjs';
 
 const DOWNLOAD_MAX = 1_100_000;
@@ -156,19 +156,13 @@ for (const name of ['chromium', 'firefox']) {
 
     test('while the face is made, the page does its other work', async () => {
       // Turns between the first picture, which needs little of the face, and the face that can move.
-      const prepare = tab => tab.evaluateOnNewDocument(() => {
+      const prepare = tab => afterFirstPicture(tab, () => {
         window.turns = 0;
-        const gl = WebGL2RenderingContext.prototype;
-        const draw = gl.drawElements;
-        gl.drawElements = function (...what) {
-          draw.apply(this, what);
-          gl.drawElements = draw;
-          const turn = () => {
-            ++window.turns;
-            setTimeout(turn);
-          };
+        const turn = () => {
+          ++window.turns;
           setTimeout(turn);
         };
+        setTimeout(turn);
       });
       const tab = await openPage(browser, server.at('http', '?show=0'), { ...small, prepare });
       const turns = await tab.evaluate(

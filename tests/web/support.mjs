@@ -119,6 +119,18 @@ export async function usable(browser, name) {
   return launch(name);
 }
 
+/// Calls `then` in the page as soon as it has drawn its first picture. Call this before the page is
+/// opened.
+export const afterFirstPicture = (tab, then) => tab.evaluateOnNewDocument(`{
+  const gl = WebGL2RenderingContext.prototype;
+  const draw = gl.drawElements;
+  gl.drawElements = function (...what) {
+    draw.apply(this, what);
+    gl.drawElements = draw;
+    (${then})();
+  };
+}`);
+
 /// A tab that keeps what goes wrong in it in `faults`.
 /// Nobody has touched it, if `untouched`: puppeteer's own calls count as touches. `prepare(tab)` comes
 /// before the page.

@@ -4,7 +4,7 @@
 //   tests/web/run --tasks
 import path from 'node:path';
 
-import { launch, openTab, ownTime, root, serve, touch, untilState } from './support.mjs';
+import { afterFirstPicture, launch, openTab, ownTime, root, serve, touch, untilState } from './support.mjs';
 
 const ROUNDS = 3;
 const YARDSTICK_TURNS = 45_000_000;
@@ -15,15 +15,7 @@ const browser = await launch('chromium');
 
 /// Marks the first picture, and begins to trace.
 async function trace(tab) {
-  await tab.evaluateOnNewDocument(() => {
-    const gl = WebGL2RenderingContext.prototype;
-    const draw = gl.drawElements;
-    gl.drawElements = function (...what) {
-      draw.apply(this, what);
-      performance.mark('first picture');
-      gl.drawElements = draw;
-    };
-  });
+  await afterFirstPicture(tab, () => performance.mark('first picture'));
   await tab.tracing.start({ categories: ['toplevel', 'v8', 'devtools.timeline', 'blink.user_timing'] });
 }
 
