@@ -31,6 +31,26 @@ float above_noise(double value, double threshold) {
   return static_cast<float>(std::clamp((value - threshold) / (1 - threshold), 0.0, 1.0));
 }
 
+/// From 0 at `begin` to 1 at `end`, whichever of them is the greater one.
+float ramp(float begin, float end, float value) {
+  return std::clamp((value - begin) / (end - begin), 0.0F, 1.0F);
+}
+
+/// A sob stretches and raises the lips as a smile does; the landmarks of the mouth do not tell them
+/// apart. What tells them apart is the rest of the face: inner brows that rise without the outer
+/// ones, and cheeks that stay low. There AU 12 is really AU 20.
+void tell_sob_from_smile(AuFrame& frame) {
+  const auto mean = [&frame](std::size_t number) {
+    return (frame.left[number] + frame.right[number]) / 2;
+  };
+  const float sob = ramp(0.20F, 0.35F, mean(1) - mean(2)) * ramp(0.35F, 0.20F, mean(6));
+  for (auto* side : {&frame.left, &frame.right}) {
+    const float stretch = sob * (*side)[12];
+    (*side)[12] -= stretch;
+    (*side)[20] = std::max((*side)[20], stretch);
+  }
+}
+
 }  // namespace
 
 AuFrame read_aus(const AuWeights& weights, const Measures& seen, const Measures& neutral) {
@@ -55,6 +75,7 @@ AuFrame read_aus(const AuWeights& weights, const Measures& seen, const Measures&
     frame.left[number] = above_noise(sided ? left : mean, unit.threshold);
     frame.right[number] = above_noise(sided ? right : mean, unit.threshold);
   }
+  tell_sob_from_smile(frame);
   return frame;
 }
 

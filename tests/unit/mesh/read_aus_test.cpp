@@ -117,6 +117,43 @@ TEST(AuReader, WeighsPartsAboveAndProducts) {
   EXPECT_NEAR(double{frame.right[15]}, 0.37, kTolerance);
 }
 
+/// How much of a broad mouth is read as AU 12 and as AU 20.
+struct Mouth {
+  float smile = 0;
+  float stretch = 0;
+};
+Mouth read_mouth(double inner_brow, double outer_brow, double cheek) {
+  auto read = parse_au_weights(kWeights + "au 1 sided 0 " + std::to_string(inner_brow) +
+                                   " 0 0 0 0 0 0 0\n"
+                                   "au 2 sided 0 " +
+                                   std::to_string(outer_brow) +
+                                   " 0 0 0 0 0 0 0\n"
+                                   "au 6 sided 0 " +
+                                   std::to_string(cheek) +
+                                   " 0 0 0 0 0 0 0\n"
+                                   "au 20 sided 0 0.1 0 0 0 0 0 0 0\n",
+                               "weights.txt");
+  EXPECT_TRUE(read.has_value()) << read.error().message;
+  Measures seen;
+  left_of(seen, SideMeasure::CornerUp) = 0.08;
+  const AuFrame frame = read_aus(*read, seen, Measures{});
+  return {frame.left[12], frame.left[20]};
+}
+
+TEST(AuReader, ABroadMouthBelowRaisedInnerBrowsIsNoSmile) {
+  const Mouth sob = read_mouth(0.6, 0.1, 0.1);
+  EXPECT_NEAR(double{sob.smile}, 0, kTolerance);
+  EXPECT_NEAR(double{sob.stretch}, 0.8, kTolerance);
+}
+
+TEST(AuReader, ABroadMouthInAnyOtherFaceIsASmile) {
+  for (const Mouth& mouth :
+       {read_mouth(0, 0, 0), read_mouth(0.6, 0.6, 0.1), read_mouth(0.6, 0.1, 0.5)}) {
+    EXPECT_NEAR(double{mouth.smile}, 0.8, kTolerance);
+    EXPECT_NEAR(double{mouth.stretch}, 0.1, kTolerance);
+  }
+}
+
 TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
   auto read = parse_au_weights(
       "raised-side 0 0 0 0 0 0 0 0.1 0 0 0 0 0 0 0 0 0 0\n"
