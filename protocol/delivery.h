@@ -32,8 +32,8 @@ struct SentCounts {
 /// Thread: none of its own.
 class Delivery {
  public:
-  /// `loop`: a recorded stream starts again at its end. A stream that another server loops for us
-  /// does so even without `loop`.
+  /// `loop`: a recorded stream starts again at its end. If it comes from another server that loops
+  /// it, it starts again even without `loop`.
   Delivery(ServedStream stream, bool loop) : stream_(std::move(stream)), loop_(loop) {}
 
   /// Replaces the stream. Call it only before anything was sent; answers and pauses received so far

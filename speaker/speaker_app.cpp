@@ -66,7 +66,7 @@ std::vector<OptionRow> rows_of(Options& options) {
                "three hours.",
        .value = word(options.narration)},
       {.option = {"labels", "FILE"},
-       .text = "write when each sound (IPA) is heard, for Audacity",
+       .text = "write the times of the sounds (IPA), for Audacity",
        .value = word(options.labels)},
       {.option = {"data", "DIR"},
        .text = "folder with expressions.toml (the installed one)",

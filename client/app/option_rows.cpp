@@ -285,7 +285,7 @@ std::vector<OptionRow> video_rows(PlayerOptions& options) {
        .more = "Writes statistics of buffers, delays and frames at exit.",
        .value = word(output.stats)},
       {.option = {"onsets", "FILE.csv"},
-       .text = "write when each change of the face was shown",
+       .text = "write the times at which the face changed",
        .more = "Writes a row for each picture in which the face had moved: when the picture was on "
                "the display (CLOCK_MONOTONIC, s), its keyframe and its AUs, for the clock of an "
                "experiment. The last column is called reached. In the first picture that shows a "

@@ -50,12 +50,13 @@ struct PlaybackProgress {
 };
 
 /// The playback controller of the thesis (figure 5.15), on a clock that is handed in. Each keyframe
-/// begins with the face and at the exact time at which the previous one ended, so that nothing
-/// drifts: N keyframes take the sum of their times. After a stall the clock starts anew. A keyframe
-/// of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due time lasts until
-/// that time, but at least 95 % and at most 105 % of its own time (99.5 % and 100.5 % while a voice
-/// is heard). After a stall, such a keyframe begins when it arrived, but not before the previous
-/// call of advance(). The times handed in must not go back. Thread: the player's.
+/// begins at the exact time at which the previous one ended, and from the face that it reached, so
+/// that nothing drifts: N keyframes take the sum of their times. After a stall the clock starts
+/// anew. A keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due
+/// time lasts until that time, but at least 95 % and at most 105 % of its own time (99.5 % and
+/// 100.5 % while a voice is heard). After a stall, such a keyframe begins when it arrived, but not
+/// before the previous call of advance(). The times handed in must not go back. Thread: the
+/// player's.
 class PlaybackController {
  public:
   /// The longest time that --speed gives a keyframe.

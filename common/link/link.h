@@ -19,7 +19,7 @@ struct Ending {
     NotTls,     ///< the peer does not speak TLS
     Untrusted,  ///< a certificate is not accepted, by us or by the peer
     TlsFailed,  ///< anything else that went wrong with TLS, such as a slow handshake
-    NotMade,    ///< a link that makes its own connection never opened
+    NotMade,    ///< the connection that the link was to make never opened
     WebSocketFailed,  ///< the peer's frames break the rules of WebSocket
   };
   Why why = Why::Finished;

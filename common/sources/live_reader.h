@@ -46,10 +46,11 @@ struct NewFace {
 /// No input makes the reader fail. A line that is not understood is left out with a message. In a
 /// run of such lines only the first kSaidMax get a message; a run ends with kRunEnds good lines in
 /// a row. The beginning of a line waits for the rest. A header in the middle (the same, or of
-/// another format) begins a new table whose clock goes on from the last sample. The clock also goes
-/// on from the last sample if kRefusalsMax successive rows are not later than the last sample, but
-/// each is later than its predecessor: the clock was set back, or one time was wrong. Rows without
-/// a clock (Py-Feat without --fps) and lines without a time take the time since the previous one.
+/// another format) begins a new table whose clock goes on from the last sample. A row that is not
+/// later than the last sample is left out. After kRefusalsMax of them in a row with rising times,
+/// the clock goes on from the last sample, as the writer's clock must have been set back. Rows
+/// without a clock (Py-Feat without --fps) and lines without a time take the time since the
+/// previous one.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
@@ -71,10 +72,10 @@ class LiveReader {
   /// Call when idle_due() has come: eases the face to neutral, since no more data of it comes.
   void idle(SteadyTime now);
   [[nodiscard]] std::optional<SteadyTime> idle_due() const;
-  /// Since when a source that has begun has been silent; nullopt: it is not silent. After a line of
-  /// a stream file silence begins only when the input or that stream ends.
+  /// Since when a source that has begun has been silent; nullopt: it is not silent. A source whose
+  /// last line was one of a stream file is silent only after End_Stream or the end of the input.
   [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
-  /// Call this when what has come is shown only now: silence then begins at `now` or later.
+  /// Call this when a keyframe that came earlier was sent at `now`: no silence begins before that.
   void hold_off(SteadyTime now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }

@@ -30,7 +30,7 @@ class Programme {
  public:
   struct Events {
     std::function<void()> on_moment;  ///< a stream has something new
-    std::function<void()> on_over;    ///< all streams are of running sources, and no more can come
+    std::function<void()> on_over;    ///< all streams are from running sources, which have ended
     std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
     camera::GivenUp given_up{};              ///< asked while open_sources() waits for a camera
@@ -77,8 +77,8 @@ class Programme {
   [[nodiscard]] int held_back_max() const { return any_live() ? held_back_max_ : 0; }
   /// Fills in everything about streams.
   void describe(Status& status) const;
-  /// Waits until the records are written. If a live source had an error that did not end it, fails
-  /// with that error.
+  /// Waits until the records are written. Fails with the first error of a live source, also if
+  /// that source went on after it.
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
 
  private:

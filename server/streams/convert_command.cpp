@@ -61,7 +61,7 @@ std::vector<OptionRow> rows_of(ConvertOptions& options) {
        .more = "Then every IN is a source, and becomes a stream file of its name in this folder.",
        .value = word(options.to)},
       {.option = {"mend"},
-       .text = "convert what is intact of IN, a truncated file",
+       .text = "if IN was cut off, convert what is intact",
        .more = "IN is a stream file truncated by a power cut. What is intact of it is converted to "
                "OUT.",
        .value = flag(options.mend)},
