@@ -91,7 +91,7 @@ enum class Silence : std::uint8_t {
 /// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
 /// and no clock: bytes and the current time go in, events come out. After CloseConnection or
 /// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
-/// keyframes; when more may be sent, the session is held() until hold(false) is called. The owner
+/// keyframes; if more is left, the session is held() until hold(false) is called. The owner
 /// must not read on while much of what it has to send is still unsent: a peer that answers without
 /// reading would fill the owner's memory. Follows the table in PROTOCOL.md, section "Server".
 /// Thread: none of its own; one session per connection.

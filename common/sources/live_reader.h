@@ -57,7 +57,8 @@ class LiveReader {
   static constexpr std::size_t kRunEnds = 100;
   static constexpr std::size_t kRefusalsMax = 10;
 
-  /// `file`: what messages call the source. `load_curves` is called when ARKit's curves are met.
+  /// `file`: the name of the source in messages. `load_curves` is called when ARKit's curves are
+  /// met.
   LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);
   ~LiveReader();
   LiveReader(LiveReader&&) noexcept;
