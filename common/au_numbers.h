@@ -7,6 +7,8 @@ namespace aucast {
 // AUs that the code names. Left and right are the subject's own.
 inline constexpr std::uint8_t kInnerBrowRaiser = 1;
 inline constexpr std::uint8_t kOuterBrowRaiser = 2;
+inline constexpr std::uint8_t kBrowLowerer = 4;
+inline constexpr std::uint8_t kLidTightener = 7;
 inline constexpr std::uint8_t kBlink = 45;
 inline constexpr std::uint8_t kHeadLeft = 51;
 inline constexpr std::uint8_t kHeadRight = 52;

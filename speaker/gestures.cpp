@@ -107,14 +107,20 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     const Milliseconds at = speech.words[i].begin;
     if (!stressed[i] || at - last < kApart) continue;
     last = at;
-    const float brows = dice.between(0.15F, 0.4F) * options.amount;
-    const float nod = dice.between(0.06F, 0.16F) * options.amount;
+    const float brows = dice.between(0.2F, 0.5F) * options.amount;
+    const float nod = dice.between(0.12F, 0.28F) * options.amount;
     const float what = dice.roll();
     if (what < 0.65F) {
       const Beat beat{at - Milliseconds(140), Milliseconds(200),
                       dice.between(Milliseconds(60), Milliseconds(260)), Milliseconds(380)};
       put(curves, kInnerBrowRaiser, beat, 0.8F * brows);
       put(curves, kOuterBrowRaiser, beat, brows);
+    } else {
+      // Weight without the brows: eyes and forehead gather a little.
+      const Beat beat{at - Milliseconds(140), Milliseconds(220), Milliseconds(200),
+                      Milliseconds(420)};
+      put(curves, kBrowLowerer, beat, 0.4F * brows);
+      put(curves, kLidTightener, beat, 0.6F * brows);
     }
     if (what > 0.3F) {
       put(curves, kHeadDown,
@@ -144,11 +150,11 @@ void end_sentences(const Speech& speech, const Script& script, const GestureOpti
       const float brows = dice.between(0.4F, 0.6F) * options.amount;
       put(curves, kInnerBrowRaiser, beat, brows);
       put(curves, kOuterBrowRaiser, beat, brows);
-      put(curves, kHeadUp, beat, 0.12F * options.amount);
+      put(curves, kHeadUp, beat, 0.2F * options.amount);
     } else {
       put(curves, kHeadDown,
           {last.begin + Milliseconds(60), Milliseconds(260), Milliseconds(80), Milliseconds(600)},
-          dice.between(0.08F, 0.18F) * options.amount);
+          dice.between(0.14F, 0.28F) * options.amount);
     }
   }
 }
@@ -183,8 +189,8 @@ class Drift {
 };
 
 void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
-  Drift turn(kHeadLeft, kHeadRight, 0.14F * options.amount);
-  Drift tilt(kHeadTiltLeft, kHeadTiltRight, 0.1F * options.amount);
+  Drift turn(kHeadLeft, kHeadRight, 0.24F * options.amount);
+  Drift tilt(kHeadTiltLeft, kHeadTiltRight, 0.2F * options.amount);
   Milliseconds from{0};
   for (const Pause& pause : pauses_of(speech)) {
     turn.move(from, pause.begin, dice, curves);
@@ -195,8 +201,8 @@ void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
       const int side = dice.roll() < 0.5F ? kEyesLeft : kEyesRight;
       const Beat glance{pause.begin, Milliseconds(60), pause.end - pause.begin - Milliseconds(150),
                         Milliseconds(60)};
-      put(curves, side, glance, dice.between(0.1F, 0.25F));
-      put(curves, kEyesDown, glance, dice.between(0.02F, 0.12F));
+      put(curves, side, glance, dice.between(0.15F, 0.3F));
+      put(curves, kEyesDown, glance, dice.between(0.04F, 0.16F));
     }
   }
 }

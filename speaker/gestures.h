@@ -15,9 +15,9 @@ struct GestureOptions {
 };
 
 /// Adds to the curves what a speaker does besides moving the lips: blinks (after sentences, and
-/// every few seconds), raised brows and nods on stressed words, raised brows at the end of a
-/// question, small turns of the head from phrase to phrase, a glance aside in a pause. The same
-/// speech, script and options give the same movements.
+/// every few seconds), nods and raised or gathered brows on stressed words, raised brows at the end
+/// of a question, small turns of the head from phrase to phrase, a glance aside in a pause. The
+/// same speech, script and options give the same movements.
 void add_gestures(const Speech& speech, const Script& script, const GestureOptions& options,
                   Curves& curves);
 

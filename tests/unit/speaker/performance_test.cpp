@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
+#include "common/au_numbers.h"
 #include "speaker/espeak_voice.h"
+#include "speaker/gestures.h"
 
 namespace aucast::speaker {
 namespace {
@@ -155,6 +159,30 @@ TEST(Perform, ACueOfOneSideInCapitalsIsShown) {
     }
   }
   EXPECT_GT(left, 40);
+}
+
+TEST(AddGestures, MoveTheUpperFaceOnTheFirstStressedWordByTheAmount) {
+  const Spoken talk = spoken();
+  const std::vector<bool> stressed = stressed_words(talk.speech);
+  const auto first = std::find(stressed.begin(), stressed.end(), true);
+  ASSERT_NE(first, stressed.end());
+  const Milliseconds at =
+      talk.speech.words[static_cast<std::size_t>(first - stressed.begin())].begin;
+  const auto strongest = [&](std::initializer_list<int> aus, std::uint64_t seed, float amount) {
+    Curves curves{talk.speech.length()};
+    add_gestures(talk.speech, talk.script, {seed, amount}, curves);
+    float most = 0;
+    for (const int au : aus) {
+      for (std::size_t i = curves.index(at); i <= curves.index(at + Milliseconds(200)); ++i) {
+        most = std::max(most, curves.of(au)[i]);
+      }
+    }
+    return most;
+  };
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    EXPECT_GT(strongest({kOuterBrowRaiser, kLidTightener}, seed, 1), 0.1F) << "seed " << seed;
+    EXPECT_EQ(strongest({kOuterBrowRaiser, kBrowLowerer, kLidTightener}, seed, 0), 0);
+  }
 }
 
 TEST(SetsOf, LeavesOutWhatIsMadeOfMusclesAlone) {
