@@ -16,7 +16,7 @@ inline constexpr double kEyeRadius = 1.32;
 [[nodiscard]] Vec3 eye_centre(const Form& form);
 
 /// The iris spans a little over two fifths of the lids' opening; a larger one looks like a doll's.
-inline constexpr double kIrisRadius = 0.51;
+inline constexpr double kIrisRadius = 0.485;
 
 /// Corners of the eye relative to its centre: towards the nose and towards the temple.
 inline constexpr double kInnerCanthus = -1.12;

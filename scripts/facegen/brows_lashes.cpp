@@ -166,7 +166,7 @@ Vec3 along_lash(const LashGrowth& growth, double s) {
 /// eye hang over the cheek; seen end-on they would be a drawn line.
 Maps maps_along(const LashGrowth& growth, double s) {
   Maps maps = growth.root.maps;
-  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.60 * s;
+  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.85 * s;
   return maps;
 }
 
@@ -279,8 +279,9 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
       // The inner end is single hairs on bare skin: with as much ground it is a grey haze.
-      const double fade = smooth_step(-0.01, 0.30, t) * smooth_step(1.0, 0.86, t);
-      const double alpha = 0.74 * fade * smooth_step(1.0, 0.22, std::abs(s));
+      const double fade = smooth_step(-0.01, 0.34, t) * smooth_step(1.0, 0.72, t);
+      // The lower edge is the softer one.
+      const double alpha = 0.66 * fade * smooth_step(1.0, s < 0 ? 0.0 : 0.22, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_position(who, brow.vertices.back());
     }
@@ -321,10 +322,11 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
                           mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
     // As dark at the edges as in the middle, they are a comb.
-    const double alpha = mix(0.32, 0.95, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5)) *
-                         (1 - 0.55 * smooth_step(0.35, 0.90, std::abs(s)));
+    const double alpha = mix(0.30, 0.70, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5)) *
+                         (1 - 0.55 * smooth_step(0.35, 0.90, std::abs(s))) *
+                         (1 - 0.35 * smooth_step(0.55, 0.95, t));
     const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
-    const double thick = mix(0.0105, 0.0140, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
+    const double thick = mix(0.0100, 0.0135, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};
     const std::array<Vec3, 3> flat{root - aside * thick, root + aside * thick,
                                    root + direction * length};

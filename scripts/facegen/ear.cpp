@@ -125,7 +125,7 @@ class Plate {
     const double top = std::max(0.0, up - 0.9);
     const double low = std::max(0.0, -up - 1.0);
     const double stands_off = hinge + off * std::tan(kTurn) - 0.035 * off * off - 0.10 * top * top -
-                              0.12 * low * low - 0.22 * smooth_step(-1.3, -2.1, up);
+                              0.12 * low * low - 0.40 * smooth_step(-1.1, -2.1, up);
     const double hangs = smooth_step(-1.0, -1.9, up);
     const double x =
         mix(side(place) + 0.02 * hangs, stands_off, smooth_step(kHinge - 0.2, kHinge + 0.3, back));
@@ -153,6 +153,7 @@ void add_ear_patch(LayoutBuilder& builder) {
   Ring outer = builder.nodes(border_of(kEarBlock));
   Vec3 centre{0};
   for (const std::uint32_t i : outer) centre += builder.position(i) / double{kEarSpokes};
+  centre.y += builder.who().form.ear_up;
   const Plate plate(builder.who(), centre);
   const double size = builder.who().form.ear_size;
   for (std::size_t ring = 0; ring < kEarRings; ++ring) {

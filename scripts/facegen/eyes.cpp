@@ -26,7 +26,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
     return t < 0.08 ? c * 0.35 : c;
   }
   // Faint: all of it comes into view when the eye looks aside.
-  const double corner = smooth_step(0.56, 1.08, radius);
+  const double corner = smooth_step(0.52, 1.02, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
   c = mix(c, kCaruncle, 0.45 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
   return radius < kIrisRadius + 0.06 ? mix(kLimbus, c, 0.50) : c;

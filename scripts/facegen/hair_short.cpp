@@ -125,8 +125,8 @@ class Top {
     const double light = 0.06 + 0.08 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.20 - 0.60 * value_noise({u * 34, 0.5, 4.5}) -
-                         0.55 * value_noise({u * 11, 0.5, 8.5});
+    const double begin = way + 0.26 - 0.75 * value_noise({u * 48, 0.5, 4.5}) -
+                         0.80 * value_noise({u * 13, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
     point.alpha = thinned(std::min({begin / 0.85, ends / 3, u / 0.12, (1 - u) / 0.38}));
     point.gloss = 0.5;

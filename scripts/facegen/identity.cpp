@@ -53,6 +53,7 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"nose_hump", &Form::nose_hump},
     {"nose_root", &Form::nose_root},
     {"ear_size", &Form::ear_size},
+    {"ear_up", &Form::ear_up},
     {"eye_apart", &Form::eye_apart},
     {"upper_lid", &Form::upper_lid},
     {"lower_lid", &Form::lower_lid},

@@ -42,6 +42,7 @@ struct Form {
   double nose_root = 0.12;  ///< depth between the brows and the bridge
   // ears
   double ear_size = 1;  ///< factor
+  double ear_up = 0;    ///< upwards
   // eyes: height of the lids over their corners, and of the corners over the eye's centre
   double eye_apart = 2.10;  ///< x of the centre
   double upper_lid = 0.50;

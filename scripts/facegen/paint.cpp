@@ -12,12 +12,12 @@ namespace {
 /// (any finer and the quads would show).
 double flush(const HalfVertex& v, const Vec3& mirrored_position) {
   const Vec3& p = v.position;
-  double f = 0.24 * (value_noise(mirrored_position * 0.7) - 0.5) +
-             0.15 * (value_noise(mirrored_position * 1.7) - 0.5);
+  double f = 0.30 * (value_noise(mirrored_position * 0.7) - 0.5) +
+             0.24 * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
-    f += 0.55 * bell(Vec3{p.x / 0.75, (p.y - 0.05) / 0.6, 0}) * smooth_step(8.4, 9.3, p.z);
-    f += 0.30 * bell(Vec3{(p.x - 0.95) / 0.4, (p.y + 0.25) / 0.4, 0});
+    f += 0.50 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
+    f += 0.16 * bell(Vec3{(p.x - 0.95) / 0.5, (p.y + 0.25) / 0.5, 0});
     f += 0.22 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
   if (v.patch == Patch::Ear) f += 0.26 * smooth_step(0, 4, v.ring);
@@ -109,7 +109,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
 }
 
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
-  if (v.ring == 1) vertex.colour = mix(vertex.colour, kNostrilRim, 0.25);
+  if (v.ring == 1) vertex.colour = mix(vertex.colour, kNostrilRim, 0.34);
   if (v.ring < 2) return;
   vertex.colour = mix(vertex.colour, kNostril, v.ring == 2 ? 0.44 : 0.92);
   vertex.gloss = 0.2;
@@ -153,11 +153,19 @@ double below_jaw(const Vec3& p) {
 double beside_nose(const Identity& who, const Vec3& p) {
   if (p.z < 6.5) return 0;
   static constexpr std::array<Vec3, 4> kSide{
-      {{.66, 2.2, .15}, {.76, 1.2, .25}, {.96, .45, .6}, {1.24, -.05, 1.0}}};
+      {{.66, 2.2, .25}, {.78, 1.2, .40}, {.96, .45, .65}, {1.24, -.05, 1.0}}};
   const double x = p.x / who.form.nose_width;
   const double under_tip =
       bell(Vec3{x / 0.75, (p.y + 0.80) / 0.22, 0}) * smooth_step(7.8, 8.6, p.z);
-  return std::max(near_line(kSide, {x, p.y}, 0.28), 0.8 * under_tip);
+  return std::max(near_line(kSide, {x, p.y}, mix(0.28, 0.40, smooth_step(0.3, 1.4, p.y))),
+                  0.8 * under_tip);
+}
+
+/// The ridge of the nose between the eyes and the tip: as light as what faces the lamp is, it would
+/// be a column.
+double on_bridge(const Vec3& p) {
+  if (p.z < 7) return 0;
+  return bell(p.x, 0.36) * smooth_step(0.5, 1.1, p.y) * smooth_step(3.0, 2.2, p.y);
 }
 
 /// What faces down or aside of tip and wings: without more warmth, what gets no light of the lamp
@@ -178,14 +186,16 @@ double philtrum(const Identity& who, const Vec3& p) {
          (bell(p.x, 0.20) - 0.5 * bell(p.x - 0.36, 0.14));
 }
 
-/// The tip of the nose shines a little more than the rest, its bridge, which would be a stripe,
-/// forehead and chin, which face the lamp, less, neck and back of the head least.
+/// The tip of the nose shines more than the rest, in one spot. Its bridge, which would be a stripe,
+/// and forehead, chin and the skin below the eyes, which face the lamp, shine less, neck and back of
+/// the head least.
 double shine(const Vec3& p) {
   double s = 0.85;
-  if (p.z > 8) s += 0.4 * bell(Vec3{p.x / 0.9, (p.y - 0.1) / 0.5, 0});
+  if (p.z > 8) s += 0.75 * bell(Vec3{p.x / 0.5, (p.y - 0.22) / 0.40, 0});
   if (p.z > 7.5) s -= 0.25 * bell(Vec3{p.x / 0.8, (p.y - 1.7) / 0.9, 0});
   if (p.z > 5) s -= 0.32 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
-  if (p.z > 5) s -= 0.22 * bell(Vec3{p.x / 1.2, (p.y + 4.5) / 1.0, 0});
+  if (p.z > 5) s -= 0.32 * bell(Vec3{p.x / 1.2, (p.y + 4.5) / 1.0, 0});
+  if (p.z > 5) s -= 0.30 * bell(Vec3{(p.x - 1.8) / 1.0, (p.y - 1.4) / 0.8, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
 }
 
@@ -205,6 +215,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
+    c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
     c *= Vec3{1} - Vec3{-0.07, 0.04, 0.11} * inner_socket(p);
     c *= Vec3{1} + Vec3{0.05, 0.10, 0.11} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);

@@ -34,7 +34,7 @@ inline constexpr Vec3 kUnderHair{0.66, 0.54, 0.50};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
 inline constexpr Vec3 kCaruncle{0.66, 0.34, 0.30};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
-inline constexpr Vec3 kNostril{0.11, 0.034, 0.026};
+inline constexpr Vec3 kNostril{0.15, 0.048, 0.036};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
 inline constexpr Vec3 kMouthFront{0.56, 0.165, 0.145};
 inline constexpr Vec3 kMouthBack{0.23, 0.054, 0.045};
@@ -47,7 +47,7 @@ inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kPupil{0.012, 0.011, 0.012};
 inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
-inline constexpr Vec3 kSclera{0.64, 0.575, 0.53};
+inline constexpr Vec3 kSclera{0.60, 0.535, 0.49};
 inline constexpr Vec3 kScleraCorner{0.47, 0.29, 0.255};
 /// A factor on the light in the deepest line.
 inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};

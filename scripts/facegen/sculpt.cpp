@@ -150,7 +150,7 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   constexpr Vec3 kMiddle{0.71, -0.14, 8.42};
   double wing = round_cone(q, front, kMiddle, 0.26, 0.35);
   wing = melt(wing, round_cone(q, kMiddle, {0.82, -0.34, 8.10}, 0.35, 0.25), 0.3);
-  return melt(d, wing, 0.17);
+  return melt(d, wing, 0.22);
 }
 
 /// Depth of the fold of the upper lid and of the groove under the eye.
@@ -172,15 +172,15 @@ double lid_relief(const Identity& who, const Vec3& p) {
 double alar_groove(const Form& form, const Vec3& p) {
   const double x = std::abs(p.x) / form.nose_width;
   if (p.z <= 7.2 || x >= 1.9 || p.y >= 1.0 || p.y <= -1.4) return 0;
-  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .015},
-                                              {.61, .22, .050},
+  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .005},
+                                              {.61, .22, .030},
                                               {.82, .33, .076},
                                               {1.00, .24, .092},
                                               {1.115, .02, .104},
                                               {1.155, -.28, .104},
                                               {1.06, -.55, .075},
                                               {.92, -.72, .010}}};
-  return near_line(kLine, {x, p.y}, 0.135) * smooth_step(7.2, 7.7, p.z);
+  return 0.85 * near_line(kLine, {x, p.y}, 0.16) * smooth_step(7.2, 7.7, p.z);
 }
 
 /// Depth (negative: height) of everything about the lips.
