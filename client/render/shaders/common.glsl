@@ -17,18 +17,18 @@ layout(std140) uniform Lights {
   vec3 u_key_direction;
   float u_key_strength;  // 1 is the studio's
 };
-const vec3 kKeyColour = vec3(1.34, 1.215, 1.08);
+const vec3 kKeyColour = vec3(1.385, 1.23, 1.07);
 const float kFillWrap = 0.35;  // how far the fill reaches round into the shade
 const vec3 kFillDirection = vec3(0.835504472, 0.0982946381, 0.540620506);
-const vec3 kFillColour = vec3(0.200, 0.184, 0.180);
+const vec3 kFillColour = vec3(0.175, 0.176, 0.197);
 const float kRimStrength = 0.75;
 const vec3 kRimDirection = vec3(0.596480846, 0.41294831, -0.688247204);
 const vec3 kRimColour = vec3(0.75, 0.80, 0.95);
 const float kSecondRimStrength = 0.28;
 const vec3 kSecondRimDirection = vec3(-0.766261041, 0.287347883, -0.574695766);
 const vec3 kSecondRimColour = vec3(0.90, 0.75, 0.60);
-const vec3 kSky = vec3(0.255, 0.245, 0.255);
-const vec3 kGround = vec3(0.200, 0.155, 0.138);
+const vec3 kSky = vec3(0.236, 0.238, 0.261);
+const vec3 kGround = vec3(0.192, 0.148, 0.133);
 
 layout(std140) uniform Material {
   vec3 u_wrap;         // how far the key reaches round into the shade, per colour

@@ -197,7 +197,7 @@ void main() {
   // the right half is the mirror of the left one.
   float across = dFdx(v_grain.x) < 0.0 ? -grain.b : grain.b;
   normal = normalize(normal + kRelief * vec3(across, grain.a, 0.0));
-  colour *= 1.0 + grain.r * vec3(0.13, 0.20, 0.22);  // more blood or less: red changes least
+  colour *= 1.0 + grain.r * vec3(0.16, 0.25, 0.28);  // more blood or less: red changes least
 #endif
 #endif
 
@@ -221,7 +221,7 @@ void main() {
   float broad = exp(u_power * (aligned - 1.0));
   float narrow = broad * broad * broad * broad;
   float shone = arriving * u_key_strength;
-  float specular = (0.65 * broad + 0.35 * narrow) * shone * v_shine.y + v_shine.z;
+  float specular = (0.52 * broad + 0.68 * narrow) * shone * v_shine.y + v_shine.z;
 #endif
 
   float facing = 1.0 - max(dot(normal, view), 0.0);
