@@ -59,7 +59,7 @@ void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
 /// The shade of a lid on the ball, and the red flesh in the inner corner of the eye. They belong to
 /// the lid: on the ball they would turn with the gaze.
 void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
-  constexpr Vec3 kShade{0.16, 0.075, 0.065};
+  constexpr Vec3 kShade{0.055, 0.024, 0.020};  // lighter, it is a veil on iris and pupil
   const Vec3 eye = eye_centre(who.form) * Vec3{side, 1, 1};
   std::array<std::vector<std::uint32_t>, 2> rows;
   for (int k = 0; k <= kLidSteps; ++k) {
@@ -71,7 +71,7 @@ void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, 
                                      eye + glm::normalize(end - eye) * (kEyeRadius + 0.012)};
     for (std::size_t j = 0; j < across.size(); ++j) {
       const double pink = smooth_step(3.6, 1.8, k);
-      const double shade = j == 0 ? (upper ? 0.42 : 0.40) : 0.0;
+      const double shade = j == 0 ? (upper ? 0.38 : 0.34) : 0.0;
       rows[j].push_back(part.add(across[j], mix(kShade, kCaruncle, pink), mix(shade, 0.85, pink)));
       part.vertices.back().maps = margin.maps;
       part.vertices.back().gloss = 0;

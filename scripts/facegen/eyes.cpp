@@ -29,7 +29,7 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
   const double corner = smooth_step(0.52, 1.02, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
   c = mix(c, kCaruncle, 0.45 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
-  return radius < kIrisRadius + 0.06 ? mix(kLimbus, c, 0.50) : c;
+  return radius < kIrisRadius + 0.09 ? mix(kLimbus, c, 0.50) : c;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Part make_eye(const Identity& who, int side) {
                                           0.36,
                                           0.42,
                                           kIrisRadius - 0.01,
-                                          kIrisRadius + 0.055,
+                                          kIrisRadius + 0.080,
                                           0.66,
                                           0.76,
                                           0.86,

@@ -10,7 +10,7 @@ namespace {
 
 /// Where hair at the front edge leaves the hairline and hangs freely.
 double hangs(double t) {
-  return smooth_step(0.20, 0.38, t);
+  return smooth_step(0.28, 0.48, t);
 }
 
 /// Where its edge turns in; above, it would only dip in and out of the skin.

@@ -187,8 +187,8 @@ double philtrum(const Identity& who, const Vec3& p) {
 }
 
 /// The tip of the nose shines more than the rest, in one spot. Its bridge, which would be a stripe,
-/// and forehead, chin and the skin below the eyes, which face the lamp, shine less, neck and back of
-/// the head least.
+/// and forehead, chin and the skin below the eyes, which face the lamp, shine less, neck and back
+/// of the head least.
 double shine(const Vec3& p) {
   double s = 0.85;
   if (p.z > 8) s += 0.75 * bell(Vec3{p.x / 0.5, (p.y - 0.22) / 0.40, 0});
@@ -216,7 +216,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
-    c *= Vec3{1} - Vec3{-0.07, 0.04, 0.11} * inner_socket(p);
+    c *= Vec3{1} - Vec3{-0.09, 0.05, 0.16} * inner_socket(p);
     c *= Vec3{1} + Vec3{0.05, 0.10, 0.11} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
     c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);

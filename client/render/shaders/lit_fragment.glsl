@@ -145,7 +145,7 @@ const float kRelief = 0.42;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
-const vec2 kCatchlight = vec2(0.058, 0.066);  // half its sides, of the ball's radius
+const vec2 kCatchlight = vec2(0.051, 0.058);  // half its sides, of the ball's radius
 
 vec3 with_reflections(vec3 lit, vec3 view, vec3 normal) {
   // Reflections of a window where a portrait painter puts them: true ones hide behind the lids as
