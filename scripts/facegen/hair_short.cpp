@@ -67,7 +67,9 @@ class Sides {
                          0.16 * forehead * smooth_step(1.5, 0, from_edge);
     HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
-    point.alpha = thinned(from_edge / taper) * (1 - 0.55 * low);
+    // No hairline is drawn with a compass.
+    const double astray = 0.8 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
+    point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.55 * low);
     point.strand = number(direction, s, t);
     point.gloss = mix(0.3, 0.6, grown);
     return point;
