@@ -60,7 +60,9 @@ class Sides {
     const double tuft = value_noise({round * 2.2, 1.5 * from_edge, 0.5});
     const double grown = smooth_step(0, 1.8 * taper, from_edge);
     const double forehead = smooth_step(6.2, 2.0, std::abs(round));
-    const double thick = thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.8 * forehead);
+    const double thick =
+        thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.8 * forehead) *
+        (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
     const double light = 0.10 + 0.32 * temple + 0.10 * tuft + 0.15 * (1 - grown) +
