@@ -218,7 +218,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.1, 0.55, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(1.85, 0.6, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.74, 0.66, 0.60};
@@ -229,7 +229,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(Vec3{0.38, 0.31, 0.27}, Vec3{1}, light) *
+    vertex.colour *= mix(Vec3{0.22, 0.165, 0.14}, Vec3{1}, light) *
                      (arch.up > 0 ? mix(0.52, 1.25, smooth_step(0.34, 0.90, from_gum))
                                   : mix(0.90, 1.26, smooth_step(0.10, 0.90, from_gum)));
     // The lower row lies in the shade of the upper one, where no rim light gets.

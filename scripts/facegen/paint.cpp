@@ -76,11 +76,11 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
 /// begins.
 double corner_shade(const Identity& who, const Vec3& p) {
   const Vec3 from_corner{p.x - kMouthCorner + 0.09, p.y - lip_contact(who, kMouthCorner), 0};
-  return bell(Vec3{from_corner.x / 0.19, from_corner.y / 0.16, 0});
+  return bell(Vec3{from_corner.x / 0.25, from_corner.y / 0.18, 0});
 }
 
 void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
-  vertex.colour *= Vec3{1} - Vec3{0.20, 0.29, 0.30} * corner_shade(who, v.position);
+  vertex.colour *= Vec3{1} - Vec3{0.25, 0.35, 0.36} * corner_shade(who, v.position);
   if (v.ring == kLipBorderRing - 1) {
     // A pale line goes round the red of the lips.
     vertex.colour *= mix(1.06, 1.0, smooth_step(0.5, 1.0, v.position.x / kMouthCorner));

@@ -108,7 +108,7 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
 /// jaw opens an oval: powers gave a box or a rhombus. That is before the corner of the mouth, or
 /// the opening is a lens with pointed ends.
 double towards_corner(double t) {
-  constexpr double kTogether = 0.93;
+  constexpr double kTogether = 0.97;
   constexpr double kFull = 0.94;  // 1 would tear the skin there
   const double way = std::min(1.0, t / kTogether);
   return (1 - std::sqrt(1 - kFull * way * way)) / (1 - std::sqrt(1 - kFull));
@@ -118,9 +118,9 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double blend = smooth_step(0, 4, v.ring);
   const bool upper = v.spoke <= kMouthCornerSpoke;
   const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
-  // The corner goes down by less than half of the way: a third makes a bowl of the opening, more
-  // than half a tent of the upper lip.
-  constexpr double kCorner = 0.44;
+  // The corner goes down by half of the way: with a third of it the opening is a bowl below a flat
+  // upper lip.
+  constexpr double kCorner = 0.52;
   const double jaw = mix(upper ? 0.0 : 1.0, kCorner, towards_corner(to_corner));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
