@@ -154,8 +154,8 @@ class PlaybackController {
   bool eased_ = false;
   Instant ease_begin_{};
   Instant paused_since_{};
-  std::optional<Instant> stood_at_;  ///< since when a keyframe has been held half played; nullopt:
-                                     ///< none is held
+  std::optional<Instant> stood_at_;  ///< since when a keyframe has stood still in its
+                                     ///< middle; nullopt: none does
   PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;

@@ -57,8 +57,8 @@ class LiveReader {
   static constexpr std::size_t kRunEnds = 100;
   static constexpr std::size_t kRefusalsMax = 10;
 
-  /// `file`: the name of the source in messages. `load_curves` is called when ARKit's curves are
-  /// met.
+  /// `file`: the name of the source in messages. `load_curves` is called at the first
+  /// row with ARKit's curves.
   LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);
   ~LiveReader();
   LiveReader(LiveReader&&) noexcept;
@@ -76,7 +76,8 @@ class LiveReader {
   /// Since when a source that has begun has been silent; nullopt: it is not silent. A source whose
   /// last line was one of a stream file is silent only after End_Stream or the end of the input.
   [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
-  /// Call this when a keyframe that came earlier was sent at `now`: no silence begins before that.
+  /// Call this when a keyframe is sent at `now`, maybe long after it was read: silence begins at
+  /// `now` or later.
   void hold_off(SteadyTime now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
@@ -126,7 +127,7 @@ class LiveReader {
   std::vector<NewFace> new_faces_;
   std::string beginning_;  ///< the first lines, to recognise label files by
   std::size_t beginning_lines_ = 0;
-  std::optional<std::string> labels_;  ///< the message, if these lines are a label file's
+  std::optional<std::string> labels_;  ///< what to say if the first lines are a label file's
   std::size_t complaints_ = 0;         ///< in this run
   std::size_t understood_ = 0;         ///< lines since the last complaint
   std::vector<LiveMessage> messages_;

@@ -32,7 +32,7 @@ struct LiveStreamOptions {
   /// The silence after which clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
   LinkLimits link;     ///< how many bits a second each client's face and voice may take
-  bool voice = false;  ///< raw sound comes with the first stream
+  bool voice = false;  ///< raw sound comes too, for the source's first stream
   voice::VoiceSettings encoder{};
   Milliseconds voice_delay{0};
 };
