@@ -43,7 +43,7 @@ void tell_sob_from_smile(AuFrame& frame) {
   const auto mean = [&frame](std::size_t number) {
     return (frame.left[number] + frame.right[number]) / 2;
   };
-  const float sob = ramp(0.20F, 0.35F, mean(1) - mean(2)) * ramp(0.35F, 0.20F, mean(6));
+  const float sob = ramp(0.20F, 0.35F, mean(1) - mean(2)) * ramp(0.50F, 0.35F, mean(6));
   for (auto* side : {&frame.left, &frame.right}) {
     const float stretch = sob * (*side)[12];
     (*side)[12] -= stretch;

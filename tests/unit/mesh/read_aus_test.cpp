@@ -148,7 +148,7 @@ TEST(AuReader, ABroadMouthBelowRaisedInnerBrowsIsNoSmile) {
 
 TEST(AuReader, ABroadMouthInAnyOtherFaceIsASmile) {
   for (const Mouth& mouth :
-       {read_mouth(0, 0, 0), read_mouth(0.6, 0.6, 0.1), read_mouth(0.6, 0.1, 0.5)}) {
+       {read_mouth(0, 0, 0), read_mouth(0.6, 0.6, 0.1), read_mouth(0.6, 0.1, 0.6)}) {
     EXPECT_NEAR(double{mouth.smile}, 0.8, kTolerance);
     EXPECT_NEAR(double{mouth.stretch}, 0.1, kTolerance);
   }
