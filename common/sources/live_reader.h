@@ -73,8 +73,8 @@ class LiveReader {
   /// Call when idle_due() has come: eases the face to neutral, since no more data of it comes.
   void idle(SteadyTime now);
   [[nodiscard]] std::optional<SteadyTime> idle_due() const;
-  /// Since when a source that has begun has been silent; nullopt: it is not silent. A source whose
-  /// last line was one of a stream file is silent only after End_Stream or the end of the input.
+  /// Since when a source that has begun has been silent; nullopt: it is not silent. If the
+  /// last line was a stream file's, silence begins only at End_Stream or at the end of the input.
   [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
   /// Call this when a keyframe is sent at `now`, maybe long after it was read: silence begins at
   /// `now` or later.

@@ -59,7 +59,7 @@ class LiveStream {
   /// Waits until the record is written. Fails with what ended it early, if anything did.
   [[nodiscard]] Result<void> finish_record();
 
-  /// Lines fed to it wait there until take().
+  /// The reader, to be fed with the source's bytes; its keyframes wait in it until take().
   [[nodiscard]] sources::LiveReader& reader() { return reader_; }
   /// Takes the keyframes that the reader has made; with `only_last` only the newest, since the
   /// others are out of date.
