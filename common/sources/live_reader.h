@@ -23,7 +23,7 @@ struct LiveOptions {
   RecordingOptions recording;
   std::optional<double> rate;  ///< keyframes a second, at most
   ConditioningSettings conditioning;
-  std::uint32_t keyframe_ms = 250;  ///< the longest time that a line without a time takes
+  std::uint32_t keyframe_ms = 250;  ///< the most that a line without a time lasts
 };
 
 /// A message about a live source, for the log.
@@ -47,9 +47,9 @@ struct NewFace {
 /// run of such lines only the first kSaidMax get a message; a run ends with kRunEnds good lines in
 /// a row. The beginning of a line waits for the rest. A header in the middle (the same, or of
 /// another format) begins a new table whose clock goes on from the last sample. A row that is not
-/// later than the last sample is left out. After kRefusalsMax of them in a row with rising times,
-/// the clock goes on from the last sample, as the writer's clock must have been set back. Rows
-/// without a clock (Py-Feat without --fps) and lines without a time take the time since the
+/// later than the last sample is left out. After kRefusalsMax such rows, each later than the one
+/// before it, the clock goes on from the last sample: the writer's clock must have been set back.
+/// Rows without a clock (Py-Feat without --fps) and lines without a time take the time since the
 /// previous one.
 class LiveReader {
  public:

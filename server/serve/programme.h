@@ -33,7 +33,7 @@ class Programme {
     std::function<void()> on_over;    ///< all streams are from running sources, which have ended
     std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
-    camera::GivenUp given_up{};              ///< asked while open_sources() waits for a camera
+    camera::GivenUp given_up{};              ///< whether to stop waiting for a camera
   };
 
   Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
