@@ -8,7 +8,10 @@ namespace aucast {
 inline constexpr std::uint8_t kInnerBrowRaiser = 1;
 inline constexpr std::uint8_t kOuterBrowRaiser = 2;
 inline constexpr std::uint8_t kBrowLowerer = 4;
+inline constexpr std::uint8_t kCheekRaiser = 6;
 inline constexpr std::uint8_t kLidTightener = 7;
+inline constexpr std::uint8_t kLipCornerPuller = 12;
+inline constexpr std::uint8_t kLipStretcher = 20;
 inline constexpr std::uint8_t kBlink = 45;
 inline constexpr std::uint8_t kHeadLeft = 51;
 inline constexpr std::uint8_t kHeadRight = 52;

@@ -123,16 +123,13 @@ struct Mouth {
   float stretch = 0;
 };
 Mouth read_mouth(double inner_brow, double outer_brow, double cheek) {
-  auto read = parse_au_weights(kWeights + "au 1 sided 0 " + std::to_string(inner_brow) +
-                                   " 0 0 0 0 0 0 0\n"
-                                   "au 2 sided 0 " +
-                                   std::to_string(outer_brow) +
-                                   " 0 0 0 0 0 0 0\n"
-                                   "au 6 sided 0 " +
-                                   std::to_string(cheek) +
-                                   " 0 0 0 0 0 0 0\n"
-                                   "au 20 sided 0 0.1 0 0 0 0 0 0 0\n",
-                               "weights.txt");
+  const auto always = [](int au, double intensity) {
+    return "au " + std::to_string(au) + " sided 0 " + std::to_string(intensity) +
+           " 0 0 0 0 0 0 0\n";
+  };
+  auto read = parse_au_weights(
+      kWeights + always(1, inner_brow) + always(2, outer_brow) + always(6, cheek) + always(20, 0.1),
+      "weights.txt");
   EXPECT_TRUE(read.has_value()) << read.error().message;
   Measures seen;
   left_of(seen, SideMeasure::CornerUp) = 0.08;
