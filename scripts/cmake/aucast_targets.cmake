@@ -45,7 +45,7 @@ function(aucast_test name)
   # GCC 12 sees uninitialized members of any std::variant there.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>")
-  elseif(NOT AUCAST_SANITIZER STREQUAL "none" AND NOT AUCAST_FUZZ)
+  elseif(NOT AUCAST_SANITIZER STREQUAL "none")
     target_compile_options(${name} PRIVATE -O0)
   endif()
   add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
