@@ -116,7 +116,7 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
       put(curves, kInnerBrowRaiser, beat, 0.8F * brows);
       put(curves, kOuterBrowRaiser, beat, brows);
     } else {
-      // Weight without the brows: eyes and forehead gather a little.
+      // Weight without raised brows: eyes and forehead gather a little.
       const Beat beat{at - Milliseconds(140), Milliseconds(220), Milliseconds(200),
                       Milliseconds(420)};
       put(curves, kBrowLowerer, beat, 0.4F * brows);
