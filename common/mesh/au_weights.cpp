@@ -43,34 +43,44 @@ bool read_numbers(std::span<const std::string_view> words, std::span<double> num
   return true;
 }
 
-/// Reads the file line by line. A line begins with "neutral-side", "neutral-middle", "raised-side",
-/// "raised-middle", "feature" or "au".
+/// Reads the file line by line. A line begins with "neutral", "raised", "raised-doubt" or
+/// "turned-doubt", each with "-side" or "-middle", or with "feature" or "au".
 class WeightsReader {
  public:
   /// What is wrong with the line; nullopt if it is right.
   std::optional<std::string> read(const Words& words) {
     const std::span<const std::string_view> rest = std::span(words).subspan(1);
-    if (words[0] == "neutral-side") {
-      if (!read_numbers(rest, weights_.typical.left)) return kSideNumbers;
-      weights_.typical.right = weights_.typical.left;
-    } else if (words[0] == "neutral-middle") {
-      if (!read_numbers(rest, weights_.typical.middle)) return kMiddleNumbers;
-    } else if (words[0] == "raised-side") {
-      if (!read_numbers(rest, weights_.raised_side)) return kSideNumbers;
-    } else if (words[0] == "raised-middle") {
-      if (!read_numbers(rest, weights_.raised_middle)) return kMiddleNumbers;
-    } else if (words[0] == "feature") {
-      return read_feature(rest);
-    } else if (words[0] == "au") {
-      return read_unit(rest);
-    } else {
-      return "'" + escaped(words[0]) + "' is not known";
+    if (words[0] == "feature") return read_feature(rest);
+    if (words[0] == "au") return read_unit(rest);
+    struct Line {
+      std::string_view name;
+      std::span<double> side, middle;
+    };
+    const auto line = [](std::string_view name, AuWeights::PerMeasure& of) {
+      return Line{name, of.side, of.middle};
+    };
+    const std::array<Line, 4> lines{{{"neutral", weights_.typical.left, weights_.typical.middle},
+                                     line("raised", weights_.raised),
+                                     line("raised-doubt", weights_.raised_doubt),
+                                     line("turned-doubt", weights_.turned_doubt)}};
+    for (const auto& [name, side, middle] : lines) {
+      if (words[0] == std::string(name) + "-side") {
+        if (!read_numbers(rest, side)) return kSideNumbers;
+        return std::nullopt;
+      }
+      if (words[0] == std::string(name) + "-middle") {
+        if (!read_numbers(rest, middle)) return kMiddleNumbers;
+        return std::nullopt;
+      }
     }
-    return std::nullopt;
+    return "'" + escaped(words[0]) + "' is not known";
   }
 
   [[nodiscard]] bool complete() const { return !weights_.units.empty(); }
-  [[nodiscard]] AuWeights take() { return std::move(weights_); }
+  [[nodiscard]] AuWeights take() {
+    weights_.typical.right = weights_.typical.left;
+    return std::move(weights_);
+  }
 
  private:
   [[nodiscard]] std::optional<std::size_t> input_named(std::string_view name) const {
@@ -152,14 +162,26 @@ Inputs inputs_of(const Measures& seen, const Measures& neutral, bool left) {
 
 Measures levelled(const AuWeights& weights, const Measures& seen, const Measures& neutral) {
   const double raised = seen.turn.up_rad - neutral.turn.up_rad;
+  const double turned = seen.turn.left_rad - neutral.turn.left_rad;
   Measures level = seen;
-  for (std::size_t index = 0; index < kSideMeasures; ++index) {
-    level.left[index] -= weights.raised_side[index] * raised;
-    level.right[index] -= weights.raised_side[index] * raised;
-  }
-  for (std::size_t index = 0; index < kMiddleMeasures; ++index) {
-    level.middle[index] -= weights.raised_middle[index] * raised;
-  }
+  const auto level_part = [&](auto& part, const auto& neutral_part, auto of) {
+    for (std::size_t index = 0; index < part.size(); ++index) {
+      const double doubt = of(weights.raised_doubt)[index] * std::abs(raised) +
+                           of(weights.turned_doubt)[index] * std::abs(turned);
+      const double change = part[index] - neutral_part[index] - of(weights.raised)[index] * raised;
+      part[index] = neutral_part[index] + change - std::clamp(change, -doubt, doubt);
+    }
+  };
+  using PerMeasure = AuWeights::PerMeasure;
+  const auto side = [](const PerMeasure& numbers) -> const auto& {
+    return numbers.side;
+  };
+  const auto middle = [](const PerMeasure& numbers) -> const auto& {
+    return numbers.middle;
+  };
+  level_part(level.left, neutral.left, side);
+  level_part(level.right, neutral.right, side);
+  level_part(level.middle, neutral.middle, middle);
   return level;
 }
 

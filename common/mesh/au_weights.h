@@ -43,17 +43,28 @@ struct AuWeights {
     std::vector<double> weights;  ///< one for each feature
   };
 
+  /// A number for each measure.
+  struct PerMeasure {
+    std::array<double, kSideMeasures> side{};
+    std::array<double, kMiddleMeasures> middle{};
+  };
+
   Measures typical;  ///< the neutral face of an average person
   /// How much each measure seems to change for each radian that the head is raised. The landmarks
   /// are flatter than a real face, so undoing the turn leaves an error in front of and behind the
   /// eyes.
-  std::array<double, kSideMeasures> raised_side{};
-  std::array<double, kMiddleMeasures> raised_middle{};
+  PerMeasure raised;
+  /// How much this differs from person to person, for each radian that the head is raised or
+  /// lowered, and for each that it is turned to a side: two standard deviations.
+  PerMeasure raised_doubt;
+  PerMeasure turned_doubt;
   std::vector<Feature> features;
   std::vector<Unit> units;
 };
 
-/// The measures without the error that comes from raising or lowering the head (raised_side).
+/// The measures without the error that comes from raising or lowering the head (`raised`). What
+/// then differs from the neutral face by less than the doubt is neutral; what differs by more comes
+/// closer to the neutral face by the doubt.
 [[nodiscard]] Measures levelled(const AuWeights& weights, const Measures& seen,
                                 const Measures& neutral);
 

@@ -5,6 +5,8 @@ that an AU is told for, "other" the other one. So left and right share their wei
 example counts twice.
 """
 
+import collections
+
 import numpy
 
 SIDE = """brow-inner-up brow-middle-up brow-outer-up brow-inner-out aperture upper-lid-up lower-lid-up
@@ -37,6 +39,10 @@ FEATURES = ([(name,) for name in INPUTS] + [(name, "above") for name in ABOVE]
 # landmarks are flatter than a face.
 HEIGHTS = """brow-inner-up brow-middle-up brow-outer-up corner-up nose-wing-up cheek-up nasolabial-up
 upper-lip-up lower-lip-up chin-up chin-boss-up nose-tip-up""".split()
+
+# People differ in how much. What two standard deviations of it explain is not believed.
+DOUBTED = 2.0
+Seeming = collections.namedtuple("Seeming", "slope doubt_raised doubt_turned")
 
 # How far a measure is off on a face that nobody has trained for: what it may not be trusted with.
 DOUBT = {"aperture": 0.08, "gaze-left": 0.06, "gaze-up": 0.06, "turn-left": 0.05, "turn-up": 0.08,
@@ -102,7 +108,15 @@ def neutral_of(rows):
 
 
 def seeming_of(people):
-    """{height: by how much it seems to move for each radian that the head is raised}."""
+    """{height: Seeming}, over all people and from one to another."""
+    slopes = slopes_of(people)
+    each = [slopes_of([examples]) for examples in people]
+    spread = {name: DOUBTED * numpy.std([one[name] for one in each], axis=0) for name in HEIGHTS}
+    return {name: Seeming(slopes[name][0], *spread[name]) for name in HEIGHTS}
+
+
+def slopes_of(people):
+    """{height: by how much it seems to move for each radian that the head is raised, and turned}."""
     numbers = sorted({int(au.strip("LR")) for examples in people for _, face, _ in examples
                       for au in face if int(au.strip("LR")) < 51})
     causes, heights = [], {name: [] for name in HEIGHTS}
@@ -111,7 +125,7 @@ def seeming_of(people):
             for left in (True, False):
                 side, sign = ("left-", 1) if left else ("right-", -1)
                 turned = sign * (row["turn-left"] - neutral["turn-left"])
-                causes.append([row["turn-up"] - neutral["turn-up"], turned, turned ** 2, 1,
+                causes.append([row["turn-up"] - neutral["turn-up"], abs(turned), turned, 1,
                                shown(face, 63, left) - shown(face, 64, left)]
                               + [shown(face, number, left) for number in numbers])
                 for name in HEIGHTS:
@@ -119,17 +133,20 @@ def seeming_of(people):
                     heights[name].append(row[measure] - neutral[measure])
     causes = numpy.array(causes)
     squares = causes.T @ causes + 1e-3 * numpy.eye(causes.shape[1])
-    return {name: float(numpy.linalg.solve(squares, causes.T @ numpy.array(values))[0])
+    return {name: numpy.linalg.solve(squares, causes.T @ numpy.array(values))[:2]
             for name, values in heights.items()}
 
 
 def levelled(row, neutral, seeming):
     """The measures without what only seems to move."""
     raised = row["turn-up"] - neutral["turn-up"]
+    turned = row["turn-left"] - neutral["turn-left"]
     level = dict(row)
-    for name, slope in seeming.items():
+    for name, seems in seeming.items():
+        doubt = seems.doubt_raised * abs(raised) + seems.doubt_turned * abs(turned)
         for measure in ("left-" + name, "right-" + name) if name in SIDE else (name,):
-            level[measure] -= slope * raised
+            change = row[measure] - neutral[measure] - seems.slope * raised
+            level[measure] = neutral[measure] + change - min(max(change, -doubt), doubt)
     return level
 
 
@@ -268,8 +285,11 @@ def write(path, weights, thresholds, seeming, neutral):
             for n in SIDE) + "\n")
         out.write("neutral-middle " + " ".join(
             f"{neutral[n] * (n not in TOWARDS_LEFT):.4f}" for n in MIDDLE) + "\n")
-        for line, names in (("raised-side", SIDE), ("raised-middle", MIDDLE)):
-            out.write(" ".join([line, *(f"{seeming.get(name, 0):.4f}" for name in names)]) + "\n")
+        for line, field in (("raised", "slope"), ("raised-doubt", "doubt_raised"),
+                            ("turned-doubt", "doubt_turned")):
+            for part, names in (("-side", SIDE), ("-middle", MIDDLE)):
+                values = [getattr(seeming[name], field) if name in seeming else 0 for name in names]
+                out.write(" ".join([line + part, *(f"{value:.4f}" for value in values)]) + "\n")
         for feature in FEATURES:
             out.write("feature " + " ".join(feature) + "\n")
         for k, number in enumerate(OUTPUTS):

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/mesh/neutral_face.h"
@@ -117,40 +118,6 @@ TEST(AuReader, WeighsPartsAboveAndProducts) {
   EXPECT_NEAR(double{frame.right[15]}, 0.37, kTolerance);
 }
 
-/// How much of a broad mouth is read as AU 12 and as AU 20.
-struct Mouth {
-  float smile = 0;
-  float stretch = 0;
-};
-Mouth read_mouth(double inner_brow, double outer_brow, double cheek) {
-  const auto always = [](int au, double intensity) {
-    return "au " + std::to_string(au) + " sided 0 " + std::to_string(intensity) +
-           " 0 0 0 0 0 0 0\n";
-  };
-  auto read = parse_au_weights(
-      kWeights + always(1, inner_brow) + always(2, outer_brow) + always(6, cheek) + always(20, 0.1),
-      "weights.txt");
-  EXPECT_TRUE(read.has_value()) << read.error().message;
-  Measures seen;
-  left_of(seen, SideMeasure::CornerUp) = 0.08;
-  const AuFrame frame = read_aus(*read, seen, Measures{});
-  return {frame.left[12], frame.left[20]};
-}
-
-TEST(AuReader, ABroadMouthBelowRaisedInnerBrowsIsNoSmile) {
-  const Mouth sob = read_mouth(0.6, 0.1, 0.1);
-  EXPECT_NEAR(double{sob.smile}, 0, kTolerance);
-  EXPECT_NEAR(double{sob.stretch}, 0.8, kTolerance);
-}
-
-TEST(AuReader, ABroadMouthInAnyOtherFaceIsASmile) {
-  for (const Mouth& mouth :
-       {read_mouth(0, 0, 0), read_mouth(0.6, 0.6, 0.1), read_mouth(0.6, 0.1, 0.6)}) {
-    EXPECT_NEAR(double{mouth.smile}, 0.8, kTolerance);
-    EXPECT_NEAR(double{mouth.stretch}, 0.1, kTolerance);
-  }
-}
-
 TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
   auto read = parse_au_weights(
       "raised-side 0 0 0 0 0 0 0 0.1 0 0 0 0 0 0 0 0 0 0\n"
@@ -170,6 +137,33 @@ TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
   EXPECT_NEAR(double{frame.right[12]}, 0.3, kTolerance);
   EXPECT_NEAR(double{frame.left[26]}, 0, kTolerance);
   EXPECT_NEAR(double{frame.left[53]}, 0.8, kTolerance);
+}
+
+TEST(AuReader, WhatPeopleDifferInWhenTheHeadTurnsDoesNotCount) {
+  const std::string others(" 0 0 0 0 0 0 0");
+  const std::string zeros(" 0 0 0 0 0 0 0 0 0 0");
+  auto read =
+      parse_au_weights("raised-doubt-side" + others + " 0.1" + zeros + "\nturned-doubt-side" +
+                           others + " 0.2" + zeros + "\n" + kWeights,
+                       "weights.txt");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  const auto smiles = [&](double left, double right, HeadTurn turn) {
+    Measures seen;
+    seen.turn = turn;
+    left_of(seen, SideMeasure::CornerUp) = left;
+    right_of(seen, SideMeasure::CornerUp) = right;
+    const AuFrame frame = read_aus(*read, seen, Measures{});
+    return std::pair(double{frame.left[12]}, double{frame.right[12]});
+  };
+  const auto straight = smiles(0.03, 0.05, {});
+  EXPECT_NEAR(straight.first, 0.3, kTolerance);
+  EXPECT_NEAR(straight.second, 0.5, kTolerance);
+  // 0.04 either way is doubted.
+  for (const HeadTurn turn : {HeadTurn{0.1, -0.2, 0}, HeadTurn{-0.1, 0.2, 0.5}}) {
+    const auto turned = smiles(0.03, 0.05, turn);
+    EXPECT_NEAR(turned.first, 0, kTolerance);
+    EXPECT_NEAR(turned.second, 0.1, kTolerance);
+  }
 }
 
 TEST(AuWeights, MirroredFacesGiveMirroredInputs) {
