@@ -13,6 +13,7 @@
 #include "common/camera/face_table.h"
 #include "common/mesh/neutral_face.h"
 #include "common/mesh/read_aus.h"
+#include "common/mesh/sob_watch.h"
 #include "common/mesh/steady_gaze.h"
 #include "common/text.h"
 #include "common/thread.h"
@@ -117,6 +118,7 @@ void CameraFeed::read_faces() {
   // Of each face, by its number.
   std::vector<mesh::RunningNeutralFace> running;
   std::vector<mesh::RunningSteadyGaze> gazes;
+  std::vector<mesh::SobWatch> sobs;
   bool going = write(table.header());
   const std::size_t width = pictures_.format().width();
   const std::size_t height = pictures_.format().height();
@@ -132,11 +134,13 @@ void CameraFeed::read_faces() {
     for (const auto& [number, landmarks] : seen) {
       while (running.size() <= number) running.emplace_back(models_.weights);
       if (gazes.size() <= number) gazes.resize(number + 1);
+      if (sobs.size() <= number) sobs.resize(number + 1);
       const auto measures =
           gazes[number].watch(mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints)));
-      const AuFrame face = mesh::read_aus(
+      AuFrame face = mesh::read_aus(
           models_.weights, measures,
           typical ? models_.weights.typical : running[number].watch(picture.seconds, measures));
+      sobs[number].watch(picture.seconds, face);
       going = write(table.row(picture.seconds, landmarks.presence, face, number)) && going;
       if (sight.landmarks != nullptr) continue;
       sight.landmarks = &landmarks;

@@ -11,6 +11,7 @@
 #include "common/camera/picture_source.h"
 #include "common/mesh/neutral_face.h"
 #include "common/mesh/read_aus.h"
+#include "common/mesh/sob_watch.h"
 #include "common/mesh/steady_gaze.h"
 #include "common/stopped.h"
 #include "common/text.h"
@@ -118,6 +119,7 @@ Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& model
     mesh::steady_gaze(face);
     neutral.push_back(neutral_of(face, film->fps, models.weights, options));
   }
+  std::vector<mesh::SobWatch> sobs(film->faces.size());
   const FaceTable table(models.weights, options.several);
   FilmTable result{table.header(), film->pictures.size(), 0, film->note};
   for (std::size_t picture = 0; picture < film->pictures.size(); ++picture) {
@@ -125,8 +127,8 @@ Result<FilmTable> read_film(const std::filesystem::path& path, FaceModels& model
     const std::vector<Seen>& seen = film->pictures[picture];
     if (seen.empty()) result.text += table.row(seconds, 0, std::nullopt);
     for (const auto& [number, presence, measures] : seen) {
-      const auto face =
-          mesh::read_aus(models.weights, film->faces[number][measures], neutral[number]);
+      AuFrame face = mesh::read_aus(models.weights, film->faces[number][measures], neutral[number]);
+      sobs[number].watch(seconds, face);
       result.text += table.row(seconds, presence, face, number);
     }
     if (!seen.empty()) ++result.faces;

@@ -1,10 +1,7 @@
 #include "common/mesh/read_aus.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
-
-#include "common/au_numbers.h"
 
 namespace aucast::mesh {
 namespace {
@@ -29,31 +26,9 @@ double weighed(const AuWeights::Unit& unit, const std::vector<double>& features)
   return sum;
 }
 
-/// From 0 at `begin` to 1 at `end`, whichever of them is the greater one.
-float ramp(double begin, double end, double value) {
-  return static_cast<float>(std::clamp((value - begin) / (end - begin), 0.0, 1.0));
-}
-
 /// The part above the threshold, scaled so that 1 stays 1.
 float above_noise(double value, double threshold) {
-  return ramp(threshold, 1, value);
-}
-
-/// A sob stretches and raises the lips as a smile does; the landmarks of the mouth do not tell them
-/// apart. What tells them apart is the rest of the face: inner brows that rise without the outer
-/// ones, and cheeks that stay low. There AU 12 is really AU 20.
-void tell_sob_from_smile(AuFrame& frame) {
-  const auto mean = [&frame](std::uint8_t number) {
-    return (frame.left[number] + frame.right[number]) / 2;
-  };
-  const float sob = ramp(0.20, 0.35, mean(kInnerBrowRaiser) - mean(kOuterBrowRaiser)) *
-                    ramp(0.50, 0.35, mean(kCheekRaiser));
-  for (auto* side : {&frame.left, &frame.right}) {
-    float& smile = (*side)[kLipCornerPuller];
-    float& stretch = (*side)[kLipStretcher];
-    stretch = std::max(stretch, sob * smile);
-    smile -= sob * smile;
-  }
+  return static_cast<float>(std::clamp((value - threshold) / (1 - threshold), 0.0, 1.0));
 }
 
 }  // namespace
@@ -80,7 +55,6 @@ AuFrame read_aus(const AuWeights& weights, const Measures& seen, const Measures&
     frame.left[number] = above_noise(sided ? left : mean, unit.threshold);
     frame.right[number] = above_noise(sided ? right : mean, unit.threshold);
   }
-  tell_sob_from_smile(frame);
   return frame;
 }
 
