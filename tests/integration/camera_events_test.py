@@ -65,6 +65,12 @@ class CameraEventsTest(unittest.TestCase):
         self.assertEqual(self.row("blink", [mark("blink", 0.8, 1.0), mark("blink", 1.1, 1.2)])[0],
                          "1 of 2")
 
+    def test_an_event_finds_a_sure_mark_before_an_unsure_one(self):
+        self.write("0;900", "45:60;100", "0;100", "0;2000")
+        self.assertEqual(self.row("blink", [mark("blink", 0.9, 1.0, unsure=True),
+                                            mark("blink", 0.8, 1.2), mark("blink", 0.95, 1.0)]),
+                         ["1 of 2", "0 of 1", "0.0 (0)"])
+
     def test_no_peak_is_lost_between_two_looks(self):
         self.write("0;1003", "45:26;7", "0;7", "0;1000")
         self.assertEqual(self.row("blink", [mark("blink", 1, 1.02)])[0], "1 of 1")
