@@ -81,8 +81,8 @@ class Delivery {
  private:
   [[nodiscard]] const EncodedStream& recorded() const;
   [[nodiscard]] const SpokenTrack* spoken() const { return stream_.recorded()->spoken.get(); }
-  /// Whether the first keyframe comes again after the last: here, or at a client that repeats its
-  /// one turn.
+  /// Whether the client sees the first keyframe again after the last: sent again, or repeated by
+  /// the client itself.
   [[nodiscard]] bool in_loop() const { return loop_ || stream_.loops_there(); }
   [[nodiscard]] bool loops() const { return !one_turn_ && in_loop(); }
   [[nodiscard]] const PacketList& packets() const;

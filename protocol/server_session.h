@@ -29,7 +29,8 @@ struct ServerCatalogue {
   bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
-  /// What a client of Admission::Owner must show in place of `token`; empty: there is none.
+  /// What a client of Admission::Owner must show in place of `token`; empty: no such client is
+  /// let in.
   std::string owner_token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.
@@ -75,7 +76,7 @@ using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection, Ha
 /// Whether there is room for one more client, and which token it needs.
 enum class Admission : std::uint8_t {
   Welcome,
-  Owner,        ///< welcome with ServerCatalogue::owner_token alone
+  Owner,        ///< welcome if it shows ServerCatalogue::owner_token
   Full,         ///< a client that says hello gets {error 503 ...}, any other a plain close
   FullAddress,  ///< the same, because too many clients come from its address
 };
@@ -106,7 +107,7 @@ class ServerSession {
   ServerSession& operator=(ServerSession&&) noexcept;
 
   [[nodiscard]] std::vector<ServerEvent> on_bytes(std::string_view bytes, Instant now);
-  /// The peer shut its sending side: answers that came before their packets still count.
+  /// The peer shut its sending side: banked answers still count.
   [[nodiscard]] std::vector<ServerEvent> on_peer_end(Instant now);
   /// The connection broke; nothing can be sent any more.
   [[nodiscard]] std::vector<ServerEvent> on_lost(Instant now);

@@ -11,9 +11,9 @@ namespace {
 constexpr std::string_view kLayersAndSections =
     R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
 eye-tags.
-Sections: aus (A to E on the left, the right and both sides), prototypes,
-combinations (pairs of basic expressions), appendix-a and appendix-b (the sets
-of Kumar's thesis, 2010), sweeps, coverage (which AUs the face has).
+Sections: aus (each at A to E on the left, on the right and on both sides),
+prototypes, combinations (pairs of basic expressions), appendix-a and appendix-b
+(the sets of Kumar's thesis, 2010), sweeps, coverage (which AUs the face has).
 )";
 
 constexpr std::string_view kLayers =
@@ -43,7 +43,7 @@ void describe_export(CommandPage& page) {
       "Writes the face as glTF 2.0 for other programs, with morph targets, and prints\n"
       "by how much it differs from the face that face-player draws. The same stream and\n"
       "options give the same bytes. For the sound, run face-player play STREAM --sound\n"
-      "FILE.wav: it begins when the animation does. In parentheses: defaults.\n";
+      "FILE.wav. Sound and animation begin together. In parentheses: defaults.\n";
   page.examples = {"face-player export talk.txt talk.glb",
                    "face-player export talk.txt talk.glb --fps 60 --idle 1",
                    "face-player export --face marek --basis aus marek.glb"};

@@ -186,7 +186,7 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
        .value = one_of<Interpolation>(playback.interpolation, {{"linear", Interpolation::Linear},
                                                                {"cosine", Interpolation::Cosine}})},
       {.option = {"blink", "SEED[:EVERY[:CLOSING]]"},
-       .text = "random blinks; ms (EVERY 4000, CLOSING 100)",
+       .text = "random blinks (EVERY 4000 ms, CLOSING 100 ms)",
        .more = "Adds blinks: a seed for their random times, the mean interval (4000) and the time "
                "that the lids take to close (100), in ms.",
        .value = parsed(Kind::Word, read_blink, playback.blink)},

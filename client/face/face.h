@@ -83,11 +83,12 @@ struct AuRecording {
 using AuRecordings = std::map<int, AuRecording>;  ///< by AU number
 
 /// A face as it was loaded. It is never copied and never changed: code that edits recordings keeps
-/// a copy of them. Only the window replaces it, as a whole (app/window/making/face_session). Order
-/// of channels: muscles as in the file, then jaw, left_lid_close, right_lid_close, left_lid_raise,
-/// right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left, head_turn_right,
-/// head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back, then the creases,
-/// each named after its part. Channels for which the face has no geometry are left out.
+/// a copy of them. Only the window replaces a face by another one (app/window/making/face_session).
+/// Order of channels: muscles as in the file, then jaw, left_lid_close, right_lid_close,
+/// left_lid_raise, right_lid_raise, {left,right}_gaze_{left,right,up,down}, head_turn_left,
+/// head_turn_right, head_up, head_down, head_tilt_left, head_tilt_right, head_forward, head_back,
+/// then the creases, each named after its part. Channels for which the face has no geometry are
+/// left out.
 struct Face {
   std::string name;
   std::string

@@ -54,9 +54,9 @@ struct PlaybackProgress {
 /// that nothing drifts: N keyframes take the sum of their times. After a stall the clock starts
 /// anew. A keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due
 /// time lasts until that time, but at least 95 % and at most 105 % of its own time (99.5 % and
-/// 100.5 % while a voice is heard). After a stall, such a keyframe begins when it arrived, but not
-/// before the previous call of advance(). The times handed in must not go back. Thread: the
-/// player's.
+/// 100.5 % while a voice is heard). If such a keyframe comes after a stall, it is taken to begin
+/// when it arrived or at the previous call of advance(), whichever is later. The times handed in
+/// must not go back. Thread: the player's.
 class PlaybackController {
  public:
   /// The longest time that --speed gives a keyframe.
@@ -112,7 +112,7 @@ class PlaybackController {
   [[nodiscard]] std::uint64_t stalls() const;
   /// Live: the time from the arrival of each keyframe to the advance() that found it fully reached.
   [[nodiscard]] const DelayMeter& delays() const { return delays_; }
-  /// Live: the time from the arrival of each keyframe that has a due time until it is due.
+  /// Live: the time from the arrival of a keyframe to its due time, for those that have one.
   [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
   /// Sum of the times of the keyframes played.
   [[nodiscard]] Milliseconds media_time() const;
@@ -154,8 +154,8 @@ class PlaybackController {
   bool eased_ = false;
   Instant ease_begin_{};
   Instant paused_since_{};
-  std::optional<Instant> stood_at_;  ///< since when a keyframe has stood still in its
-                                     ///< middle; nullopt: none does
+  std::optional<Instant> stood_at_;  ///< since when a keyframe that is not over has stood
+                                     ///< still; nullopt: no keyframe stands still
   PlaybackState paused_from_ = PlaybackState::Buffering;
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;

@@ -76,8 +76,8 @@ class Link {
   virtual void finish() = 0;
   /// Closes at once, whatever is under way.
   virtual void close() = 0;
-  /// With false no new read is started, so that flow control holds the peer back; one on_bytes()
-  /// may still come. Ignored after finish(), which reads until the peer ends.
+  /// If `reading` is false, starts no more reads, so that flow control holds the peer back; one
+  /// on_bytes() may still come. Ignored after finish(), which reads until the peer ends.
   virtual void set_reading(bool reading) = 0;
   /// Asks for one call of on_time() at `when`, instead of any that was asked for before. nullopt:
   /// asks for no call.

@@ -47,10 +47,10 @@ struct NewFace {
 /// run of such lines only the first kSaidMax get a message; a run ends with kRunEnds good lines in
 /// a row. The beginning of a line waits for the rest. A header in the middle (the same, or of
 /// another format) begins a new table whose clock goes on from the last sample. A row that is not
-/// later than the last sample is left out. After kRefusalsMax such rows, each later than the one
-/// before it, the clock goes on from the last sample: the writer's clock must have been set back.
-/// Rows without a clock (Py-Feat without --fps) and lines without a time take the time since the
-/// previous one.
+/// later than the last sample is left out. When kRefusalsMax rows in succession are left out for
+/// this reason, and each is later than the one before it, the reader assumes that the writer's
+/// clock was set back, and goes on from the last sample. Rows without a clock (Py-Feat without
+/// --fps) and lines without a time take the time since the previous one.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
@@ -70,11 +70,12 @@ class LiveReader {
   void end_input(SteadyTime now);
   /// The file begins anew: the next line is its first.
   void restart();
-  /// Call when idle_due() has come: eases the face to neutral, since no more data of it comes.
+  /// Call when idle_due() has come: eases the face to neutral, since its rows no longer come.
   void idle(SteadyTime now);
   [[nodiscard]] std::optional<SteadyTime> idle_due() const;
-  /// Since when a source that has begun has been silent; nullopt: it is not silent. If the
-  /// last line was a stream file's, silence begins only at End_Stream or at the end of the input.
+  /// Since when the source has been silent; nullopt: it is not silent, or has not begun yet. If
+  /// the last line was a stream file's, silence begins only at End_Stream or at the end of the
+  /// input.
   [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
   /// Call this when a keyframe is sent at `now`, maybe long after it was read: silence begins at
   /// `now` or later.

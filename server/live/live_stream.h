@@ -32,14 +32,15 @@ struct LiveStreamOptions {
   /// The silence after which clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
   LinkLimits link;     ///< how many bits a second each client's face and voice may take
-  bool voice = false;  ///< raw sound comes too, for the source's first stream
+  bool voice = false;  ///< raw sound arrives beside the rows, for the first stream
   voice::VoiceSettings encoder{};
   Milliseconds voice_delay{0};
 };
 
-/// One stream of a source that is being written: reader -> queue -> thinning -> feed, its voice and
-/// its record. When nothing comes the face holds, then goes to neutral, and after the time-out the
-/// stream ends for its clients; it goes on when something comes.
+/// One stream of a source that is being written. Its rows go through a reader, a queue, the
+/// thinning and the feed; the stream may have a voice and a record, too. When nothing comes, the
+/// face holds, then goes to neutral, and after the time-out the stream ends for its clients; it
+/// goes on when something comes.
 ///
 /// With a voice, the stream's clock keeps running while the source is silent: the held face is sent
 /// with the time for which it was held.

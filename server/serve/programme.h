@@ -29,8 +29,8 @@ namespace aucast::server {
 class Programme {
  public:
   struct Events {
-    std::function<void()> on_moment;  ///< a stream has something new
-    std::function<void()> on_over;    ///< all streams are from running sources, which have ended
+    std::function<void()> on_moment;         ///< a stream has something new
+    std::function<void()> on_over;           ///< all streams are from sources that have ended
     std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
     camera::GivenUp given_up{};              ///< whether to stop waiting for a camera
@@ -61,8 +61,8 @@ class Programme {
   }
   /// The stream with this name, or the first one if none has it; null: there are no streams.
   [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
-  /// The catalogue for a server that we push to. It has only the stream named(name), under `name`
-  /// or, if that is empty, under the stream's own name.
+  /// The catalogue for a server that we push to. It has only the stream that named(name) returns.
+  /// That server is to know the stream as `name`; if `name` is empty, by the name it has here.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// Reads the profile of the signals again for the live sources.
@@ -73,7 +73,7 @@ class Programme {
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> catalogue() const {
     return catalogue_;
   }
-  /// The `held_back_max` for link::tcp_link(), for each client.
+  /// How many unsent bytes the system may hold for each client, see link::tcp_link().
   [[nodiscard]] int held_back_max() const { return any_live() ? held_back_max_ : 0; }
   /// Fills in everything about streams.
   void describe(Status& status) const;
@@ -99,7 +99,7 @@ class Programme {
   asio::io_context& io_;
   const TransmitterOptions& options_;
   Events events_;
-  const std::string id_;  ///< of this server, by which relays notice their own streams
+  const std::string id_;  ///< this server's; a relay that meets its own ID has come back to itself
   RunningSources sources_;
   PushedStreams pushed_;
   std::vector<std::string> pushed_names_;  ///< the names of pushed streams in the catalogue

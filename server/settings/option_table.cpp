@@ -218,7 +218,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
 OptionRow preview_row(TransmitterOptions& options) {
   return {
       .option = {"preview"},
-      .text = "send what the camera sees to stdout, for programs",
+      .text = "send the camera's pictures and AUs to stdout",
       .more =
           "For a program that starts this one: standard output tells what the camera sees, as "
           "small pictures with landmarks and AUs, and standard input takes orders to let others in "
