@@ -3,12 +3,24 @@
 
 find_package(Threads REQUIRED)
 
-# Asio is header-only and ships neither a CMake package nor a .pc file.
+# Asio is header-only and ships neither a CMake package nor a .pc file. Compiled once instead, it
+# shortens the compilation of what includes it by a tenth and costs a tenth of the fan-out: that is
+# for the sanitizers.
 find_path(AUCAST_ASIO_INCLUDE_DIR asio.hpp REQUIRED)
-add_library(aucast_asio INTERFACE)
-target_include_directories(aucast_asio SYSTEM INTERFACE ${AUCAST_ASIO_INCLUDE_DIR})
-target_compile_definitions(aucast_asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED)
-target_link_libraries(aucast_asio INTERFACE Threads::Threads)
+# Asio chooses its allocator by what the standard library has defined by then, so that comes first,
+# as it does in every other source.
+file(CONFIGURE OUTPUT asio.cpp CONTENT "#include <cstdlib>\n#include <asio/impl/src.hpp>\n")
+if(AUCAST_SANITIZER STREQUAL "none")
+  set(asio_scope INTERFACE)
+  add_library(aucast_asio INTERFACE)
+else()
+  set(asio_scope PUBLIC)
+  add_library(aucast_asio STATIC ${CMAKE_CURRENT_BINARY_DIR}/asio.cpp)
+  target_compile_definitions(aucast_asio PUBLIC ASIO_SEPARATE_COMPILATION)
+endif()
+target_include_directories(aucast_asio SYSTEM ${asio_scope} ${AUCAST_ASIO_INCLUDE_DIR})
+target_compile_definitions(aucast_asio ${asio_scope} ASIO_STANDALONE ASIO_NO_DEPRECATED)
+target_link_libraries(aucast_asio ${asio_scope} Threads::Threads)
 
 find_package(OpenSSL 3.0 REQUIRED)
 find_package(PkgConfig REQUIRED)
