@@ -73,7 +73,7 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   vec3 halfway = normalize(u_key_direction + view);
   vec3 fill_halfway = normalize(kFillDirection + view);
   // Locks differ as strands do, or the band would be drawn with a ruler.
-  float astray = 0.18 * strand + 0.06 * strand_noise(v_strand.w * 90.0 + 7000.0);
+  float astray = 0.18 * strand + 0.15 * strand_noise(v_strand.w * 60.0 + 7000.0);
   float tilt = dot(along, halfway) + astray;
   float up = tilt - kShineShift;
   float down = tilt + kShineShift;
@@ -85,8 +85,8 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   float filled = 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
   // Half the hue of the hair: plain white makes brown hair look dusty.
   vec3 white = 0.5 + 0.5 * colour / max(max(colour.r, colour.g), max(colour.b, 0.01));
-  vec3 shine = 2.4 * colour * (broad * lit + filled) +
-               0.33 * white * (narrow * max(1.0 + 1.7 * strand, 0.0) * lit);
+  vec3 shine = 1.9 * colour * (broad * lit + filled) +
+               0.24 * white * (narrow * max(1.0 + 1.7 * strand, 0.0) * lit);
   // Not at the very outline, where single pixels would sparkle.
   // White hairs are coarse and dull.
   return shine * smoothstep(0.0, 0.3, dot(normal, view)) * (1.0 - 0.62 * u_grey);
@@ -123,8 +123,10 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
   // Locks: some lie deeper than others, and between them it is dark.
   float lock = strand_noise(at * 0.055 + 12000.0 + 0.5 * tuft);
   float deep = 1.0 - abs(lock);
-  float locks = mix(0.30, 0.12, grey) * lock - mix(0.34, 0.16, grey) * deep * deep * deep * deep;
-  colour *= at > 0.0 ? 1.0 + locks : 1.0;
+  float locks = mix(0.36, 0.20, grey) * lock - mix(0.42, 0.30, grey) * deep * deep * deep * deep;
+  // The lighter ones are the ones that the sun has bleached: less red.
+  vec3 bleached = mix(vec3(1.0), vec3(0.97, 1.04, 1.12), lock * (1.0 - grey));
+  colour *= at > 0.0 ? (1.0 + locks) * bleached : vec3(1.0);
   return strand;
 }
 #endif
