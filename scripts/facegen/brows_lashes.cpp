@@ -34,16 +34,16 @@ Vertex on_margin(const Skin& skin, int side, bool upper, double t) {
 }
 
 /// The dark line where the lashes stand, thin at both ends.
-void add_lash_line(Part& part, const Skin& skin, int side, bool upper) {
+void add_lash_line(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   std::vector<std::vector<std::uint32_t>> rows(3);
   for (int k = 0; k <= kLidSteps; ++k) {
     const double t = static_cast<double>(k) / kLidSteps;
     const Vertex& edge = on_lid(skin, kLidMarginRing, side, upper, k);
     const Vertex& inner = on_lid(skin, kLidInnerRing, side, upper, k);
     const Vertex& above = on_lid(skin, kLidMarginRing - 1, side, upper, k);
-    const double dark =
-        (upper ? 0.88 * smooth_step(0.0, 0.35, t) : 0.30 * smooth_step(0.35, 0.80, t)) *
-        smooth_step(1.03, 0.90, t);
+    const double dark = (upper ? mix(0.55, 0.84, who.form.lash) * smooth_step(0.0, 0.35, t)
+                               : 0.30 * smooth_step(0.35, 0.80, t)) *
+                        smooth_step(1.03, 0.90, t);
     const std::array<Vertex, 3> across{between(edge, inner, upper ? 0.7 : 0.2), edge,
                                        between(edge, above, 0.55)};
     const std::array<double, 3> alphas{upper ? 0.7 * dark : 0.0, dark, 0.0};
@@ -71,7 +71,7 @@ void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, 
                                      eye + glm::normalize(end - eye) * (kEyeRadius + 0.012)};
     for (std::size_t j = 0; j < across.size(); ++j) {
       const double pink = smooth_step(3.6, 1.8, k);
-      const double shade = j == 0 ? (upper ? 0.38 : 0.34) : 0.0;
+      const double shade = j == 0 ? (upper ? 0.34 : 0.34) : 0.0;
       rows[j].push_back(part.add(across[j], mix(kShade, kCaruncle, pink), mix(shade, 0.85, pink)));
       part.vertices.back().maps = margin.maps;
       part.vertices.back().gloss = 0;
@@ -110,7 +110,7 @@ void add_lid_band(Part& part, const Identity& who, const Skin& skin, int side) {
                                              {-0.80, 0.40, 0.55},
                                              {-0.45, 0.30, 0.40},
                                              {-0.15, 0.48, 0.75},
-                                             {0.0, 0.74, 1.0},
+                                             {0.0, 0.62, 0.9},
                                              {0.045, 0.34, 0.75},
                                              {0.16, 0.0, 0.30}}};
   const Vec3 deep = who.colours.lid_skin * Vec3{0.36, 0.27, 0.25};
@@ -150,10 +150,10 @@ LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upp
   growth.root.position -= out * 0.015;
   // They fan out towards the temple.
   const Vec3 fan{side * (1.0 * (std::min(t, 0.80) - 0.36)), 0, 0};
-  growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.10 : -0.40, 0});
+  growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.26 : -0.40, 0});
   const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.74 * smooth_step(0.66, 0.98, t));
-  growth.length = who.form.lash * ends * (upper ? mix(0.25, 0.52, smooth_step(0.1, 0.9, t)) : 0.04);
-  growth.curl = upper ? 0.42 : -0.10;
+  growth.length = who.form.lash * ends * (upper ? mix(0.24, 0.47, smooth_step(0.1, 0.9, t)) : 0.04);
+  growth.curl = upper ? 0.40 : -0.10;
   return growth;
 }
 
@@ -166,7 +166,7 @@ Vec3 along_lash(const LashGrowth& growth, double s) {
 /// eye hang over the cheek; seen end-on they would be a drawn line.
 Maps maps_along(const LashGrowth& growth, double s) {
   Maps maps = growth.root.maps;
-  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.85 * s;
+  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.50 * s;
   return maps;
 }
 
@@ -178,7 +178,7 @@ double lash_strength(const Identity& who) {
 /// What lashes are from afar: a soft dark fringe, dense at the lid.
 void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
   static constexpr std::array kSteps{0.0, 0.3, 0.62, 1.0};
-  static constexpr std::array kAlphas{0.56, 0.38, 0.15, 0.0};
+  static constexpr std::array kAlphas{0.64, 0.46, 0.20, 0.0};
   constexpr int kColumns = kLidSteps;
   std::array<std::vector<std::uint32_t>, kSteps.size()> rows;
   for (int i = 1; i <= kColumns; ++i) {
@@ -210,10 +210,10 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int n
   const Vec3 lean = 0.7 * (other.root.position - growth.root.position) +
                     growth.along * (0.06 * (chance(4) - 0.5));
   const Vec3 blade = glm::normalize(growth.along + Vec3{0, chance(5) > 0.5 ? 0.8 : -0.8, 0});
-  static constexpr std::array kSteps{0.0, 0.35, 0.70, 1.0};
-  static constexpr std::array kWidths{1.0, 0.80, 0.42, 0.0};
-  static constexpr std::array kAlphas{0.70, 0.60, 0.36, 0.05};
-  const double half_width = 0.019 * mix(0.5, 1.0, who.form.lash);
+  static constexpr std::array kSteps{0.0, 0.50, 1.0};
+  static constexpr std::array kWidths{1.0, 0.66, 0.0};
+  static constexpr std::array kAlphas{0.82, 0.60, 0.04};
+  const double half_width = 0.016 * mix(0.5, 1.0, who.form.lash);
   const double dark =
       lash_strength(who) * smooth_step(0.0, 0.22, t) * (1 - 0.4 * smooth_step(0.85, 1.0, t));
   std::array<std::uint32_t, 2> before{};
@@ -237,9 +237,9 @@ void add_lash(Part& part, const Identity& who, const Skin& skin, int side, int n
 }
 
 void add_lashes(Part& part, const Identity& who, const Skin& skin, int side, bool upper) {
-  add_lash_line(part, skin, side, upper);
+  add_lash_line(part, who, skin, side, upper);
   add_lash_fringe(part, who, skin, side, upper);
-  constexpr int kLashes = 39;
+  constexpr int kLashes = 54;
   for (int i = 0; upper && i < kLashes; ++i) add_lash(part, who, skin, side, i, kLashes);
 }
 

@@ -33,6 +33,23 @@ void add_sheet(Part& hair, const SheetSize& size,
   for (std::size_t i = middle; i + 1 < size.columns; ++i) add_column(i);
 }
 
+void add_stray(Part& hair, const Identity& who, std::size_t number,
+               const std::function<Vec3(double)>& at, const std::function<Vec3(double)>& up) {
+  // A ribbon on edge, so that it shows on the outline.
+  constexpr double kHalfWidth = 0.011;
+  const double strand = hash(static_cast<int>(number) * 37 + 11);
+  const double front = glm::cross(up(0.5), at(0.4) - at(0.6)).z < 0 ? -1 : 1;
+  add_sheet(hair, kStray, [&](double u, double v) {
+    const double aside = front * (2 * u - 1) * kHalfWidth * mix(1, 0.5, v);
+    // Light falls on it from all sides.
+    HairPoint point{at(v) + up(v) * aside, 1.4 * shade_of(who, mix(0.55, 1.0, strand))};
+    point.alpha = 0.45 * smooth_step(0, 0.2, v) * smooth_step(1, 0.5, v);
+    point.strand = mix(0.1, 0.9, strand);
+    point.gloss = 0.3;
+    return point;
+  });
+}
+
 Vec3 shade_of(const Identity& who, double light) {
   return mix(who.colours.hair, who.colours.hair_light, saturate(light));
 }

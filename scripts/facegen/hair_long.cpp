@@ -83,7 +83,10 @@ class Sheet {
     const double from_edge = std::min(s, 1 - s);
     // Fuller behind the crown, where the skull falls off.
     const double behind = 0.04 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
-    const double full = mix(0.03, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
+    // Beside its edge it clears a forehead that brows raise.
+    const double beside =
+        mix(0.03, 0.16, smooth_step(0.0, 0.05, from_edge) * smooth_step(0.06, 0.16, t));
+    const double full = mix(beside, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
     const double valley = mix(0.20, 0.04, smooth_step(0.03, 0.2, from_edge));
     const double rise = 1 - std::exp(-std::pow(t / 0.05, 2));
@@ -228,6 +231,23 @@ void add_lock(Part& hair, const Identity& who, const Sheet& sheet, const Lock& l
   });
 }
 
+/// A hair that has come loose somewhere between the roots and the ends.
+void add_loose(Part& hair, const Identity& who, const Sheet& sheet, std::size_t number) {
+  const auto chance = [&](int of) { return hash(static_cast<int>(number) * 61 + of * 7001); };
+  const double s = mix(0.08, 0.92, (static_cast<double>(number) + chance(1)) / kStrays);
+  const double begin = mix(0.04, 0.62, chance(2) * chance(2));
+  const double length = mix(0.16, 0.34, chance(3));
+  const double drift = 0.09 * (chance(4) - 0.5);
+  const double height = mix(0.12, 0.36, chance(5) * chance(5));
+  const auto across = [&](double v) { return s + drift * v * v; };
+  const auto along = [&](double v) { return begin + length * v; };
+  const auto up = [&](double v) { return sheet.up(across(v), along(v)); };
+  const auto at = [&](double v) {
+    return outer_place(sheet, across(v), along(v)) + up(v) * (height * smooth_step(0, 0.6, v));
+  };
+  add_stray(hair, who, number, at, up);
+}
+
 }  // namespace
 
 Part make_long_hair(const Identity& who) {
@@ -237,6 +257,7 @@ Part make_long_hair(const Identity& who) {
   add_outside(hair, who, sheet);
   for (std::size_t i = 0; i < kLocks; ++i)
     add_lock(hair, who, sheet, who.hair.locks[i % who.hair.locks.size()]);
+  for (std::size_t i = 0; i < kStrays; ++i) add_loose(hair, who, sheet, i);
   return hair;
 }
 

@@ -21,6 +21,8 @@ inline constexpr SheetSize kUnderSheet{65, 29};
 inline constexpr SheetSize kOuterSheet{161, 41};
 inline constexpr SheetSize kLock{6, 17};
 inline constexpr std::size_t kLocks = 16;
+inline constexpr SheetSize kStray{2, 9};
+inline constexpr std::size_t kStrays = 28;
 
 struct HairPoint {
   Vec3 place{0};
@@ -34,6 +36,11 @@ struct HairPoint {
 /// down, u runs to the right.
 void add_sheet(Part& hair, const SheetSize& size,
                const std::function<HairPoint(double, double)>& at);
+
+/// Adds a single hair that stands off the rest, numbered `number`: `at(v)` is its place from root
+/// (0) to tip (1), `up(v)` the direction away from the head.
+void add_stray(Part& hair, const Identity& who, std::size_t number,
+               const std::function<Vec3(double)>& at, const std::function<Vec3(double)>& up);
 
 /// A mixture of the two colours of the hair; `light`: 0 the dark one, 1 the light one.
 [[nodiscard]] Vec3 shade_of(const Identity& who, double light);

@@ -176,6 +176,23 @@ void add_lock(Part& hair, const Identity& who, const Top& top, double u0) {
   });
 }
 
+/// A hair on top that lies less flat than the rest.
+void add_loose(Part& hair, const Identity& who, const Top& top, std::size_t number) {
+  const auto chance = [&](int of) { return hash(static_cast<int>(number) * 61 + of * 7001); };
+  const double u = mix(0.06, 0.94, (static_cast<double>(number) + chance(1)) / kStrays);
+  const double begin = mix(0.03, 0.6, chance(2));
+  const double length = mix(0.14, 0.3, chance(3));
+  const double drift = 0.16 * (chance(4) - 0.5);
+  const double height = mix(0.06, 0.26, chance(5) * chance(5));
+  const auto up = [&](double v) {
+    return glm::normalize(top.at(who, u + drift * v * v, begin + length * v).place - kInsideHead);
+  };
+  const auto at = [&](double v) {
+    return top.at(who, u + drift * v * v, begin + length * v).place + up(v) * (height * v);
+  };
+  add_stray(hair, who, number, at, up);
+}
+
 }  // namespace
 
 Part make_short_hair(const Identity& who) {
@@ -188,6 +205,7 @@ Part make_short_hair(const Identity& who) {
   for (std::size_t i = 0; i < kLocks; ++i) {
     add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
   }
+  for (std::size_t i = 0; i < kStrays; ++i) add_loose(hair, who, top, i);
   return hair;
 }
 

@@ -34,6 +34,11 @@ inline constexpr int kLidLastRing = 12;   ///< tucked in between lid and eyeball
 /// the lower lip.
 inline constexpr int kMouthSpokes = 25;
 inline constexpr int kMouthCornerSpoke = 12;
+/// How far along the half mouth a spoke lies, 0 at the middle and 1 at the corner.
+[[nodiscard]] inline double along_lip(int spoke) {
+  const double u = (spoke <= kMouthCornerSpoke ? spoke : 24 - spoke) / 12.0;
+  return 1 - power(1 - u, 1.2);
+}
 /// Share of the way from the red of the lips (0) to the border of the block (1), ring by ring.
 inline constexpr std::array kMouthRings{1.0, 0.82, 0.64, 0.46, 0.30, 0.15};
 inline constexpr int kLipBorderRing = 6;    ///< where the red begins

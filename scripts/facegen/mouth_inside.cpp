@@ -26,14 +26,14 @@ constexpr Arch kUpperArch{1,
                           -1.63,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.96, .875, .88, .76, .65, .55, .47}};
+                          {.96, .86, .875, .76, .65, .55, .47}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
                           -3.30,
                           0.12,
                           {.41, .44, .49, .49, .49, .70, .64},
-                          {.54, .55, .58, .58, .57, .54, .51}};
+                          {.62, .63, .65, .63, .60, .54, .51}};
 constexpr double kArchBack = 4.8;
 /// Squarer than an ellipse (2): a narrow front ends in a dark gap to the corner of the mouth.
 constexpr double kArchPower = 2.18;
@@ -75,15 +75,15 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr double kLostBetweenTeeth = 0.42;
+constexpr Vec3 kLostBetweenTeeth{0.34, 0.41, 0.47};
 
 /// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
 /// and behind them light gets lost.
 constexpr std::array<Vec3, kTeethPerSide> kCrownTint{{{1.0, 1.0, 1.0},
                                                       {0.95, 0.94, 0.93},
-                                                      {0.88, 0.83, 0.75},
-                                                      {0.86, 0.83, 0.79},
-                                                      {0.80, 0.77, 0.73},
+                                                      {0.85, 0.79, 0.70},
+                                                      {0.83, 0.79, 0.73},
+                                                      {0.78, 0.74, 0.69},
                                                       {0.75, 0.72, 0.68},
                                                       {0.70, 0.67, 0.63}}};
 
@@ -93,7 +93,7 @@ constexpr std::array kAcrossCrown{0.0, 0.07, 0.23, 0.5, 0.77, 0.93, 1.0};
 /// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
 Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
   Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) * kCrownTint[tooth] *
-           (1 - kLostBetweenTeeth * power(across, 6));
+           (Vec3{1} - kLostBetweenTeeth * power(across, 6));
   // The edge is thin: what shows through is the dark of the mouth, and little red.
   if (tooth < 2) c *= mix(Vec3{1}, Vec3{0.80, 0.82, 0.86}, smooth_step(0.80, 1.0, to_tip));
   return to_tip < 0.06 ? mix(c, kGum, 0.5) : c;
@@ -218,7 +218,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(1.85, 0.6, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(1.80, 0.45, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.74, 0.66, 0.60};
@@ -394,14 +394,14 @@ Part make_mouth_bag(const Skin& skin) {
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
       // Darker in the corners, where its edge is seen from the front: lit, it is a pale string.
-      const Vec3 colour = mix(kMouthFront * mix(0.8, 0.4, place.corner), kMouthBack,
-                              smooth_step(-0.05, 0.36, shape.back));
+      const Vec3 colour = mix(kMouthFront * mix(0.9, 0.5, place.corner), kMouthBack,
+                              smooth_step(0.0, 0.7, shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // A trace, that the walls of the open mouth are red and not black; more, and the lights from
       // behind would draw them.
-      vertex.occlusion = 0.42 * smooth_step(1.0, 0.25, shape.back);
+      vertex.occlusion = 0.60 * smooth_step(1.0, 0.15, shape.back);
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;

@@ -93,7 +93,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
   if (v.ring >= kLipContactRing - 1)
-    c = mix(c, kLipInside, 0.8 - 0.5 * smooth_step(0.75, 1.0, to_corner));
+    c = mix(c, kLipInside, 0.8 - 0.25 * smooth_step(0.75, 1.0, to_corner));
   if (v.ring > kLipContactRing) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
@@ -216,7 +216,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
-    c *= Vec3{1} - Vec3{-0.09, 0.05, 0.16} * inner_socket(p);
+    c *= Vec3{1} - Vec3{-0.25, -0.14, -0.06} * inner_socket(p);
     c *= Vec3{1} + Vec3{0.05, 0.10, 0.11} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
     c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);
@@ -237,7 +237,8 @@ void lighten_sockets(Skin& skin) {
     if (p.z < 4) continue;
     const double inside = bell(Vec3{(p.x - 1.95) / 1.35, (p.y - 3.25) / 0.70, 0});
     double& occlusion = skin.part.vertices[i].occlusion;
-    occlusion = mix(occlusion, 1.0, 0.3 * inside);
+    // Beside the nose the rim lights would lay a grey haze on it.
+    occlusion = mix(occlusion, 1.0, 0.3 * inside) * (1 - 0.2 * inner_socket(p));
   }
 }
 
@@ -248,7 +249,7 @@ void shade_inner_lips(Skin& skin) {
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
     const double to_corner = saturate(v.position.x / kMouthCorner);
-    skin.part.vertices[i].occlusion *= mix(0.75, 0.30, inwards) * (1 - 0.5 * to_corner);
+    skin.part.vertices[i].occlusion *= mix(0.75, 0.40, inwards) * (1 - 0.3 * to_corner);
     skin.part.vertices[i].gloss *= 0.3;
   }
 }

@@ -67,12 +67,6 @@ Vec3 lid_edge(const Identity& who, int which, int spoke, const Vec3& border) {
   }
 }
 
-/// How far along the half mouth a spoke lies, 0 at the middle and 1 at the corner.
-double along_lip(int spoke) {
-  const double u = (spoke <= kMouthCornerSpoke ? spoke : 24 - spoke) / 12.0;
-  return 1 - power(1 - u, 1.2);
-}
-
 /// A spoke's place on the border of the red of the lips, in the front plane.
 Vec3 lip_border(const Identity& who, int spoke) {
   const double t = along_lip(spoke);
@@ -93,17 +87,19 @@ Vec3 inner_lip(const Identity& who, int which, int spoke) {
   const double up = spoke < kMouthCornerSpoke ? 1 : spoke > kMouthCornerSpoke ? -1 : 0;
   const double t = along_lip(spoke);
   const double fade = 1 - 0.75 * t * t;
+  // Between the lips a web of skin rounds off the corner of an open mouth.
+  const double web = spoke == kMouthCornerSpoke ? 1 : 0;
   switch (which) {
     // The lips overlap by a trace here: if they only touched, rounding and the bend of the skin
     // would show the teeth through a slit.
     case 0:
-      return {c.x, c.y - up * 0.030 * fade, z - 0.05};
+      return {c.x, c.y - up * 0.030 * fade - (up > 0 ? 0.02 * bell(c.x, 0.36) : 0), z - 0.05};
     case 1:
-      return {c.x * 0.985, c.y, z - 0.22};
+      return {c.x * (0.985 - 0.015 * web), c.y, z - 0.22};
     case 2:
-      return {c.x * 0.96, c.y + up * 0.28 * fade, z - 0.42 - 0.1 * t};
+      return {c.x * (0.96 - 0.035 * web), c.y + up * 0.28 * fade, z - 0.42 - 0.1 * t};
     default:
-      return {c.x * 0.93, c.y + up * 0.75 * fade, z - 0.62 - 0.2 * t};
+      return {c.x * (0.93 - 0.05 * web), c.y + up * 0.75 * fade, z - 0.62 - 0.2 * t};
   }
 }
 

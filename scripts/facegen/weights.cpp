@@ -96,31 +96,27 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   }
   const double own = elevation[static_cast<std::size_t>(v.spoke)];
   const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
-  // Both margins meet 16 % above where the lower one rests, half-way near the corners, which else
+  // Both margins meet 30 % above where the lower one rests, half-way near the corners, which else
   // would fold, and press by a trace.
-  const double meet = mix(0.5, 0.84, std::min(1.0, 1.2 * middle));
+  const double meet = mix(0.5, 0.70, std::min(1.0, 1.2 * middle));
   const double press = std::min(1.0, 5 * middle) * (upper ? -0.028 : 0.004);
   const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
   vertex[Map::LidAngle] = share * (own - target);
 }
 
-/// From 0 in the middle of a lip to 1 where the lips stay together, along an ellipse, so that the
-/// jaw opens an oval: powers gave a box or a rhombus. That is before the corner of the mouth, or
-/// the opening is a lens with pointed ends.
+/// From 0 in the middle of a lip to 1 in the corner of the mouth, along an ellipse, so that the jaw
+/// opens an oval with round ends: a lens looks cut out, and higher powers tear the corner.
 double towards_corner(double t) {
-  constexpr double kTogether = 0.97;
-  constexpr double kFull = 0.94;  // 1 would tear the skin there
-  const double way = std::min(1.0, t / kTogether);
-  return (1 - std::sqrt(1 - kFull * way * way)) / (1 - std::sqrt(1 - kFull));
+  return 1 - std::sqrt(std::max(0.0, 1 - t * t));
 }
 
 void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   const double blend = smooth_step(0, 4, v.ring);
   const bool upper = v.spoke <= kMouthCornerSpoke;
-  const double to_corner = (upper ? v.spoke : 24 - v.spoke) / 12.0;
-  // The corner goes down by half of the way: with a third of it the opening is a bowl below a flat
-  // upper lip.
-  constexpr double kCorner = 0.52;
+  const double to_corner = along_lip(v.spoke);
+  // The corner goes down by more than half of the way: with a third of it the opening is a bowl
+  // below a flat upper lip.
+  constexpr double kCorner = 0.53;
   const double jaw = mix(upper ? 0.0 : 1.0, kCorner, towards_corner(to_corner));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
