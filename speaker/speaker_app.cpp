@@ -52,7 +52,7 @@ std::vector<OptionRow> rows_of(Options& options) {
        .heading = "Files",
        .where = Where::Positional},
       {.option = {"output", "DIR"},
-       .text = "folder for the files (TEXT's name, no extension)",
+       .text = "folder for the files (TEXT without its extension)",
        .more = "The folder for the files, which is made if need be. Default: the name of TEXT "
                "without its extension.",
        .value = word(options.output),

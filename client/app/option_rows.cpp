@@ -454,7 +454,7 @@ std::vector<OptionRow> security_rows(net::SecurityOptions& security) {
 std::vector<OptionRow> table_rows(gui::TableSettings& table) {
   return {
       {.option = {"table-fps", "N"},
-       .text = "pictures a second of a table without times",
+       .text = "pictures per second in a table without times",
        .more = "How many pictures a second a recogniser's table was made from, 1 to 1000. Without "
                "this option the table's own times count.",
        .value = whole(table.fps, 1, gui::kTableFpsMax),

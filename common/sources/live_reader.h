@@ -77,8 +77,8 @@ class LiveReader {
   /// the last line was a stream file's, silence begins only at End_Stream or at the end of the
   /// input.
   [[nodiscard]] std::optional<SteadyTime> silent_since() const { return silent_since_; }
-  /// Call this when a keyframe is sent at `now`, maybe long after it was read: silence begins at
-  /// `now` or later.
+  /// Call this when a keyframe is sent at `now`, maybe long after it was read. Silence is then
+  /// counted from `now` at the earliest.
   void hold_off(SteadyTime now);
 
   [[nodiscard]] std::vector<LiveKeyframe> take_keyframes() { return timeline_.take(); }
@@ -106,7 +106,7 @@ class LiveReader {
   void settle_scale();
   [[nodiscard]] std::optional<double> seconds_of_row(SteadyTime now);
   [[nodiscard]] Seconds arrival_step(SteadyTime now, Seconds usual);
-  /// Adds a message that may be repeated; the run limits how often.
+  /// Adds a message, unless the current run of such lines has had kSaidMax messages.
   void say_of_run(bool warning, std::string text);
   void complain(std::string text) { say_of_run(true, std::move(text)); }
   void say(std::string text) { messages_.push_back({false, std::move(text)}); }

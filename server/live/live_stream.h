@@ -32,7 +32,7 @@ struct LiveStreamOptions {
   /// The silence after which clients get {-2}; 0: never.
   Milliseconds timeout{10'000};
   LinkLimits link;     ///< how many bits a second each client's face and voice may take
-  bool voice = false;  ///< raw sound arrives beside the rows, for the first stream
+  bool voice = false;  ///< raw sound arrives, too, for the first of this source's streams
   voice::VoiceSettings encoder{};
   Milliseconds voice_delay{0};
 };

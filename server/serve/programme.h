@@ -29,8 +29,8 @@ namespace aucast::server {
 class Programme {
  public:
   struct Events {
-    std::function<void()> on_moment;         ///< a stream has something new
-    std::function<void()> on_over;           ///< all streams are from sources that have ended
+    std::function<void()> on_moment;  ///< a stream has something new
+    std::function<void()> on_over;    ///< all sources have ended, and no other stream is left
     std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
     camera::GivenUp given_up{};              ///< whether to stop waiting for a camera
@@ -62,7 +62,7 @@ class Programme {
   /// The stream with this name, or the first one if none has it; null: there are no streams.
   [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
   /// The catalogue for a server that we push to. It has only the stream that named(name) returns.
-  /// That server is to know the stream as `name`; if `name` is empty, by the name it has here.
+  /// In it the stream is called `name`; if `name` is empty, the stream keeps its own name.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// Reads the profile of the signals again for the live sources.
