@@ -153,14 +153,14 @@ TEST_F(Faults, KilledClientIsNobodyElsesBusiness) {
 }
 
 TEST_F(Faults, StoppedServerIsWaitedFor) {
-  RunningTransmitter server({folder_.write("lively.txt", lively(75))});
+  RunningTransmitter server({folder_.write("lively.txt", lively(150))});
   FaultProxy link(server.address(), {}, 1);
   auto playing = player(link.address(), "stopped", {"--buffer", "10", "--playout", "5"});
   wait_for_bytes(link, 1000);
   server.process().signal(SIGSTOP);
   std::this_thread::sleep_for(fault_time());
   server.process().signal(SIGCONT);
-  expect_whole(*playing, "stopped", 75);
+  expect_whole(*playing, "stopped", 150);
   EXPECT_GE(stats("stopped")["stalls"], 1) << stats("stopped");
 }
 
