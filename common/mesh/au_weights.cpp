@@ -17,8 +17,6 @@ constexpr int kUnitMax = 99;
 /// The smallest aperture of a neutral face's eye, as in scripts/train_camera/fit.py; an eye that
 /// was always shut gives no measure.
 constexpr double kLeastAperture = 0.15;
-constexpr const char* kSideNumbers = "18 numbers are expected";
-constexpr const char* kMiddleNumbers = "29 numbers are expected";
 constexpr std::array<std::string_view, 3> kTurnNames{"turn-left", "turn-up", "tilt-left"};
 
 using Words = std::vector<std::string_view>;
@@ -54,24 +52,21 @@ class WeightsReader {
     if (words[0] == "au") return read_unit(rest);
     struct Line {
       std::string_view name;
-      std::span<double> side, middle;
+      std::span<double> numbers;
     };
-    const auto line = [](std::string_view name, AuWeights::PerMeasure& of) {
-      return Line{name, of.side, of.middle};
-    };
-    const std::array<Line, 4> lines{{{"neutral", weights_.typical.left, weights_.typical.middle},
-                                     line("raised", weights_.raised),
-                                     line("raised-doubt", weights_.raised_doubt),
-                                     line("turned-doubt", weights_.turned_doubt)}};
-    for (const auto& [name, side, middle] : lines) {
-      if (words[0] == std::string(name) + "-side") {
-        if (!read_numbers(rest, side)) return kSideNumbers;
-        return std::nullopt;
-      }
-      if (words[0] == std::string(name) + "-middle") {
-        if (!read_numbers(rest, middle)) return kMiddleNumbers;
-        return std::nullopt;
-      }
+    AuWeights& to = weights_;
+    const std::array<Line, 8> lines{{{"neutral-side", to.typical.left},
+                                     {"neutral-middle", to.typical.middle},
+                                     {"raised-side", to.raised.side},
+                                     {"raised-middle", to.raised.middle},
+                                     {"raised-doubt-side", to.raised_doubt.side},
+                                     {"raised-doubt-middle", to.raised_doubt.middle},
+                                     {"turned-doubt-side", to.turned_doubt.side},
+                                     {"turned-doubt-middle", to.turned_doubt.middle}}};
+    for (const auto& [name, numbers] : lines) {
+      if (words[0] != name) continue;
+      if (read_numbers(rest, numbers)) return std::nullopt;
+      return std::to_string(numbers.size()) + " numbers are expected";
     }
     return "'" + escaped(words[0]) + "' is not known";
   }
@@ -164,24 +159,21 @@ Measures levelled(const AuWeights& weights, const Measures& seen, const Measures
   const double raised = seen.turn.up_rad - neutral.turn.up_rad;
   const double turned = seen.turn.left_rad - neutral.turn.left_rad;
   Measures level = seen;
-  const auto level_part = [&](auto& part, const auto& neutral_part, auto of) {
+  const auto level_part = [&](auto& part, const auto& neutral_part, const auto& seeming,
+                              const auto& by_raising, const auto& by_turning) {
     for (std::size_t index = 0; index < part.size(); ++index) {
-      const double doubt = of(weights.raised_doubt)[index] * std::abs(raised) +
-                           of(weights.turned_doubt)[index] * std::abs(turned);
-      const double change = part[index] - neutral_part[index] - of(weights.raised)[index] * raised;
+      const double doubt =
+          by_raising[index] * std::abs(raised) + by_turning[index] * std::abs(turned);
+      const double change = part[index] - neutral_part[index] - seeming[index] * raised;
       part[index] = neutral_part[index] + change - std::clamp(change, -doubt, doubt);
     }
   };
-  using PerMeasure = AuWeights::PerMeasure;
-  const auto side = [](const PerMeasure& numbers) -> const auto& {
-    return numbers.side;
-  };
-  const auto middle = [](const PerMeasure& numbers) -> const auto& {
-    return numbers.middle;
-  };
-  level_part(level.left, neutral.left, side);
-  level_part(level.right, neutral.right, side);
-  level_part(level.middle, neutral.middle, middle);
+  const AuWeights::PerMeasure& slope = weights.raised;
+  const AuWeights::PerMeasure& raised_doubt = weights.raised_doubt;
+  const AuWeights::PerMeasure& turned_doubt = weights.turned_doubt;
+  level_part(level.left, neutral.left, slope.side, raised_doubt.side, turned_doubt.side);
+  level_part(level.right, neutral.right, slope.side, raised_doubt.side, turned_doubt.side);
+  level_part(level.middle, neutral.middle, slope.middle, raised_doubt.middle, turned_doubt.middle);
   return level;
 }
 
