@@ -115,10 +115,12 @@ void CameraFeed::read_faces() {
   block_pipe_signal();
   const FaceTable table(models_.weights, faces_.several);
   const bool typical = faces_.neutral_seconds && *faces_.neutral_seconds == 0;
-  // Of each face, by its number.
-  std::vector<mesh::RunningNeutralFace> running;
-  std::vector<mesh::RunningSteadyGaze> gazes;
-  std::vector<mesh::SobWatch> sobs;
+  struct Watched {
+    mesh::RunningNeutralFace neutral;
+    mesh::RunningSteadyGaze gaze{};
+    mesh::SobWatch sobs{};
+  };
+  std::vector<Watched> watched;  // by the face's number
   bool going = write(table.header());
   const std::size_t width = pictures_.format().width();
   const std::size_t height = pictures_.format().height();
@@ -132,15 +134,16 @@ void CameraFeed::read_faces() {
     Sight sight{{width, height, picture.rgb}, nullptr, {}};
     if (seen.empty()) going = write(table.row(picture.seconds, 0, std::nullopt));
     for (const auto& [number, landmarks] : seen) {
-      while (running.size() <= number) running.emplace_back(models_.weights);
-      if (gazes.size() <= number) gazes.resize(number + 1);
-      if (sobs.size() <= number) sobs.resize(number + 1);
+      while (watched.size() <= number) {
+        watched.push_back({mesh::RunningNeutralFace(models_.weights)});
+      }
+      auto& [neutral, gaze, sobs] = watched[number];
       const auto measures =
-          gazes[number].watch(mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints)));
+          gaze.watch(mesh::measure(mesh::fit_head(landmarks, mesh::kTypicalStillPoints)));
       AuFrame face = mesh::read_aus(
           models_.weights, measures,
-          typical ? models_.weights.typical : running[number].watch(picture.seconds, measures));
-      sobs[number].watch(picture.seconds, face);
+          typical ? models_.weights.typical : neutral.watch(picture.seconds, measures));
+      sobs.watch(picture.seconds, face);
       going = write(table.row(picture.seconds, landmarks.presence, face, number)) && going;
       if (sight.landmarks != nullptr) continue;
       sight.landmarks = &landmarks;
