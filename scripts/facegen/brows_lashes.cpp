@@ -71,7 +71,7 @@ void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, 
                                      eye + glm::normalize(end - eye) * (kEyeRadius + 0.012)};
     for (std::size_t j = 0; j < across.size(); ++j) {
       const double pink = smooth_step(3.6, 1.8, k);
-      const double shade = j == 0 ? (upper ? 0.34 : 0.34) : 0.0;
+      const double shade = j == 0 ? 0.34 : 0.0;
       rows[j].push_back(part.add(across[j], mix(kShade, kCaruncle, pink), mix(shade, 0.85, pink)));
       part.vertices.back().maps = margin.maps;
       part.vertices.back().gloss = 0;
