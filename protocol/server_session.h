@@ -29,8 +29,8 @@ struct ServerCatalogue {
   bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
-  /// What a client of Admission::Owner must show in place of `token`; empty: no such client is
-  /// let in.
+  /// What the program that started this server for a preview (Admission::Owner) must show in place
+  /// of `token`; empty: no such program is let in.
   std::string owner_token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.

@@ -113,8 +113,8 @@ class AuReader {
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
   [[nodiscard]] bool has_words() const;
-  /// Whether to call speak(); the player asks this after it has taken something. Returns
-  /// has_words(), but after true it returns false until speak() is called.
+  /// Whether to call speak(); the player asks this after it has taken something. The same as
+  /// has_words(), but true only once: then false until speak() has been called.
   [[nodiscard]] bool calls_for_speak();
   void set_paused(bool paused);
   /// The user leaves: take() returns nullopt from now on.

@@ -37,8 +37,8 @@ struct KeyframeBegun {
   Keyframe target;
   Milliseconds time{0};  ///< its own time: as it was sent, else --speed, else the server's
                          ///< default. A live keyframe may in fact take 5 % more or less
-  double cut_at = 1;  ///< how far the previous keyframe had come: 1, or less if that was an easing
-                      ///< to neutral, which this one interrupts
+  double cut_at = 1;  ///< how far the previous keyframe had come. 1: all its way. Less only if it
+                      ///< was the easing to neutral after a stall, and this keyframe ended that
   std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
 };
 

@@ -32,8 +32,8 @@ class LinkUser {
  public:
   virtual ~LinkUser() = default;
 
-  /// write() may be called from now on. Called at most once, and not at all if the link fails
-  /// before it opens; then only on_failure() and on_closed() are called.
+  /// From now on write() may be called. on_open() itself is called at most once, and not at all if
+  /// the link fails before it opens; then only on_failure() and on_closed() are called.
   virtual void on_open() = 0;
   virtual void on_bytes(std::string_view bytes) = 0;
   /// The peer has ended its sending side. Called at most once.

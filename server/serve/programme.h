@@ -65,7 +65,7 @@ class Programme {
   /// In it the stream is called `name`; if `name` is empty, the stream keeps its own name.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
-  /// Reads the profile of the signals again for the live sources.
+  /// Reads the file of --profile (gain, dead band, filter) again; live AUs are changed by it.
   void condition_sources_anew() { sources_.condition_anew(); }
   /// Sends what is due now. Call it before something that takes long.
   void catch_up() { beat_.catch_up(); }
