@@ -149,7 +149,7 @@ void Delivery::pump(std::string& out) {
   }
 }
 
-void Delivery::pump_latest(std::string& out) {
+void Delivery::pump_new_moments(std::string& out) {
   for (const LiveMoment& moment : stream_.live()->latest()) {
     if (last_moment_ && moment.number > *last_moment_) send_moment(moment, out);
   }

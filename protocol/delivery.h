@@ -46,9 +46,9 @@ class Delivery {
   /// Appends everything that may be sent now. With a recorded stream it calls hold(true) as soon as
   /// `out` has kOutputBytesMax bytes; to send more, call hold(false) and then pump() again.
   void pump(std::string& out);
-  /// Call it in place of pump() when a live channel has new moments. If several began at once, a
-  /// client that keeps up gets all of them; pump() would send it the last one only.
-  void pump_latest(std::string& out);
+  /// Call it in place of pump() when a live channel has new moments. It sends all of them to a
+  /// client that keeps up. pump() alone would send only the newest.
+  void pump_new_moments(std::string& out);
   /// Whether {-2} is due: everything was sent and answered, nothing more will come, and the client
   /// has not paused.
   [[nodiscard]] bool complete() const;

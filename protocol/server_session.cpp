@@ -427,7 +427,7 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   } else if (const auto refusal = state_->comes_round()) {
     state_->refuse(refusal->code, refusal->text);
   } else {
-    state_->send_due(live() ? &Delivery::pump_latest : &Delivery::pump);
+    state_->send_due(live() ? &Delivery::pump_new_moments : &Delivery::pump);
   }
   state_->settle_peer_end();
   return state_->take_events();

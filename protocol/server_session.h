@@ -29,8 +29,8 @@ struct ServerCatalogue {
   bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
-  /// What the program that started this server for a preview (Admission::Owner) must show in place
-  /// of `token`; empty: no such program is let in.
+  /// A second token: that of the server's owner, the program that started it, as face-player
+  /// --mirror does (Admission::Owner). Empty: the server has no owner.
   std::string owner_token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.
@@ -57,8 +57,8 @@ struct CloseConnection {
     SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
-    Refused,        ///< an {error ...} was sent; or a classic client, which gets no error, found no
-                    ///< room, or no stream in time. `reason` says why
+    Refused,        ///< an {error ...} was sent. A classic client is sent none: there was no room
+                    ///< for it, or no stream came in time. `reason` says why
     BrokenOff,      ///< the stream came from another server, which is lost: the rest cannot be sent
   };
   Why why = Why::Finished;

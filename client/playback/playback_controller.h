@@ -37,8 +37,9 @@ struct KeyframeBegun {
   Keyframe target;
   Milliseconds time{0};  ///< its own time: as it was sent, else --speed, else the server's
                          ///< default. A live keyframe may in fact take 5 % more or less
-  double cut_at = 1;  ///< how far the previous keyframe had come. 1: all its way. Less only if it
-                      ///< was the easing to neutral after a stall, and this keyframe ended that
+  /// How much of the previous keyframe was played, in [0,1]. Only an easing to neutral, which
+  /// counts as a keyframe here, can be interrupted by the next one; all others are played whole.
+  double cut_at = 1;
   std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
 };
 
