@@ -57,8 +57,8 @@ struct CloseConnection {
     SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
     ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
-    Refused,        ///< an {error ...} was sent. A classic client is sent none: there was no room
-                    ///< for it, or no stream came in time. `reason` says why
+    Refused,        ///< the client is not served; `reason` says why. It was sent an {error ...},
+                    ///< or nothing if it is a classic client
     BrokenOff,      ///< the stream came from another server, which is lost: the rest cannot be sent
   };
   Why why = Why::Finished;

@@ -43,14 +43,14 @@ struct NewFace {
 /// the first line shows which. Pure: bytes and times of arrival go in, keyframes and messages come
 /// out.
 ///
-/// No input makes the reader fail. A line that is not understood is left out with a message. In a
-/// run of such lines only the first kSaidMax get a message; a run ends with kRunEnds good lines in
-/// a row. The beginning of a line waits for the rest. A header in the middle (the same, or of
-/// another format) begins a new table whose clock goes on from the last sample. A row that is not
-/// later than the last sample is left out. When kRefusalsMax rows in succession are left out for
-/// this reason, and each is later than the one before it, the reader assumes that the writer's
-/// clock was set back, and goes on from the last sample. Rows without a clock (Py-Feat without
-/// --fps) and lines without a time take the time since the previous one.
+/// No input makes the reader fail. A line that is not understood is left out with a message. After
+/// kSaidMax messages there are no more until kRunEnds good lines have come in a row. The beginning
+/// of a line waits for the rest. A header in the middle (the same, or of another format) begins a
+/// new table whose clock goes on from the last sample. A row that is not later than the last sample
+/// is left out. When kRefusalsMax rows in succession are left out for this reason, and each is
+/// later than the one before it, the reader assumes that the writer's clock was set back, and goes
+/// on from the last sample. Rows without a clock (Py-Feat without --fps) and lines without a time
+/// take the time since the previous one.
 class LiveReader {
  public:
   static constexpr std::size_t kSaidMax = 20;
@@ -106,7 +106,7 @@ class LiveReader {
   void settle_scale();
   [[nodiscard]] std::optional<double> seconds_of_row(SteadyTime now);
   [[nodiscard]] Seconds arrival_step(SteadyTime now, Seconds usual);
-  /// Adds a message, unless the current run of such lines has had kSaidMax messages.
+  /// Adds a message, unless there were kSaidMax of them since the last kRunEnds good lines.
   void say_of_run(bool warning, std::string text);
   void complain(std::string text) { say_of_run(true, std::move(text)); }
   void say(std::string text) { messages_.push_back({false, std::move(text)}); }
@@ -126,10 +126,10 @@ class LiveReader {
   SteadyTime face_seen_;
   std::set<std::int64_t> faces_seen_;
   std::vector<NewFace> new_faces_;
-  std::string beginning_;  ///< the first lines, to recognise label files by
+  std::string beginning_;  ///< the first lines: they tell whether the input has labels, not AUs
   std::size_t beginning_lines_ = 0;
-  std::optional<std::string> labels_;  ///< what to say if the first lines are a label file's
-  std::size_t complaints_ = 0;         ///< in this run
+  std::optional<std::string> labels_;  ///< what to say if it has
+  std::size_t complaints_ = 0;         ///< since kRunEnds good lines came in a row
   std::size_t understood_ = 0;         ///< lines since the last complaint
   std::vector<LiveMessage> messages_;
 };

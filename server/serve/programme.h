@@ -61,8 +61,8 @@ class Programme {
   }
   /// The stream with this name, or the first one if none has it; null: there are no streams.
   [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
-  /// A catalogue of one stream, for a server that we push to: the stream called `name`; if there is
-  /// none, the first stream under that name; if `name` is empty, the first under its own name.
+  /// A catalogue for a server that we push to. It has one stream: that of named(name), renamed to
+  /// `name` unless `name` is empty.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
   /// Reads the file of --profile (gain, dead band, filter) again; live AUs are changed by it.
