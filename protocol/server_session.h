@@ -29,8 +29,8 @@ struct ServerCatalogue {
   bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
-  /// A second token: that of the server's owner, the program that started it, as face-player
-  /// --mirror does (Admission::Owner). Empty: the server has no owner.
+  /// The token of the server's owner (Admission::Owner), which started the server: face-player
+  /// --mirror. The owner shows this token, and not `token`. Empty: the server has no owner.
   std::string owner_token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.

@@ -37,8 +37,8 @@ struct KeyframeBegun {
   Keyframe target;
   Milliseconds time{0};  ///< its own time: as it was sent, else --speed, else the server's
                          ///< default. A live keyframe may in fact take 5 % more or less
-  /// How much of the previous keyframe was played, in [0,1]. Only an easing to neutral, which
-  /// counts as a keyframe here, can be interrupted by the next one; all others are played whole.
+  /// How much of what came before was played, in [0,1]. Keyframes are played whole; only an easing
+  /// to neutral may be interrupted.
   double cut_at = 1;
   std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
 };
@@ -70,7 +70,7 @@ class PlaybackController {
   /// Moves to `now`. If a keyframe begins, it is returned: bring the face to the end of the
   /// previous one, then begin this one. Call again with the same `now` until nullopt is returned,
   /// because short keyframes may have ended already. The easing to neutral is returned as a
-  /// keyframe too, but is not counted as one.
+  /// keyframe too, but keyframes_played() leaves it out.
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now, KeyframeSource& source);
 
   /// Once a stall or a loss has lasted for `hold`, the face eases to neutral within kEaseTime. By

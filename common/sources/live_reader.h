@@ -126,9 +126,9 @@ class LiveReader {
   SteadyTime face_seen_;
   std::set<std::int64_t> faces_seen_;
   std::vector<NewFace> new_faces_;
-  std::string beginning_;  ///< the first lines: they tell whether the input has labels, not AUs
+  std::string beginning_;  ///< the first lines
   std::size_t beginning_lines_ = 0;
-  std::optional<std::string> labels_;  ///< what to say if it has
+  std::optional<std::string> labels_;  ///< the message if the first lines have labels, not AUs
   std::size_t complaints_ = 0;         ///< since kRunEnds good lines came in a row
   std::size_t understood_ = 0;         ///< lines since the last complaint
   std::vector<LiveMessage> messages_;

@@ -61,11 +61,12 @@ class Programme {
   }
   /// The stream with this name, or the first one if none has it; null: there are no streams.
   [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
-  /// A catalogue for a server that we push to. It has one stream: that of named(name), renamed to
-  /// `name` unless `name` is empty.
+  /// A catalogue for a server that we push to, with a single stream: the one that is called `name`.
+  /// If there is none, the first stream is given that name. If `name` is empty, the first stream
+  /// keeps its own.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
-  /// Reads the file of --profile (gain, dead band, filter) again; live AUs are changed by it.
+  /// Reads the file of --profile again. It holds for what live sources deliver from now on.
   void condition_sources_anew() { sources_.condition_anew(); }
   /// Sends what is due now. Call it before something that takes long.
   void catch_up() { beat_.catch_up(); }
