@@ -168,7 +168,7 @@ void Delivery::send_recorded(std::string& out) {
     if (sends_spoken()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];
       if (!spoken_may_reach(end)) return;
-      const bool turns = in_loop() && next_packet_ + 1 == packets().size();
+      const bool turns = in_loop() && ends_turn(end - turn_begin_);
       send_spoken(end, turns ? end : Milliseconds::max(), out);
       sent_to_ = end;
     }
@@ -186,6 +186,14 @@ void Delivery::begin_turn() {
   next_voice_ = 0;
   next_caption_ = 0;
   turn_begin_ = sent_to_;
+}
+
+/// Whether the next keyframe, which ends at this place of its turn, is the last of the turn. The
+/// newest that a relay has so far need not be.
+bool Delivery::ends_turn(Milliseconds place) const {
+  if (next_packet_ + 1 < packets().size()) return false;
+  const std::optional<std::uint64_t> duration = recorded().duration_ms;
+  return recorded().extent == Extent::Whole || (duration && place >= Milliseconds(*duration));
 }
 
 /// Whether the sound up to `end` is there and may run so far ahead of the answers.

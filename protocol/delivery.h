@@ -96,6 +96,7 @@ class Delivery {
   void send_keyframe(std::string_view packet, std::string& out);
   void send_recorded(std::string& out);
   void begin_turn();
+  [[nodiscard]] bool ends_turn(Milliseconds place) const;
   [[nodiscard]] bool spoken_may_reach(Milliseconds end) const;
   void send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out);
   void send_moment(const LiveMoment& moment, std::string& out);

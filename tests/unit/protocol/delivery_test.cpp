@@ -92,6 +92,21 @@ TEST_F(VoiceInTheMaking, ALoopOfAnotherServerIsCutLikeOnesOwn) {
   EXPECT_EQ(pump(), "{a@0 WAE}" + turn + "{a@300 WAE}" + turn + "{a@600 WAE}{1;100}{1;100}");
 }
 
+TEST_F(VoiceInTheMaking, WhereALoopStillArrivesTheVoiceGoesOutBeforeItsKeyframe) {
+  const std::vector<Keyframe> keyframes(2, {{AuTerm{1}}, false, 100, std::nullopt});
+  auto arriving = std::make_shared<EncodedStream>(encode_stream(keyframes, 250, 20));
+  arriving->duration_ms = 300;
+  arriving->extent = Extent::Growing;
+  auto upstream = std::make_shared<UpstreamStream>();
+  upstream->content = RecordedStream{arriving, stream_.recorded()->spoken};
+  upstream->loop = true;
+  stream_ = ServedStream("talk", std::move(upstream));
+  deliver(false);
+  track_->add({0ms, kOpus60});
+  track_->add({170ms, kOpus60});
+  EXPECT_EQ(pump(), "{a@0 WAE}{1;100}{a@170 WAE}{1;100}") << "200 ms are not the end of the turn";
+}
+
 TEST_F(VoiceInTheMaking, NothingSoundsDuringAPause) {
   track_->add({0ms, kOpus60});
   track_->finish();
