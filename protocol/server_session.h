@@ -29,8 +29,8 @@ struct ServerCatalogue {
   bool loop = false;                ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
-  /// The token of the server's owner (Admission::Owner), which started the server: face-player
-  /// --mirror. The owner shows this token, and not `token`. Empty: the server has no owner.
+  /// A program that started this server to see its own camera, as face-player --mirror does, must
+  /// show this token instead of the other (Admission::Owner). Empty: there is no such program.
   std::string owner_token{};
   std::string id{};  ///< of this server, told to relays; empty: none
   /// Who may bring streams; null: nobody.
@@ -42,7 +42,7 @@ struct ServerCatalogue {
   std::optional<Milliseconds> patience{};
 };
 
-// Events are instructions to the connection's owner, to be carried out in the order returned.
+// Events are instructions to whoever has the connection, to be carried out in the order returned.
 
 struct SendBytes {
   std::string bytes;
@@ -92,9 +92,9 @@ enum class Silence : std::uint8_t {
 /// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
 /// and no clock: bytes and the current time go in, events come out. After CloseConnection or
 /// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
-/// keyframes; if more is left, the session is held() until hold(false) is called. The owner
-/// must not read on while much of what it has to send is still unsent: a peer that answers without
-/// reading would fill the owner's memory. Follows the table in PROTOCOL.md, section "Server".
+/// keyframes; if more is left, the session is held() until hold(false) is called. Whoever has the
+/// connection must not read on while much of what has come out is still unsent: a peer that answers
+/// without reading would fill the memory. Follows the table in PROTOCOL.md, section "Server".
 /// Thread: none of its own; one session per connection.
 class ServerSession {
  public:

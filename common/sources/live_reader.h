@@ -57,8 +57,8 @@ class LiveReader {
   static constexpr std::size_t kRunEnds = 100;
   static constexpr std::size_t kRefusalsMax = 10;
 
-  /// `file`: the name of the source in messages. `load_curves` is called at the first
-  /// row with ARKit's curves.
+  /// `file`: the name of the source in messages. `load_curves` is called once, when the first row
+  /// comes that has ARKit's curves.
   LiveReader(std::string file, LiveOptions options, LoadCurves load_curves);
   ~LiveReader();
   LiveReader(LiveReader&&) noexcept;
