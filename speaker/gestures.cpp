@@ -1,6 +1,7 @@
 #include "speaker/gestures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -107,7 +108,7 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     const Milliseconds at = speech.words[i].begin;
     if (!stressed[i] || at - last < kApart) continue;
     last = at;
-    const float brows = dice.between(0.2F, 0.5F) * options.amount;
+    const float brows = dice.between(0.35F, 0.7F) * options.amount;
     const float nod = dice.between(0.12F, 0.28F) * options.amount;
     const float what = dice.roll();
     if (what < 0.65F) {
@@ -207,6 +208,37 @@ void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
   }
 }
 
+/// A way to look at the listeners: AUs at their full share.
+struct Bearing {
+  int first_au;
+  float first;
+  int second_au;
+  float second;
+};
+
+/// Between the beats of stressed words a speaker's face does not go blank: each phrase is said
+/// openly, warmly or intently, until the next pause.
+void bear(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
+  constexpr std::array<Bearing, 3> kBearings{{{kInnerBrowRaiser, 0.38F, kOuterBrowRaiser, 0.48F},
+                                              {kCheekRaiser, 0.55F, kLipCornerPuller, 0.48F},
+                                              {kBrowLowerer, 0.34F, kLidTightener, 0.42F}}};
+  constexpr Milliseconds kOnset{450};
+  constexpr Milliseconds kOffset{600};
+  std::size_t which = 1;  // whoever begins to speak greets
+  Milliseconds begin{0};
+  const auto say_phrase = [&](Milliseconds end) {
+    const Milliseconds apex = std::max(end - begin - kOnset, Milliseconds(0));
+    const float share = dice.between(0.6F, 1.0F) * options.amount;
+    const Beat beat{begin, kOnset, apex, kOffset};
+    put(curves, kBearings[which].first_au, beat, share * kBearings[which].first);
+    put(curves, kBearings[which].second_au, beat, share * kBearings[which].second);
+    which = (which + (dice.roll() < 0.5F ? 1 : 2)) % kBearings.size();
+    begin = end;
+  };
+  for (const Pause& pause : pauses_of(speech)) say_phrase(pause.begin);
+  say_phrase(speech.length());
+}
+
 }  // namespace
 
 std::vector<bool> stressed_words(const Speech& speech) {
@@ -246,6 +278,7 @@ void add_gestures(const Speech& speech, const Script& script, const GestureOptio
   stress(speech, options, dice, curves);
   end_sentences(speech, script, options, dice, curves);
   blink(speech, dice, curves);
+  bear(speech, options, dice, curves);
 }
 
 }  // namespace aucast::speaker

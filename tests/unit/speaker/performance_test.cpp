@@ -185,6 +185,20 @@ TEST(AddGestures, MoveTheUpperFaceOnTheFirstStressedWordByTheAmount) {
   }
 }
 
+TEST(AddGestures, NoPhraseIsSaidWithABlankFace) {
+  const Spoken talk = spoken();
+  Curves curves{talk.speech.length()};
+  add_gestures(talk.speech, talk.script, {}, curves);
+  for (const Word& word : talk.speech.words) {
+    const std::size_t i = curves.index(word.begin + Milliseconds(300));
+    float most = 0;
+    for (const int au : {kOuterBrowRaiser, kLipCornerPuller, kLidTightener}) {
+      most = std::max(most, curves.of(au)[i]);
+    }
+    EXPECT_GT(most, 0.05F) << word.begin.count() << " ms";
+  }
+}
+
 TEST(SetsOf, LeavesOutWhatIsMadeOfMusclesAlone) {
   std::vector<Expression> read(3);
   read[0].name = "neutral";
