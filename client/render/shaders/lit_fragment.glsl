@@ -73,7 +73,7 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   vec3 halfway = normalize(u_key_direction + view);
   vec3 fill_halfway = normalize(kFillDirection + view);
   // Locks differ as strands do, or the band would be drawn with a ruler.
-  float astray = 0.18 * strand + 0.15 * strand_noise(v_strand.w * 60.0 + 7000.0);
+  float astray = 0.18 * strand + 0.21 * strand_noise(v_strand.w * 60.0 + 7000.0);
   float tilt = dot(along, halfway) + astray;
   float up = tilt - kShineShift;
   float down = tilt + kShineShift;
@@ -89,7 +89,7 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
                0.24 * white * (narrow * max(1.0 + 1.7 * strand, 0.0) * lit);
   // Not at the very outline, where single pixels would sparkle.
   // White hairs are coarse and dull.
-  return shine * smoothstep(0.0, 0.3, dot(normal, view)) * (1.0 - 0.62 * u_grey);
+  return shine * smoothstep(0.0, 0.3, dot(normal, view)) * (1.0 - 0.40 * u_grey);
 }
 
 // How light the strand here is, in [-1, 1], and so its colour: single ones and, about four times as
@@ -105,7 +105,8 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
   float fine = piece_noise(at, along) * visible;
   float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
   // A tuft does not stay light or dark from root to tip.
-  tuft *= sin(9.0 * v_grain.y + 6.0 * strand_noise(at * 0.06 + 9000.0));
+  float turn = sin(9.0 * v_grain.y + 6.0 * strand_noise(at * 0.06 + 9000.0));
+  tuft *= turn;
   cover = 1.0;
   if (v_colour.a < 1.0) {
     // Not the noise of the colour, or the longest strands would be the dark ones.
@@ -117,13 +118,16 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
   // Seen along it the outside ends strand by strand, at places of their own.
   float outline =
       0.5 + 0.5 * piece_noise(at * 0.16 + 700.0, 0.6 * (v_grain.y - v_grain.x) * kPieces);
-  cover *= smoothstep(0.0, 0.14, facing - 0.26 * outline * outline);
+  cover *= smoothstep(0.0, 0.14, facing - mix(0.26, 0.06, u_grey) * outline * outline);
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
   colour *= 1.0 + mix(0.42, 0.55, grey) * strand;
+  // White hairs are whole ones, not lighter places of all.
+  colour = mix(colour, vec3(0.27, 0.25, 0.23), 0.42 * grey * smoothstep(0.15, 0.85, fine));
   // Locks: some lie deeper than others, and between them it is dark.
   float lock = strand_noise(at * 0.055 + 12000.0 + 0.5 * tuft);
+  lock *= 0.75 + 0.25 * turn;
   float deep = 1.0 - abs(lock);
-  float locks = mix(0.36, 0.20, grey) * lock - mix(0.42, 0.30, grey) * deep * deep * deep * deep;
+  float locks = mix(0.24, 0.34, grey) * lock - mix(0.32, 0.50, grey) * deep * deep * deep * deep;
   // The lighter ones are the ones that the sun has bleached: less red.
   vec3 bleached = mix(vec3(1.0), vec3(0.97, 1.04, 1.12), lock * (1.0 - grey));
   colour *= at > 0.0 ? (1.0 + locks) * bleached : vec3(1.0);
