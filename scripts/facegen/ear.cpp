@@ -134,7 +134,7 @@ class Plate {
 
  private:
   static constexpr double kHinge = -0.70;
-  static constexpr double kTurn = 0.28;
+  static constexpr double kTurn = 0.30;
 
   [[nodiscard]] Vec3 along(double back, double up) const {
     return centre_ + Vec3{0, -0.06, -0.95} * back + Vec3{0, 0.97, -0.20} * up;

@@ -83,9 +83,10 @@ class Sheet {
     const double from_edge = std::min(s, 1 - s);
     // Fuller behind the crown, where the skull falls off.
     const double behind = 0.04 * smooth_step(0.20, 0.5, from_edge) * smooth_step(0, 0.3, t);
-    // Beside its edge it clears a forehead that brows raise.
+    // Beside its edge it clears a forehead that brows raise; the most where it falls across it.
+    const double clear = s > 0.5 ? 0.29 : 0.16;
     const double beside =
-        mix(0.03, 0.16, smooth_step(0.0, 0.05, from_edge) * smooth_step(0.06, 0.16, t));
+        mix(0.03, clear, smooth_step(0.0, 0.05, from_edge) * smooth_step(0.06, 0.16, t));
     const double full = mix(beside, cut_.top + behind, smooth_step(0.02, 0.20, from_edge));
     // A narrow valley at the parting, which closes towards the crown.
     const double valley = mix(0.20, 0.04, smooth_step(0.03, 0.2, from_edge));
@@ -141,7 +142,10 @@ Vec3 outer_place(const Sheet& sheet, double s, double t) {
   const double tip = smooth_step(0.70, 1, t);
   // The front edges lie on the cheeks already.
   const double free = smooth_step(0, 0.07, std::min(s, 1 - s));
-  return sheet.place(s, t) + sheet.up(s, t) * (free * (waves(s, t) - 0.30 * tip * tip));
+  // No two locks turn in alike.
+  const double turned =
+      mix(0.30, 0.75, value_noise({s * 23, 0.5, 13.5})) * smooth_step(0, 0.18, std::min(s, 1 - s));
+  return sheet.place(s, t) + sheet.up(s, t) * (free * waves(s, t) - turned * tip * tip);
 }
 
 /// Number of the strand: they gather into locks, the more the farther down.
@@ -167,32 +171,38 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
       p += sheet.across(s, t) * (at.side * wide * at.rolled) -
            sheet.up(s, t) * (mix(0.10, 0.36, rolls(t)) * at.rolled * at.rolled);
     }
+    // A parting is no straight line, and the roots along it lie in their own shade.
+    const double from_edge = std::min(s, 1 - s);
+    const double jagged = value_noise({from_edge * 70, 0.5, 15.5}) +
+                          0.6 * value_noise({from_edge * 170, 0.5, 16.5}) - 0.8;
+    p.x += 0.22 * jagged * std::exp(-std::pow(t / 0.05, 2)) * smooth_step(0.03, 0.08, from_edge);
+    const double deep = 1 - 0.32 * std::exp(-std::pow(t / 0.016, 2));
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     // The left side of the parting turns away from the lamp: of one colour, both meet in a step.
     const double parted =
         mix(0.24, 0.05, smooth_step(0.2, 0.8, s)) * std::exp(-std::pow(t / 0.13, 2));
-    const double light = 0.34 * tuft + 0.42 * t - 0.3 * at.rolled * rolls(t) + parted;
-    const double from_edge = std::min(s, 1 - s);
+    const double light = 0.30 * tuft + 0.60 * t - 0.18 * at.rolled * rolls(t) + parted;
     const double loose = smooth_step(0.14, 0.34, t);
     const double soft = mix(0.035, 0.095, value_noise({0.5, 26 * t, 9.5}));
     // Where it hangs single strands of the edge lie on the cheek.
     const double begin = -kRolled * loose;
     const double hairline =
-        smooth_step(begin, begin + mix(soft, 0.7 * kRolled, smooth_step(0.10, 0.22, t)),
+        smooth_step(begin, begin + mix(soft, 1.2 * kRolled, smooth_step(0.10, 0.22, t)),
                     from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting =
         mix(1, smooth_step(-0.004, 0.040, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
-    const double whole = 0.42 * smooth_step(0.22, 0.10, from_edge);
+    const double whole = 0.7 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =
         0.5 * value_noise({s * 38, 0.5, 3.5}) + 0.5 * value_noise({s * 11, 0.5, 6.5});
-    const double full = 0.71 + 0.22 * mix(ragged, 1, whole);
-    const double ends = smooth_step(full + 0.15, full + 0.01, t) * smooth_step(1, 0.93, t);
+    const double full =
+        0.84 + 0.11 * mix(ragged, 1, whole) - 0.03 * smooth_step(0.06, 0, from_edge);
+    const double ends = smooth_step(full + 0.075, full, t) * smooth_step(1, 0.95, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
-    return HairPoint{p, shade_of(who, light), edge * hairline * parting * ends, strand_at(u, t),
-                     mix(0.5, 1, smooth_step(0, 0.2, t))};
+    return HairPoint{p, deep * shade_of(who, light), edge * hairline * parting * ends,
+                     strand_at(u, t), mix(0.5, 1, smooth_step(0, 0.2, t))};
   });
 }
 
@@ -200,15 +210,18 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
 void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
   add_sheet(hair, kUnderSheet, [&](double u, double v) {
     const double s = mix(0.96, 0.04, u);  // seen from inside
-    const double t = mix(0.3, 0.95, v);
+    const double t = mix(0.3, 0.975, v);
     const double thick = mix(0.42, 0.25, smooth_step(0.8, 1, t));
     const Vec3 p = sheet.off_head(outer_place(sheet, s, t) - sheet.up(s, t) * thick, 0.04);
     // From the front its edge is seen beside the cheek: dark and straight, it is a slit.
     const double front = std::min(u, 1 - u);
     const double light = 0.16 * smooth_step(0.10, 0.0, front);
     const double ragged = 0.3 * value_noise({s * 60, 0.5, 2.5});
+    // Behind the neck it reaches as far down as the outside: else one looks through below the jaw.
+    const double behind = smooth_step(0.08, 0.22, front);
     const double ends =
-        smooth_step(1, 0.9, v) * smooth_step(0.95, 0.6, v + ragged * smooth_step(0.2, 0.0, front));
+        smooth_step(1, 0.9, v) * smooth_step(mix(0.88, 1.02, behind), mix(0.56, 0.90, behind),
+                                             v + ragged * smooth_step(0.2, 0.0, front));
     return HairPoint{p, shade_of(who, light) * mix(0.9, 1.2, v), ends * smooth_step(0, 0.02, front),
                      s, 0};
   });
@@ -248,6 +261,25 @@ void add_loose(Part& hair, const Identity& who, const Sheet& sheet, std::size_t 
   add_stray(hair, who, number, at, up);
 }
 
+/// A fine hair that leaves the front edge for the face, on both sides in turn.
+void add_edge_wisp(Part& hair, const Identity& who, const Sheet& sheet, std::size_t number) {
+  const auto chance = [&](int of) { return hash(static_cast<int>(number) * 67 + of * 5003); };
+  const double side = number % 2 == 0 ? -1 : 1;
+  const double from_edge = mix(0.004, 0.030, chance(1));
+  const double s = side < 0 ? from_edge : 1 - from_edge;
+  const double begin = mix(0.06, 0.50, (static_cast<double>(number / 2) + chance(2)) * 2 / kWisps);
+  const double length = mix(0.12, 0.26, chance(3));
+  const double strays = mix(0.2, 0.8, chance(4) * chance(4));
+  const auto along = [&](double v) { return begin + length * v; };
+  const auto up = [&](double v) { return sheet.up(s, along(v)); };
+  const auto at = [&](double v) {
+    const double out = strays * std::sin(2.6 * v) + 0.10 * v;
+    const Vec3 p = outer_place(sheet, s, along(v)) + sheet.across(s, along(v)) * (side * out);
+    return p + up(v) * 0.08;
+  };
+  add_wisp(hair, who, mix(0.4, 0.9, chance(5)), at, up);
+}
+
 }  // namespace
 
 Part make_long_hair(const Identity& who) {
@@ -258,6 +290,7 @@ Part make_long_hair(const Identity& who) {
   for (std::size_t i = 0; i < kLocks; ++i)
     add_lock(hair, who, sheet, who.hair.locks[i % who.hair.locks.size()]);
   for (std::size_t i = 0; i < kStrays; ++i) add_loose(hair, who, sheet, i);
+  for (std::size_t i = 0; i < kWisps; ++i) add_edge_wisp(hair, who, sheet, i);
   return hair;
 }
 

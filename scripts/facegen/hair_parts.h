@@ -23,6 +23,7 @@ inline constexpr SheetSize kLock{6, 17};
 inline constexpr std::size_t kLocks = 16;
 inline constexpr SheetSize kStray{2, 9};
 inline constexpr std::size_t kStrays = 28;
+inline constexpr std::size_t kWisps = 30;
 
 struct HairPoint {
   Vec3 place{0};
@@ -41,6 +42,10 @@ void add_sheet(Part& hair, const SheetSize& size,
 /// (0) to tip (1), `up(v)` the direction away from the head.
 void add_stray(Part& hair, const Identity& who, std::size_t number,
                const std::function<Vec3(double)>& at, const std::function<Vec3(double)>& up);
+
+/// Adds a fine hair that lies over skin beside the rest, in the colour `light` (`shade_of`).
+void add_wisp(Part& hair, const Identity& who, double light, const std::function<Vec3(double)>& at,
+              const std::function<Vec3(double)>& up);
 
 /// A mixture of the two colours of the hair; `light`: 0 the dark one, 1 the light one.
 [[nodiscard]] Vec3 shade_of(const Identity& who, double light);

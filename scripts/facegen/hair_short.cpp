@@ -12,9 +12,9 @@ namespace {
 constexpr std::array<Key<double>, 9> kTaper{{{0, 0.8},
                                              {2.4, 1.1},
                                              {3.4, 1.4},
-                                             {5.0, 1.5},
-                                             {5.9, 1.5},
-                                             {6.9, 1.5},
+                                             {5.0, 1.1},
+                                             {5.9, 0.9},
+                                             {6.9, 1.1},
                                              {8.0, 2.0},
                                              {9.2, 2.8},
                                              {12, 3.0}}};
@@ -65,15 +65,16 @@ class Sides {
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.10 + 0.32 * temple + 0.10 * tuft + 0.15 * (1 - grown) +
-                         0.16 * forehead * smooth_step(1.5, 0, from_edge);
+    const double light = 0.02 + 0.15 * temple + 0.05 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.
     const double astray = 0.8 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
-    point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.55 * low);
+    point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.25 * low);
+    // In front the top's own line is the hairline: here strands fork, and would be a notch in it.
+    point.alpha *= 1 - forehead * smooth_step(0.9, 0.3, from_edge);
     point.strand = number(direction, s, t);
-    point.gloss = mix(0.3, 0.6, grown);
+    point.gloss = mix(0.2, 0.6, grown);
     return point;
   }
 
@@ -125,16 +126,16 @@ class Top {
     const double lock = value_noise({u * 15 + 0.9 * v, 2.5 * v, 9.5});
     const double height =
         0.03 + front * (1.18 * thickness(cut_, root) +
-                        (quiff + 0.28 * (tuft - 0.5) + 0.13 * (lock - 0.5)) * sides);
-    const double light = 0.06 + 0.08 * front + 0.10 * tuft;
+                        (quiff + 0.34 * (tuft - 0.5) + 0.26 * (lock - 0.5)) * sides);
+    const double light = 0.02 + 0.03 * front + 0.06 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.26 - 0.75 * value_noise({u * 48, 0.5, 4.5}) -
-                         0.80 * value_noise({u * 13, 0.5, 8.5});
+    const double begin = way + 0.20 - 0.34 * value_noise({u * 48, 0.5, 4.5}) -
+                         0.36 * value_noise({u * 13, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 0.85, ends / 3, u / 0.12, (1 - u) / 0.38}));
+    point.alpha = thinned(std::min({begin / 0.55, ends / 3, u / 0.12, (1 - u) / 0.22}));
     point.gloss = 0.5;
-    point.strand = 0.30 * saturate(u + 0.03 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
+    point.strand = 0.30 * saturate(u + 0.05 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
     return point;
   }
@@ -193,6 +194,26 @@ void add_loose(Part& hair, const Identity& who, const Top& top, std::size_t numb
   add_stray(hair, who, number, at, up);
 }
 
+/// A fine hair of the hairline: it grows out of the forehead before the rest and joins it.
+void add_first(Part& hair, const Identity& who, const Top& top, std::size_t number) {
+  const auto chance = [&](int of) { return hash(static_cast<int>(number) * 67 + of * 5003); };
+  const double u = mix(0.05, 0.95, (static_cast<double>(number) + chance(1)) / kWisps);
+  const double drift = 0.10 * (chance(2) - 0.4);
+  const double begin = -mix(-0.05, 0.12, chance(3) * chance(3));
+  const double length = mix(0.5, 0.9, chance(4));
+  const auto up = [&](double v) {
+    return glm::normalize(top.at(who, u + drift * v, 0.08 * v).place - kInsideHead);
+  };
+  const auto at = [&](double v) {
+    const double way = begin + length * v;
+    const Vec3 from = top.at(who, u + drift * v, 0).place;
+    const Vec3 on = top.at(who, u + drift * v, 0.12).place;
+    const Vec3 ahead = glm::normalize(on - from);
+    return from + ahead * way + up(v) * 0.08;
+  };
+  add_wisp(hair, who, mix(0.1, 0.5, chance(5)), at, up);
+}
+
 }  // namespace
 
 Part make_short_hair(const Identity& who) {
@@ -206,6 +227,7 @@ Part make_short_hair(const Identity& who) {
     add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
   }
   for (std::size_t i = 0; i < kStrays; ++i) add_loose(hair, who, top, i);
+  for (std::size_t i = 0; i < kWisps; ++i) add_first(hair, who, top, i);
   return hair;
 }
 

@@ -45,6 +45,7 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"throat_drop", &Form::throat_drop},
     {"neck_width", &Form::neck_width},
     {"larynx", &Form::larynx},
+    {"collar", &Form::collar},
     {"nose_width", &Form::nose_width},
     {"bridge_width", &Form::bridge_width},
     {"nose_forward", &Form::nose_forward},

@@ -32,6 +32,7 @@ struct Form {
   double throat_drop = 0;     ///< floor of the mouth
   double neck_width = 1;
   double larynx = 0;
+  double collar = 0;  ///< of the shirt: 0 a round band, 1 turned down
   // nose
   double nose_width = 1;    ///< of tip, wings and nostrils
   double bridge_width = 0;  ///< added to the radius of the bridge

@@ -49,8 +49,13 @@ double inner_socket(const Vec3& p) {
 
 /// Deep in the ear little light arrives, and what does is red.
 void paint_ear(Vertex& vertex, const HalfVertex& v) {
-  const double deep = smooth_step(9, 12.5, v.ring);
-  vertex.colour *= mix(Vec3{1}, Vec3{0.62, 0.46, 0.42}, deep);
+  // The shell is deep, and so is the furrow inside the rim from the top down to the lobe.
+  const double shell = smooth_step(6.0, 10.5, v.ring);
+  const double furrow = bell(v.ring - 5.0, 1.3) * smooth_step(14, 10, std::abs(v.spoke - 22.0));
+  const double deep = std::max(shell, 0.55 * furrow);
+  // Thin and full of blood.
+  vertex.colour *= Vec3{1.0, 0.965, 0.95};
+  vertex.colour *= mix(Vec3{1}, Vec3{0.50, 0.37, 0.34}, deep);
   vertex.gloss *= 1 - 0.7 * deep;
 }
 
@@ -147,6 +152,18 @@ double below_jaw(const Vec3& p) {
          smooth_step(0.0, 2.2, p.z) * bell(p.x, 2.6);
 }
 
+/// Beside the ropes that run from behind the ears to the pit of the throat the neck falls back.
+double beside_rope(const Identity& who, const Vec3& p) {
+  if (p.z < 0 || p.y > -5.5) return 0;
+  const double wide = who.form.neck_width;
+  const double down = saturate((p.y + 0.6) / -10.2);
+  const double inwards = p.x - mix(2.75, 0.95, down) * wide;
+  const double pit = bell(Vec3{p.x / (0.55 * wide), (p.y + 9.8) / 1.1, 0});
+  return std::max(smooth_step(-5.5, -7.2, p.y) * (0.9 * bell(inwards + 0.85 * wide, 0.42 * wide) +
+                                                  0.7 * bell(inwards - 0.95 * wide, 0.5 * wide)),
+                  pit);
+}
+
 /// The side of the nose from the inner corner of the eye to the wing, which turns away from every
 /// light: without it bridge and wings are one form with the cheeks from the front. Faint along the
 /// bridge, which more would make a column.
@@ -213,6 +230,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
     c *= Vec3{1} - Vec3{0.36, 0.44, 0.46} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
+    c *= Vec3{1} - Vec3{0.15, 0.20, 0.21} * beside_rope(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
@@ -274,7 +292,7 @@ void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
   // Short hair takes less of the light, and what falls through it is not reddened.
   const bool cropped = who.hair.guides.empty();
   const double strength = cropped ? 0.6 : 1;
-  const Vec3 under = cropped ? Vec3{0.78, 0.72, 0.73} : kUnderHair;
+  const Vec3 under = cropped ? Vec3{0.72, 0.72, 0.74} : kUnderHair;
   for (Vertex& vertex : skin.part.vertices) {
     double near = 0;
     for (const Piece& piece : pieces) {

@@ -94,9 +94,9 @@ double neck(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
   const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
   const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
-  const double rope = round_cone(p, behind_ear, pit, 0.78 * wide, 0.52 * wide);
+  const double rope = round_cone(p, behind_ear, pit, 0.80 * wide, 0.58 * wide);
   const Vec3 larynx{0, -6.8, 3.75 * wide - 1.15};
-  return melt(melt(neck_column(form, p), rope, 0.36),
+  return melt(melt(neck_column(form, p), rope, 0.26),
               ellipsoid(p - larynx, Vec3{0.55, 1.1, 0.5} + form.larynx), 0.9);
 }
 
@@ -265,9 +265,12 @@ double head_distance(const Identity& who, const Vec3& p) {
 double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
   const double collar = neck_column(form, q) - 0.22;
-  double body = round_cone(q, {2.4, -12.5, -1.5}, {8.5, -13.9, -1.7}, 2.5, 2.2);
-  body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {7.5, 5.2, 4.4}), 2.0);
-  return melt(collar, body, 2.2);
+  const double wide = form.neck_width;
+  double body = round_cone(q, {2.4, -12.0, -1.5}, {9.2 + 2.5 * wide, -13.3, -1.9}, 2.6, 2.3);
+  // The slope from neck to shoulder.
+  body = melt(body, round_cone(q, {1.5, -9.0, -2.4}, {8.5, -12.0, -2.2}, 1.1, 1.4), 1.6);
+  body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {9.5, 5.2, 4.4}), 2.0);
+  return melt(collar, body, 1.4);
 }
 
 Distance head_of(const Identity& who) {
