@@ -23,14 +23,14 @@ struct Arch {
 constexpr Arch kUpperArch{1,
                           2.05,
                           3.06,
-                          -1.63,
+                          -1.58,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
                           {.96, .86, .875, .76, .65, .55, .47}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
-                          -3.30,
+                          -3.27,
                           0.12,
                           {.41, .44, .49, .49, .49, .70, .64},
                           {.62, .63, .65, .63, .60, .54, .51}};
@@ -229,14 +229,14 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(Vec3{0.22, 0.165, 0.14}, Vec3{1}, light) *
+    vertex.colour *= mix(Vec3{0.25, 0.155, 0.12}, Vec3{1}, light) *
                      (arch.up > 0 ? mix(0.52, 1.25, smooth_step(0.34, 0.90, from_gum))
                                   : mix(0.90, 1.26, smooth_step(0.10, 0.90, from_gum)));
     // The lower row lies in the shade of the upper one, where no rim light gets.
     if (arch.up < 0) {
       // Its end seen past the tongue would be a grey block, and its far side a black one.
       const double far = std::max(smooth_step(7.3, 6.2, vertex.position.z),
-                                  smooth_step(0.65, 1.40, std::abs(vertex.position.x)));
+                                  smooth_step(0.45, 1.10, std::abs(vertex.position.x)));
       vertex.colour = mix(vertex.colour * kLightOnLowerTeeth, kMouthBack * 0.7, far);
       vertex.occlusion = mix(std::max(vertex.occlusion * 0.5, 0.3), 0.2, far);
     }

@@ -94,11 +94,12 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
   const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner) *
-                          (1 - 0.8 * smooth_step(0.76, 1.0, to_corner));
+                          (1 - 0.68 * smooth_step(0.80, 1.0, to_corner));
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
+  // The line between the lips fades out before their corners, or it is drawn with a pen.
   if (v.ring >= kLipContactRing - 1)
-    c = mix(c, kLipInside, 0.8 - 0.25 * smooth_step(0.75, 1.0, to_corner));
+    c = mix(c, kLipInside, 0.8 - 0.55 * smooth_step(0.70, 1.0, to_corner));
   if (v.ring > kLipContactRing) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
@@ -109,8 +110,8 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   }
   vertex.colour = c;
   // The lower lip is the fuller one and catches most light in its middle.
-  const double full = v.spoke > kMouthCornerSpoke ? 0.9 * bell(v.position.x, 0.9) : 0.0;
-  vertex.gloss = (border ? 1.0 : 1.8 + full) * (1 - 0.6 * smooth_step(0.75, 1.0, to_corner));
+  const double full = (v.spoke > kMouthCornerSpoke ? 1.7 : 0.5) * bell(v.position.x, 0.9);
+  vertex.gloss = (border ? 1.0 : 2.0 + full) * (1 - 0.6 * smooth_step(0.75, 1.0, to_corner));
 }
 
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
@@ -263,7 +264,14 @@ void lighten_sockets(Skin& skin) {
 void shade_inner_lips(Skin& skin) {
   for (std::size_t i = 0; i < skin.part.vertices.size(); ++i) {
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
-    if (v.patch != Patch::Mouth || v.ring <= kLipContactRing) continue;
+    if (v.patch != Patch::Mouth) continue;
+    if (v.ring <= kLipContactRing) {
+      // The groove between the lips ends softly.
+      double& occlusion = skin.part.vertices[i].occlusion;
+      const double to_end = smooth_step(0.75, 1.0, v.position.x / kMouthCorner);
+      if (v.ring >= kLipBorderRing) occlusion = mix(occlusion, 1.0, 0.45 * to_end);
+      continue;
+    }
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
     const double to_corner = saturate(v.position.x / kMouthCorner);

@@ -117,11 +117,15 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   // The corner goes down by more than half of the way: with a third of it the opening is a bowl
   // below a flat upper lip.
   constexpr double kCorner = 0.53;
-  const double jaw = mix(upper ? 0.0 : 1.0, kCorner, towards_corner(to_corner));
+  // The border of the upper lip follows later than its edge: the red goes round the opening as a
+  // ring, where tapering it would be a tent.
+  const double outside = upper ? smooth_step(kLipContactRing, kLipBorderRing, v.ring) : 0.0;
+  const double late = 0.55 * outside * smooth_step(0.95, 0.60, to_corner);
+  const double jaw = mix(upper ? 0.0 : 1.0, kCorner, power(towards_corner(to_corner), 1 + late));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   // Near the corner the lower lip stays with the upper one.
-  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], smooth_step(12.7, 16.4, v.spoke), blend);
+  vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], smooth_step(12.5, 15.4, v.spoke), blend);
   // The levators lift the ends of the lip less than the rest, or it opens as a box, and the middle,
   // which the septum holds, less than beside it, or it becomes a beak.
   const double from_middle = upper ? v.spoke : 24 - v.spoke;
