@@ -275,7 +275,10 @@ void shade_inner_lips(Skin& skin) {
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
                            static_cast<double>(kLipLastRing - kLipContactRing);
     const double to_corner = saturate(v.position.x / kMouthCorner);
-    skin.part.vertices[i].occlusion *= mix(0.75, 0.40, inwards) * (1 - 0.3 * to_corner);
+    // In their very ends the lips are red as far as they are seen: black, they are drawn points.
+    const double end = smooth_step(0.80, 0.97, to_corner) * (1 - inwards);
+    skin.part.vertices[i].occlusion *=
+        mix(0.75, 0.40, inwards) * (1 - 0.3 * to_corner) * (1 + 1.3 * end);
     skin.part.vertices[i].gloss *= 0.3;
   }
 }
