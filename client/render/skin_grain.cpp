@@ -74,12 +74,15 @@ Texels texels() {
       const auto at = static_cast<std::size_t>(y * kGrainSide + x);
       const float blotch =
           0.45F * (noise(x, y, 16, 11) - 0.5F) + 0.35F * (noise(x, y, 8, 977) - 0.5F);
+      // Wider than a cheek is lit evenly: without it skin is one paint, and its shine wax.
+      const float patch =
+          0.34F * (noise(x, y, 64, 71) - 0.5F) + 0.42F * (noise(x, y, 32, 613) - 0.5F);
       const float fine = 0.35F * (noise(x, y, 2, 5003) - 0.5F);
       const auto byte = [](float v) {
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(0.5F + v, 0.0F, 1.0F)));
       };
-      all[at] = {byte(blotch + fine - 0.35F * pores[at] + 0.05F),
-                 byte(0.5F * blotch + 2 * fine - 0.8F * pores[at] + 0.12F),
+      all[at] = {byte(blotch + patch + fine - 0.35F * pores[at] + 0.05F),
+                 byte(0.5F * blotch + 0.8F * patch + 1.4F * fine - 0.8F * pores[at] + 0.12F),
                  byte(height(x - 1, y) - height(x + 1, y)),
                  byte(height(x, y - 1) - height(x, y + 1))};
     }

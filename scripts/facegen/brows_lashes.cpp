@@ -304,7 +304,7 @@ Vec3 hair_direction(const BrowPlace& place, double t, double s, double astray) {
 }
 
 void add_brow_hairs(Part& brow, const Identity& who, int side) {
-  constexpr int kHairs = 130;
+  constexpr int kHairs = 190;
   for (int i = 0; i < kHairs; ++i) {
     const auto chance = [&](int of) { return hash(i * 97 + of * 7919); };
     // Both sides stand alike and are not equally dark: no face is its own mirror image.
@@ -318,8 +318,8 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     const Vec3 root = place.spine + place.across * (half_width * s);
     const Vec3 direction = hair_direction(place, t, s, chance(3));
     const Vec3 aside{-direction.y, direction.x, 0};
-    const double length = (0.28 + 0.58 * half_width) * (0.75 + 0.5 * chance(4)) *
-                          mix(0.55, 1.0, smooth_step(0.0, 0.35, t)) *
+    const double length = (0.25 + 0.46 * half_width) * (0.75 + 0.5 * chance(4)) *
+                          mix(0.50, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
     // As dark at the edges as in the middle, they are a comb.
     const double alpha = mix(0.30, 0.70, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5)) *

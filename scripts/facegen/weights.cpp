@@ -98,10 +98,12 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
   // Both margins meet 30 % above where the lower one rests, half-way near the corners, which else
   // would fold, and press by a trace.
-  const double meet = mix(0.5, 0.70, std::min(1.0, 1.2 * middle));
+  const double meet = mix(0.5, 0.78, std::min(1.0, 1.2 * middle));
   const double press = std::min(1.0, 5 * middle) * (upper ? -0.028 : 0.004);
   const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
-  vertex[Map::LidAngle] = share * (own - target);
+  // What lies above the fold stays, so that the lid unrolls from under it.
+  const double turning = upper ? 1 - smooth_step(0.02, 0.42, from_margin) : share;
+  vertex[Map::LidAngle] = turning * (own - target);
 }
 
 /// From 0 in the middle of a lip to 1 in the corner of the mouth, along an ellipse, so that the jaw

@@ -147,7 +147,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
 }
 
 #ifdef SURFACE
-const float kRelief = 0.42;  // how far pores tilt what has grain
+const float kRelief = 0.38;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
@@ -227,7 +227,7 @@ void main() {
   float broad = exp(u_power * (aligned - 1.0));
   float narrow = broad * broad * broad * broad;
   float shone = arriving * u_key_strength;
-  float specular = (0.52 * broad + 0.68 * narrow) * shone * v_shine.y + v_shine.z;
+  float specular = (0.56 * broad + 0.44 * narrow) * shone * v_shine.y + v_shine.z;
 #endif
 
   float facing = 1.0 - max(dot(normal, view), 0.0);
