@@ -28,8 +28,18 @@ Vec3 eye_colour(const Identity& who, double radius, int sector, double angle, do
   // Faint: all of it comes into view when the eye looks aside.
   const double corner = smooth_step(0.52, 1.02, radius);
   Vec3 c = mix(kSclera, kScleraCorner, 0.85 * corner);
-  c = mix(c, kCaruncle, 0.45 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
-  return radius < kIrisRadius + 0.09 ? mix(kLimbus, c, 0.50) : c;
+  // Fine vessels, which the middle hardly has.
+  const double vessel = power(hash(sector / 2 * 41 + 5), 3.0) * (0.4 + 0.6 * hash(sector * 17 + 2));
+  c *= Vec3{1} - Vec3{0.04, 0.22, 0.24} * (vessel * smooth_step(0.60, 0.95, radius));
+  c = mix(c, kCaruncle, 0.55 * smooth_step(0.90, 1.20, radius) * smooth_step(0.6, 0.9, nasal));
+  if (radius > kIrisRadius + 0.11) return c;
+  return mix(kLimbus, c, mix(0.40, 0.62, hash(sector / 4 * 23 + 11)));
+}
+
+/// How far the edge of the iris is from a circle, share of its radius: drawn with compasses, it is
+/// a doll's.
+double uneven(double angle, int side) {
+  return 0.014 * std::sin(3 * angle + 0.7 * side) + 0.011 * std::sin(5 * angle + 2.1 + side);
 }
 
 }  // namespace
@@ -42,8 +52,8 @@ Part make_eye(const Identity& who, int side) {
                                           0.305,
                                           0.36,
                                           0.42,
-                                          kIrisRadius - 0.01,
-                                          kIrisRadius + 0.080,
+                                          kIrisRadius - 0.015,
+                                          kIrisRadius + 0.100,
                                           0.66,
                                           0.76,
                                           0.86,
@@ -62,9 +72,12 @@ Part make_eye(const Identity& who, int side) {
   std::vector<std::uint32_t> inner;
   const auto add_ring = [&](double radius, double z) {
     std::vector<std::uint32_t> ring;
+    const double at_iris = bell(radius - kIrisRadius, 0.10);
     for (int i = 0; i < kEyeSectors; ++i) {
       const double angle = 2 * kPi * i / kEyeSectors;
-      ring.push_back(eye.add(place({radius * std::cos(angle), radius * std::sin(angle), z}),
+      const double r = radius * (1 + at_iris * uneven(angle, side));
+      const double forward = z > 0 ? std::sqrt(kEyeRadius * kEyeRadius - r * r) : z;
+      ring.push_back(eye.add(place({r * std::cos(angle), r * std::sin(angle), forward}),
                              eye_colour(who, radius, i, angle, -side * std::cos(angle))));
     }
     if (inner.empty()) {

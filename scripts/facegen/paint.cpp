@@ -67,14 +67,14 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   if (v.ring >= kLidMarginRing)
     c = mix(c, who.colours.lid_rim, v.ring == kLidMarginRing ? 0.55 : 0.35);
   if (v.ring > kLidInnerRing) c = kLidInside;
+  const double from_corner = v.position.x - (eye_centre(who.form).x + kInnerCanthus);
   if (v.ring >= kLidMarginRing) {
-    const double from_corner = v.position.x - (eye_centre(who.form).x + kInnerCanthus);
     c = mix(c, kCaruncle, 0.8 * smooth_step(0.45, 0.05, from_corner));
   }
   vertex.colour = c;
-  // The edge of the lower lid is moist.
+  // The edge of the lower lid is moist; in the corner it would be a spark on a shut eye.
   const bool edge = v.ring == kLidMarginRing || v.ring == kLidInnerRing;
-  vertex.gloss = edge && !upper ? 3.0 : 1.2;
+  vertex.gloss = edge && !upper ? mix(0.4, 3.0, smooth_step(0.2, 0.6, from_corner)) : 1.2;
 }
 
 /// The corner of the mouth lies in a small shade of its own, where the lips close and the cheek

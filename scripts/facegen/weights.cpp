@@ -96,9 +96,9 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   }
   const double own = elevation[static_cast<std::size_t>(v.spoke)];
   const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
-  // Both margins meet 30 % above where the lower one rests, half-way near the corners, which else
-  // would fold, and press by a trace.
-  const double meet = mix(0.5, 0.78, std::min(1.0, 1.2 * middle));
+  // Both margins meet a fifth of the way above where the lower one rests, half-way near the
+  // corners, which else would fold, and press by a trace.
+  const double meet = mix(0.5, 0.78, smooth_step(0.1, 0.95, middle));
   const double press = std::min(1.0, 5 * middle) * (upper ? -0.028 : 0.004);
   const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
   // What lies above the fold stays, so that the lid unrolls from under it.
