@@ -196,6 +196,9 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"said.device_lost", "the sound device plays no more"},
     {"said.picture", "picture saved: {file}"},
     {"said.video", "video saved: {file}"},
+    {"said.video_slow",
+     "video saved: {file}; ffmpeg was too slow for {pictures} of its pictures, which repeat the "
+     "one before"},
     {"said.video_before", "the previous video is still being completed"},
     {"said.au_saved",
      "AU{number} saved in {file}, in your copy of the face, which the window now starts with"},

@@ -1,5 +1,10 @@
 #include "client/app/window/recording/session_video.h"
 
+#include <cstddef>
+#include <utility>
+
+#include "client/view/video_encoder.h"
+
 namespace aucast::app {
 
 std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written) {
@@ -14,30 +19,36 @@ Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::
   if (!encoder) return encoder.error();
   auto sound = VideoSound::open(file, begin);
   if (!sound) return sound.error();
+  auto feed = VideoFeed::start(
+      std::move(*encoder), static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  if (!feed) return feed.error();
   std::unique_ptr<SessionVideo> video(new SessionVideo(begin));
   video->width_ = width;
   video->height_ = height;
-  video->encoder_ = std::move(*encoder);
+  video->feed_ = std::move(*feed);
   video->sound_ = std::move(*sound);
   return video;
 }
 
-bool SessionVideo::due(Instant now) {
-  return pictures_due(time_.place_of(now), kFps, written_) > 0;
+bool SessionVideo::wants_picture(Instant now) {
+  const std::uint64_t missing = pictures_due(time_.place_of(now), kFps, written_);
+  if (missing == 0 || !feed_->repeat_newest(missing)) return missing > 0;
+  written_ += missing;
+  repeated_ += missing;
+  return false;
 }
 
-Result<void> SessionVideo::show(const view::Image& picture, Instant now) {
-  for (std::uint64_t left = pictures_due(time_.place_of(now), kFps, written_); left > 0; --left) {
-    if (auto added = encoder_->add(picture); !added) return added;
-    ++written_;
-  }
-  return {};
+Result<void> SessionVideo::show(view::Image picture, Instant now) {
+  const std::uint64_t missing = pictures_due(time_.place_of(now), kFps, written_);
+  if (missing == 0) return {};
+  written_ += missing;
+  return feed_->add(std::move(picture), missing);
 }
 
 Result<void> SessionVideo::finish() {
   const auto sound = sound_->file();
   if (!sound) return sound.error();
-  return encoder_->finish(*sound);
+  return feed_->finish(*sound);
 }
 
 }  // namespace aucast::app

@@ -5,10 +5,10 @@
 #include <memory>
 #include <span>
 
+#include "client/app/window/recording/video_feed.h"
 #include "client/app/window/recording/video_sound.h"
 #include "client/app/window/recording/video_time.h"
 #include "client/view/image.h"
-#include "client/view/video_encoder.h"
 #include "common/result.h"
 #include "common/time.h"
 
@@ -29,11 +29,14 @@ class SessionVideo {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// Whether the video lacks a picture at `now`.
-  [[nodiscard]] bool due(Instant now);
+  /// Whether the video lacks a picture at `now`. If the encoder is too slow, so that none may wait
+  /// for it, the newest one that waits is repeated instead.
+  [[nodiscard]] bool wants_picture(Instant now);
   /// Adds the picture once for each one that is missing at `now`; after a stall, for at most
-  /// VideoTime::kGapMax. Does nothing if no picture is due().
-  [[nodiscard]] Result<void> show(const view::Image& picture, Instant now);
+  /// VideoTime::kGapMax. Never waits for the encoder. Does nothing if no picture is missing.
+  [[nodiscard]] Result<void> show(view::Image picture, Instant now);
+  /// How many pictures only repeat the one before because the encoder was too slow.
+  [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
   /// See VideoSound::add().
   void hear(Instant heard_at, std::span<const float> samples) {
     sound_->add(begin_ + time_.place_of(heard_at), samples);
@@ -49,7 +52,8 @@ class SessionVideo {
   Instant begin_;
   VideoTime time_;
   std::uint64_t written_ = 0;
-  std::unique_ptr<view::VideoEncoder> encoder_;
+  std::uint64_t repeated_ = 0;
+  std::unique_ptr<VideoFeed> feed_;
   std::unique_ptr<VideoSound> sound_;
 };
 

@@ -25,15 +25,16 @@ Result<void> VideoRecorder::begin(int width, int height, Instant now) {
 }
 
 Result<void> VideoRecorder::record(const Picture& picture, Instant now) {
-  if (!running() || !video_->due(now)) return {};
-  const auto image = picture(video_->width(), video_->height());
-  const auto shown = image ? video_->show(*image, now) : Result<void>(image.error());
+  if (!running() || !video_->wants_picture(now)) return {};
+  auto image = picture(video_->width(), video_->height());
+  const auto shown = image ? video_->show(std::move(*image), now) : Result<void>(image.error());
   if (!shown) let_go();
   return shown;
 }
 
 Result<std::string> VideoRecorder::end() {
   const std::shared_ptr<SessionVideo> video = let_go();
+  repeated_ = video->repeated();
   const auto complete = [video]() -> Result<std::string> {
     if (auto finished = video->finish(); !finished) return finished.error();
     return std::string();
@@ -53,7 +54,9 @@ std::optional<Result<std::string>> VideoRecorder::ended() {
 }
 
 Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) const {
-  return outcome ? gui::tr("said.video", file_.string()) : outcome;
+  if (!outcome) return outcome;
+  if (repeated_ == 0) return gui::tr("said.video", file_.string());
+  return gui::tr("said.video_slow", file_.string(), repeated_);
 }
 
 std::unique_ptr<SessionVideo> VideoRecorder::let_go() {

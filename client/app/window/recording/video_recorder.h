@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -58,6 +59,7 @@ class VideoRecorder {
   Hooks hooks_;
   std::filesystem::path file_;  ///< the file of the running or, if none runs, the last video
   std::unique_ptr<SessionVideo> video_;
+  std::uint64_t repeated_ = 0;  ///< SessionVideo::repeated() of the last video
   BackgroundWork work_;
 };
 

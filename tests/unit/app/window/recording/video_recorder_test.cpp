@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,45 @@ TEST_F(VideoRecorderTest, AStalledProgramDoesNotMakeUpForAllThatItMissed) {
   recorder.wait();
   constexpr std::uintmax_t kPictures = 1 + VideoTime::kGapMax / Milliseconds(40);
   EXPECT_EQ(std::filesystem::file_size(raw), kPictures * 64 * 64 * 4);
+}
+
+TEST_F(VideoRecorderTest, ASlowFfmpegDoesNotHoldTheWindowUp) {
+  const std::string may_read = (folder_.path() / "may_read").string();
+  const std::filesystem::path bytes = folder_.path() / "bytes";
+  const test::FakeFfmpeg slow("until [ -e '" + may_read + "' ]; do sleep 0.01; done; wc -c > '" +
+                              bytes.string() + "'");
+  VideoRecorder recorder(hooks());
+  constexpr int kSide = 512;  // so that few pictures fit into the pipe
+  ASSERT_TRUE(recorder.begin(kSide, kSide, clock_.now()));
+  constexpr int kFrames = 100;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    ASSERT_TRUE(record(recorder)) << "and it does not block";
+    clock_.advance(Milliseconds(40));
+  }
+  EXPECT_LT(pictures_, 20) << "only a few wait";
+  ASSERT_TRUE(recorder.end());
+  folder_.write("may_read", "");
+  recorder.wait();
+  const auto ended = *recorder.ended();
+  ASSERT_TRUE(ended) << ended.error().message;
+  const std::string repeated = " " + std::to_string(kFrames - pictures_) + " of its pictures";
+  EXPECT_NE(ended->find(repeated), std::string::npos) << *ended;
+  EXPECT_EQ(std::stoi(folder_.read("bytes")), kFrames * kSide * kSide * 4)
+      << "the video is as long as the time it shows";
+}
+
+TEST_F(VideoRecorderTest, AFailingFfmpegEndsTheVideo) {
+  const test::FakeFfmpeg failing("echo 'no room' >&2; exit 9");
+  VideoRecorder recorder(hooks());
+  ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
+  Result<void> recorded;
+  while (recorded) {
+    recorded = record(recorder);
+    clock_.advance(Milliseconds(40));
+  }
+  EXPECT_NE(recorded.error().message.find("no room"), std::string::npos);
+  EXPECT_FALSE(recorder.running());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing is left behind";
 }
 
 TEST_F(VideoRecorderTest, AVideoIsCompletedWhileTheWindowGoesOn) {
