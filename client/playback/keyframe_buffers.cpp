@@ -51,7 +51,7 @@ KeyframeBuffers::Stored KeyframeBuffers::store(const Keyframe& keyframe) {
   // Case D compares before it stores, as figure 5.13 does; a threshold of the whole receiver is
   // therefore reached by case B.
   const bool start = !full && !playing && (ended_ || receiver_fill() >= threshold_of(options_));
-  keyframes_.push_back(keyframe);  // all but case A
+  append(keyframe);  // all but case A
   if (options_.by_time ? !playing && (!starved_ || enough()) : start) fill_playout();
   return Stored::Yes;
 }
@@ -67,7 +67,7 @@ bool KeyframeBuffers::enough() const {
 }
 
 void KeyframeBuffers::store_live(const Keyframe& keyframe) {
-  keyframes_.push_back(keyframe);
+  append(keyframe);
   drop_oldest();
   // A full receiver takes nothing more, so that waiting on would never end.
   if (starved_ && room() > 0 && !enough()) return;
@@ -77,7 +77,7 @@ void KeyframeBuffers::store_live(const Keyframe& keyframe) {
 void KeyframeBuffers::drop_oldest() {
   // The receiver's oldest follows into the Playout buffer: one is lost, whatever that holds.
   const auto drop_one = [this] {
-    keyframes_.pop_front();
+    remove_first();
     playout_ = std::min(playout_, keyframes_.size());
     ++dropped_;
   };
@@ -100,9 +100,7 @@ Milliseconds KeyframeBuffers::time_of(const Keyframe& keyframe) const {
 }
 
 Milliseconds KeyframeBuffers::buffered() const {
-  Milliseconds sum{0};
-  for (const Keyframe& keyframe : keyframes_) sum += time_of(keyframe);
-  return sum;
+  return timed_ + live_.value_or(untimed_) * untimed_count_;
 }
 
 std::size_t KeyframeBuffers::room() const {
@@ -156,8 +154,26 @@ void KeyframeBuffers::fill_playout() {
 }
 
 void KeyframeBuffers::pop_front() {
-  keyframes_.pop_front();
+  remove_first();
   if (playout_ > 0) --playout_;
+}
+
+void KeyframeBuffers::append(const Keyframe& keyframe) {
+  keyframes_.push_back(keyframe);
+  count(keyframe, 1);
+}
+
+void KeyframeBuffers::remove_first() {
+  count(keyframes_.front(), -1);
+  keyframes_.pop_front();
+}
+
+void KeyframeBuffers::count(const Keyframe& keyframe, int by) {
+  if (keyframe.time) {
+    timed_ += *keyframe.time * by;
+  } else {
+    untimed_count_ += by;
+  }
 }
 
 }  // namespace aucast::playback

@@ -124,12 +124,17 @@ class KeyframeBuffers {
   [[nodiscard]] bool enough() const;
   void fill_playout();
   void pop_front();
+  void append(const Keyframe& keyframe);
+  void remove_first();
+  void count(const Keyframe& keyframe, int by);
 
   BufferOptions options_;
   /// Both buffers in one, so that a keyframe passes from one to the other without being moved.
   std::deque<Keyframe> keyframes_;
   std::size_t playout_ = 0;  ///< how many, from the front, are the Playout buffer's; the rest are
                              ///< the receiver's
+  Milliseconds timed_{0};    ///< the sum of the times of those that have their own
+  std::int64_t untimed_count_ = 0;  ///< how many have none
   bool ended_ = false;
   std::optional<Milliseconds> live_;  ///< the time of an untimed keyframe; nullopt: recorded
   Milliseconds untimed_{250};         ///< the same for recorded streams

@@ -1,5 +1,7 @@
 // The two buffers while the stream is live.
 
+#include <deque>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -174,6 +176,35 @@ TEST_F(LiveBuffers, NeverPlayFasterThanFivePercent) {
     EXPECT_GE(taken->pace_percent, 95);
     EXPECT_LE(taken->pace_percent, 105);
   }
+}
+
+TEST_F(LiveBuffers, TellHowMuchTheyHoldWhateverHappens) {
+  Seeded seeded;
+  SCOPED_TRACE(seeded.trace());
+  BufferOptions options;
+  options.receiver_capacity = 50;
+  buffers_ = KeyframeBuffers(options);
+  std::deque<std::optional<Milliseconds>> held;
+  int stored = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Milliseconds untimed(seeded.integer(1, 500));
+    buffers_.set_live(untimed);
+    if (seeded.chance(0.1)) {  // for a moment it is a recorded one
+      untimed = Milliseconds(seeded.integer(1, 500));
+      buffers_.set_live(std::nullopt);
+      buffers_.set_untimed(untimed);
+    } else if (seeded.chance(0.55)) {
+      held.push_back(std::nullopt);
+      if (seeded.chance(0.7)) held.back() = Milliseconds(seeded.integer(0, 500));
+      store(++stored, held.back());
+    }
+    if (seeded.chance(0.4) && buffers_.take()) held.pop_front();
+    while (held.size() > buffers_.receiver_fill() + buffers_.playout_fill()) held.pop_front();
+    Milliseconds sum{0};
+    for (const auto& time : held) sum += time.value_or(untimed);
+    ASSERT_EQ(buffers_.buffered(), sum) << i;
+  }
+  EXPECT_GT(buffers_.dropped(), 0U);
 }
 
 TEST(TimedBuffers, BeginByTimeAndWaitLongerAfterEachStall) {
