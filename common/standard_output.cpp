@@ -18,4 +18,9 @@ Result<void> print_now(std::string_view text) {
   return Error{ErrorKind::Failed, std::move(sentence)};
 }
 
+std::optional<std::string> read_output_path(const std::string& word, std::filesystem::path& out) {
+  out = word == "-" ? "/dev/stdout" : word;
+  return std::nullopt;
+}
+
 }  // namespace aucast

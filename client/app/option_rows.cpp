@@ -8,6 +8,7 @@
 #include "client/playback/playback_controller.h"
 #include "client/view/video_encoder.h"
 #include "common/number_of.h"
+#include "common/standard_output.h"
 #include "common/text.h"
 
 namespace aucast::app {
@@ -281,9 +282,9 @@ std::vector<OptionRow> video_rows(PlayerOptions& options) {
                "--frames, --record, --sheet and --sound.",
        .value = flag(output.fast)},
       {.option = {"stats", "FILE.json"},
-       .text = "write statistics at exit",
-       .more = "Writes statistics of buffers, delays and frames at exit.",
-       .value = word(output.stats)},
+       .text = "write statistics at exit; - for stdout",
+       .more = "Writes statistics of buffers, delays and frames at exit, with - to stdout.",
+       .value = parsed(Kind::Word, read_output_path, output.stats)},
       {.option = {"onsets", "FILE.csv"},
        .text = "write the times at which the face changed",
        .more = "Writes a row for each picture in which the face had moved: when the picture was on "

@@ -160,6 +160,11 @@ TEST(PlayerOptions, ReadEverythingAViewerMaySay) {
   EXPECT_EQ(options.playback.blink, playback::BlinkOptions{7});
 }
 
+TEST(PlayerOptions, StatisticsGoToStandardOutputWithAHyphen) {
+  EXPECT_EQ(accepted({"h", "--stats", "-"}).output.stats, "/dev/stdout");
+  EXPECT_EQ(accepted({"h", "--stats", "./-"}).output.stats, "./-");
+}
+
 TEST(PlayerOptions, IdleLifeBlinksWithItsOwnSeedUnlessToldOtherwise) {
   EXPECT_FALSE(accepted({"play", "x.txt"}).playback.idle_seed.has_value());
   const PlayerOptions idle = accepted({"play", "x.txt", "--idle", "5"});
