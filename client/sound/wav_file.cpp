@@ -39,21 +39,15 @@ std::string header(std::size_t samples) {
 
 }  // namespace
 
-WavFile::WavFile(std::filesystem::path path, std::filesystem::path temporary)
+WavFile::WavFile(std::filesystem::path path, TemporaryFile temporary)
     : path_(std::move(path)),
       temporary_(std::move(temporary)),
-      file_(temporary_, std::ios::binary | std::ios::trunc) {
+      file_(temporary_.path(), std::ios::binary | std::ios::trunc) {
   file_ << header(0);
 }
 
-WavFile::~WavFile() {
-  if (temporary_.empty()) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
-}
-
 Result<std::unique_ptr<WavFile>> WavFile::open(const std::filesystem::path& path) {
-  auto temporary = create_temporary_beside(path);
+  auto temporary = TemporaryFile::beside(path);
   if (!temporary) return temporary.error();
   return std::unique_ptr<WavFile>(new WavFile(path, std::move(*temporary)));
 }
@@ -82,7 +76,7 @@ Result<void> WavFile::flush() {
 Result<void> WavFile::finish() {
   if (auto flushed = flush(); !flushed) return flushed;
   file_.close();
-  return replace_file(std::exchange(temporary_, {}), path_);
+  return temporary_.replace(path_);
 }
 
 }  // namespace aucast::sound

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "common/result.h"
+#include "common/temporary_file.h"
 
 namespace aucast::sound {
 
@@ -21,7 +22,6 @@ class WavFile {
 
   /// Fails if the file cannot be written there.
   [[nodiscard]] static Result<std::unique_ptr<WavFile>> open(const std::filesystem::path& path);
-  ~WavFile();
   WavFile(const WavFile&) = delete;
   WavFile& operator=(const WavFile&) = delete;
 
@@ -31,14 +31,14 @@ class WavFile {
   [[nodiscard]] std::size_t samples() const { return samples_; }
   /// Writes all samples so far to the file, which has the name temporary() until finish().
   [[nodiscard]] Result<void> flush();
-  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
+  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_.path(); }
   [[nodiscard]] Result<void> finish();
 
  private:
-  WavFile(std::filesystem::path path, std::filesystem::path temporary);
+  WavFile(std::filesystem::path path, TemporaryFile temporary);
 
   std::filesystem::path path_;
-  std::filesystem::path temporary_;  ///< empty: finished
+  TemporaryFile temporary_;
   std::ofstream file_;
   std::size_t samples_ = 0;
 };

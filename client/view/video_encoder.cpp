@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "common/check.h"
 #include "common/child.h"
-#include "common/files.h"
+#include "common/temporary_file.h"
 #include "common/text.h"
 
 namespace aucast::view {
@@ -57,6 +56,18 @@ std::vector<std::string> format_arguments(Format format, int fps) {
   return arguments;
 }
 
+/// What ffmpeg calls a file. Without "file:" a name with a colon would be a network address.
+std::string name_of(const std::filesystem::path& file) {
+  return "file:" + file.string();
+}
+
+/// The file to write, the same bytes each time. `flags`: the option with the flags of what is
+/// encoded.
+void add_output(const std::string& flags, const std::filesystem::path& file,
+                std::vector<std::string>& arguments) {
+  arguments.insert(arguments.end(), {"-fflags", "+bitexact", flags, "+bitexact", name_of(file)});
+}
+
 std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, int fps,
                                           const std::filesystem::path& file) {
   // Without -xerror, ffmpeg reports success even if the disk is full at the end.
@@ -72,12 +83,7 @@ std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, 
       "-an",          "-xerror"};
   for (std::string& argument : format_arguments(format, fps))
     arguments.push_back(std::move(argument));
-  // "file:" keeps a name with a colon from being taken for a network address.
-  for (const std::string& argument :
-       {std::string("-fflags"), std::string("+bitexact"), std::string("-flags:v"),
-        std::string("+bitexact"), "file:" + file.string()}) {
-    arguments.push_back(argument);
-  }
+  add_output("-flags:v", file, arguments);
   return arguments;
 }
 
@@ -85,14 +91,10 @@ std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, 
 std::vector<std::string> muxing_arguments(Format format, const std::filesystem::path& pictures,
                                           const std::filesystem::path& sound,
                                           const std::filesystem::path& file) {
-  std::vector<std::string> arguments{"ffmpeg",       "-nostdin",
-                                     "-hide_banner", "-loglevel",
-                                     "error",        "-y",
-                                     "-i",           "file:" + pictures.string(),
-                                     "-i",           "file:" + sound.string(),
-                                     "-map",         "0:v",
-                                     "-map",         "1:a",
-                                     "-c:v",         "copy",
+  std::vector<std::string> arguments{"ffmpeg", "-nostdin",     "-hide_banner", "-loglevel",
+                                     "error",  "-y",           "-i",           name_of(pictures),
+                                     "-i",     name_of(sound), "-map",         "0:v",
+                                     "-map",   "1:a",          "-c:v",         "copy",
                                      "-xerror"};
   const std::vector<std::string> coding =
       format == Format::Mp4
@@ -100,11 +102,7 @@ std::vector<std::string> muxing_arguments(Format format, const std::filesystem::
                                      "-movflags", "+faststart", "-f",   "mp4"}
           : std::vector<std::string>{"-c:a", "libopus", "-b:a", "64k", "-f", "webm"};
   arguments.insert(arguments.end(), coding.begin(), coding.end());
-  for (const std::string& argument :
-       {std::string("-fflags"), std::string("+bitexact"), std::string("-flags:a"),
-        std::string("+bitexact"), "file:" + file.string()}) {
-    arguments.push_back(argument);
-  }
+  add_output("-flags:a", file, arguments);
   return arguments;
 }
 
@@ -160,11 +158,11 @@ Error not_started(const std::filesystem::path& path, const Error& error) {
 
 struct VideoEncoder::State {
   std::filesystem::path path;
-  std::filesystem::path temporary;
+  TemporaryFile temporary;
   int width = 0;
   int height = 0;
   Format format = Format::Mp4;
-  std::unique_ptr<Child> ffmpeg;
+  std::unique_ptr<Child> ffmpeg;  ///< after the file that it writes, so that it ends before
   std::size_t pictures = 0;
   std::optional<Error> failure;
 
@@ -182,39 +180,27 @@ Result<void> VideoEncoder::State::give_up() {
                   at_place(path.string(),
                            "ffmpeg " + how + (words.empty() ? " and said nothing" : ": " + words))};
   ffmpeg.reset();
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
+  temporary.remove();
   return *failure;
 }
 
 /// A second ffmpeg adds the sound and copies the pictures. A single one that gets both through
 /// pipes reads them in turns of its own choosing, which can end in a deadlock.
 Result<void> VideoEncoder::State::add_sound(const std::filesystem::path& sound) {
-  auto whole = create_temporary_beside(path);
+  auto whole = TemporaryFile::beside(path);
   if (!whole) return whole.error();
-  const std::filesystem::path silent = std::exchange(temporary, std::move(*whole));
-  auto started = Child::start(muxing_arguments(format, silent, sound, temporary));
-  Result<void> done;
-  if (started) {
-    ffmpeg = std::move(*started);
-    if (ffmpeg->wait() != 0) done = give_up();
-    ffmpeg.reset();
-  } else {
-    done = not_started(path, started.error());
-  }
-  std::error_code ignored;
-  std::filesystem::remove(silent, ignored);
-  return done;
+  const TemporaryFile silent = std::exchange(temporary, std::move(*whole));
+  auto started = Child::start(muxing_arguments(format, silent.path(), sound, temporary.path()));
+  if (!started) return not_started(path, started.error());
+  ffmpeg = std::move(*started);
+  if (ffmpeg->wait() != 0) return give_up();
+  ffmpeg.reset();
+  return {};
 }
 
 VideoEncoder::VideoEncoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-VideoEncoder::~VideoEncoder() {
-  if (state_->ffmpeg == nullptr) return;
-  state_->ffmpeg.reset();
-  std::error_code ignored;
-  std::filesystem::remove(state_->temporary, ignored);
-}
+VideoEncoder::~VideoEncoder() = default;
 
 Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::path& path,
                                                          int width, int height, int fps) {
@@ -227,18 +213,14 @@ Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::
   state->width = width;
   state->height = height;
   // Made now: after the last picture it would be too late to learn that the place is not writable.
-  auto temporary = create_temporary_beside(path);
+  auto temporary = TemporaryFile::beside(path);
   if (!temporary.has_value()) return temporary.error();
   state->temporary = std::move(*temporary);
   const bool pairs = state->format != Format::Gif;
   auto ffmpeg =
       Child::start(ffmpeg_arguments(state->format, pairs ? even(width) : width,
-                                    pairs ? even(height) : height, fps, state->temporary));
-  if (!ffmpeg.has_value()) {
-    std::error_code ignored;
-    std::filesystem::remove(state->temporary, ignored);
-    return not_started(path, ffmpeg.error());
-  }
+                                    pairs ? even(height) : height, fps, state->temporary.path()));
+  if (!ffmpeg.has_value()) return not_started(path, ffmpeg.error());
   state->ffmpeg = std::move(ffmpeg.value());
   return std::unique_ptr<VideoEncoder>(new VideoEncoder(std::move(state)));
 }
@@ -263,10 +245,9 @@ Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
   State& state = *state_;
   if (state.failure.has_value()) return *state.failure;
   AUCAST_CHECK(state.ffmpeg != nullptr);
-  std::error_code error;
   if (state.pictures == 0) {
     state.ffmpeg.reset();
-    std::filesystem::remove(state.temporary, error);
+    state.temporary.remove();
     return {};
   }
   const int code = state.ffmpeg->wait();
@@ -275,11 +256,11 @@ Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
   if (!sound.empty() && state.format != Format::Gif) {
     if (auto added = state.add_sound(sound); !added) {
       state.failure = added.error();
-      std::filesystem::remove(state.temporary, error);
+      state.temporary.remove();
       return added;
     }
   }
-  if (const auto replaced = replace_file(state.temporary, state.path); !replaced.has_value()) {
+  if (const auto replaced = state.temporary.replace(state.path); !replaced.has_value()) {
     state.failure = replaced.error();
     return *state.failure;
   }

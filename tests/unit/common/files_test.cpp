@@ -9,9 +9,11 @@
 
 #include <array>
 #include <stop_token>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "common/temporary_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast {
@@ -175,6 +177,31 @@ TEST(ReplaceFile, KeepsTheModeOfTheFileThatWasThere) {
   ASSERT_TRUE(temporary.has_value());
   ASSERT_TRUE(replace_file(*temporary, file).has_value());
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(TemporaryFile, IsGoneWithItsObjectUnlessItGotItsName) {
+  namespace fs = std::filesystem;
+  const test::TempFolder folder;
+  const auto file = folder.path() / "x.mp4";
+  {
+    auto first = TemporaryFile::beside(file);
+    ASSERT_TRUE(first.has_value());
+    const fs::path of_first = first->path();
+    auto second = TemporaryFile::beside(file);
+    ASSERT_TRUE(second.has_value());
+    *first = std::move(*second);
+    EXPECT_FALSE(fs::exists(of_first)) << "another has come in its place";
+    EXPECT_TRUE(fs::exists(first->path()));
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  {
+    auto made = TemporaryFile::beside(file);
+    ASSERT_TRUE(made.has_value());
+    ASSERT_TRUE(made->replace(file));
+    EXPECT_TRUE(made->path().empty());
+  }
+  EXPECT_TRUE(fs::exists(file));
+  EXPECT_FALSE(TemporaryFile::beside(folder.path() / "none" / "x").has_value());
 }
 
 TEST(WriteFileAtomically, NeverWaitsForTheReaderOfAFifo) {

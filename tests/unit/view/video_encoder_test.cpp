@@ -224,6 +224,20 @@ TEST(VideoEncoder, ReportsAnFfmpegThatFailsAtTheEnd) {
   EXPECT_EQ(files_in(folder), 1U);
 }
 
+TEST(VideoEncoder, LeavesNothingBehindWhenTheSoundCannotBeAdded) {
+  const test::TempFolder folder;
+  const test::FakeFfmpeg fake(
+      "case \"$*\" in *-map*) echo 'no room' >&2; exit 9;; esac; cat > /dev/null");
+  auto encoder = VideoEncoder::open(folder.path() / "a.mp4", 64, 48, 25);
+  ASSERT_TRUE(encoder.has_value());
+  ASSERT_TRUE((*encoder)->add(picture(64, 48, 0)).has_value());
+  const auto done = (*encoder)->finish(folder.path() / "sound.wav");
+  ASSERT_FALSE(done.has_value());
+  EXPECT_NE(done.error().message.find("no room"), std::string::npos) << done.error().message;
+  EXPECT_EQ(files_in(folder), 0U);
+  EXPECT_EQ((*encoder)->finish().error(), done.error());
+}
+
 TEST(VideoEncoder, LeavesTheOldFileWhenAbandoned) {
   const test::TempFolder folder;
   folder.write("a.mp4", "what was there before");
