@@ -10,6 +10,7 @@ inline constexpr int kFramesAfterChange = 3;
 /// How many frames to draw until panels that show `shown` will show `now`: 0 if nothing has
 /// changed, 1 if only time went on (position, plots, the camera's picture), else
 /// kFramesAfterChange. A change of the position alone counts only from a tenth of a second on.
-[[nodiscard]] int frames_due(const GuiModel& shown, GuiModel now);
+/// Leaves `now` as it was.
+[[nodiscard]] int frames_due(const GuiModel& shown, GuiModel& now);
 
 }  // namespace aucast::gui
