@@ -36,7 +36,7 @@ struct ComposerView {
   std::string total;                                     ///< "3 keyframes, 1.5 s"
   int chosen = -1;                                       ///< -1: a new one
   std::vector<ComposedAu> aus;                           ///< of the keyframe being composed
-  int ms = -1;                                           ///< -1: no time of its own
+  std::optional<int> ms;                                 ///< nullopt: no time of its own
   std::string file;
   bool unsaved = false;  ///< the stream has unsaved changes; a new keyframe does not count
   bool begun = false;    ///< there is a new keyframe that was not added
@@ -65,7 +65,7 @@ struct ComposeNeutral {};
 /// Takes the AUs that the face shows now, whether a stream or an expression made them.
 struct ComposeShown {};
 struct ComposeTime {
-  int ms = -1;  ///< -1: no time of its own
+  std::optional<int> ms;  ///< nullopt: no time of its own
   bool continued = false;
 };
 struct AddKeyframe {};

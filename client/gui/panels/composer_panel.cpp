@@ -136,14 +136,16 @@ void timeline_part(const Look& look, const ComposerView& composer, ComposerForm&
 }
 
 void time_of_keyframe(const Look& look, const ComposerView& composer, GuiCommands& commands) {
-  bool own = composer.ms >= 0;
+  bool own = composer.ms.has_value();
   label(look, tr("compose.time"), tr("tip.time"));
-  if (ImGui::Checkbox("##own", &own)) ask(commands, ComposeTime{own ? 500 : -1, false});
+  if (ImGui::Checkbox("##own", &own)) {
+    ask(commands, ComposeTime{own ? std::optional(500) : std::nullopt, false});
+  }
   tip(tr("compose.time_tip"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  int ms = std::max(composer.ms, 0);
-  ImGui::BeginDisabled(composer.ms < 0);
+  int ms = composer.ms.value_or(0);
+  ImGui::BeginDisabled(!composer.ms);
   if (number_field("##ms", ms, {.near = 50, .far = 500})) ask(commands, ComposeTime{ms, false});
   ImGui::EndDisabled();
 }

@@ -66,7 +66,7 @@ bool ComposerSession::apply(const gui::ComposerCommand& command) {
       [&](const gui::ComposeNeutral&) { composer_.set_aus({}, false); },
       [&](const gui::ComposeTime& time) {
         std::optional<std::uint32_t> ms;
-        if (time.ms >= 0) ms = static_cast<std::uint32_t>(time.ms);
+        if (time.ms) ms = static_cast<std::uint32_t>(*time.ms);
         composer_.set_time(ms, time.continued);
       },
       [&](const gui::AddKeyframe&) { composer_.add(); },

@@ -117,7 +117,7 @@ TEST_F(WindowSessionComposerTest, SavedFromTheDialogAndLoadedAgain) {
   ask(gui::ChooseFile{file.string()});
   EXPECT_EQ(model().composer.rows->size(), 2U);
   EXPECT_EQ(model().composer.file, file.string());
-  compose(gui::ComposeTime{-1, false});
+  compose(gui::ComposeTime{std::nullopt, false});
   compose(gui::SaveComposition{});
   EXPECT_FALSE(model().browser.open) << "it has a file";
   EXPECT_EQ(*read_file(file), "Beg_Stream\n26\n0;500\nEnd_Stream\n");

@@ -70,8 +70,8 @@ TEST_F(ComposerSessionTest, AnAuOfTheUsersOwnHasItsName) {
 
 TEST_F(ComposerSessionTest, ATimeChangesNoFace) {
   ask(gui::ComposeMood{0.8F, 0.5F, false});
-  EXPECT_FALSE(ask(gui::ComposeTime{-1, false}));
-  EXPECT_EQ(composer_->view(true).ms, -1);
+  EXPECT_FALSE(ask(gui::ComposeTime{std::nullopt, false}));
+  EXPECT_EQ(composer_->view(true).ms, std::nullopt);
   EXPECT_TRUE(composer_->view(true).pad_at.has_value()) << "the pad is where it was";
   ask(gui::AddKeyframe{});
   EXPECT_EQ(composer_->view(true).rows->front().time, gui::tr("said.no_time"));
@@ -128,7 +128,7 @@ TEST_F(ComposerSessionTest, IsSavedAndLoadedWithTimesAndWithout) {
   ask(gui::ComposeAu{26, 100, 50, false});
   ask(gui::AddKeyframe{});
   ask(gui::ComposeNeutral{});
-  ask(gui::ComposeTime{-1, false});
+  ask(gui::ComposeTime{std::nullopt, false});
   ask(gui::AddKeyframe{});
   const auto file = folder.path() / "mine.txt";
   const auto saved = composer_->save(file);
