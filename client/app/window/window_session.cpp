@@ -152,8 +152,7 @@ void WindowSession::advance(Instant now) {
   if (const auto exported = export_.advance()) {
     say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
   }
-  // How the work ended is to be read first.
-  if (asks_to_leave_ && !unsaved() && !unfinished()) asks_to_leave_ = false;
+  if (leaving_.asks()) leaving_.look(losses());
 }
 
 /// Brings face_ to `now`.
@@ -251,15 +250,12 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::GalleryCommand& one) { gallery_.apply(one, options_as_shown()); },
       [&](const gui::FileCommand& one) {
         files_.apply(one, now);
-        leave_once_saved();
+        if (!files_.browser().open) leaving_.chosen(losses());
       },
       [&](const gui::SettingsCommand& one) { settings_.apply(one, now); },
       [&](const gui::Leave& one) {
         if (one.saves) save_all(now);
-        leaves_once_saved_ = one.saves && files_.browser().open;
-        // What saving cannot end is asked about on its own.
-        asks_to_leave_ = one.saves && !unsaved() && unfinished();
-        leaving_ = one.really || (one.saves && !unsaved() && !unfinished());
+        leaving_.answer(one, losses(), files_.browser().open);
       },
       [&](const gui::FaceCommand& one) { apply_face(one, now); },
       [&](const gui::CloseNotice&) { notices_.clear(); },
@@ -377,15 +373,9 @@ void WindowSession::save_all(Instant now) {
   if (composer_.unsaved()) apply(gui::SaveComposition{}, now);
 }
 
-/// The dialog that saving on leaving has opened may have closed.
-void WindowSession::leave_once_saved() {
-  if (files_.browser().open || !std::exchange(leaves_once_saved_, false)) return;
-  if (!unsaved()) ask_to_leave();
-}
-
-void WindowSession::ask_to_leave() {
-  leaving_ = !unsaved() && !unfinished();
-  asks_to_leave_ = !leaving_;
+Losses WindowSession::losses() const {
+  return {.unsaved = editor_.unsaved() || composer_.unsaved(),
+          .unfinished = composer_.begun() || makes_files()};
 }
 
 std::unique_ptr<playback::Playback> WindowSession::finish(Instant now) {
@@ -463,7 +453,7 @@ gui::GuiModel WindowSession::model() const {
   model.transition = editor_.transition();
   model.rendering.settings = settings_.rendering();
   model.rendering.pace = pace_;
-  model.asks_to_leave = asks_to_leave_;
+  model.asks_to_leave = leaving_.asks();
   return model;
 }
 

@@ -16,6 +16,7 @@
 #include "client/app/window/files/gallery_session.h"
 #include "client/app/window/files/shown.h"
 #include "client/app/window/files/window_files.h"
+#include "client/app/window/leaving.h"
 #include "client/app/window/making/composer_session.h"
 #include "client/app/window/making/editor_session.h"
 #include "client/app/window/making/face_session.h"
@@ -108,8 +109,8 @@ class WindowSession {
   /// Call it when the user wants to leave. leaving() becomes true, unless something is unsaved or
   /// unfinished (a keyframe that was not added, a gallery, a GLB file). In that case the panels
   /// ask, and go on asking however often this is called.
-  void ask_to_leave();
-  [[nodiscard]] bool leaving() const { return leaving_; }
+  void ask_to_leave() { leaving_.wish(losses()); }
+  [[nodiscard]] bool leaving() const { return leaving_.leaves(); }
   [[nodiscard]] const gui::AnimationSettings& animation() const { return settings_.animation(); }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return settings_.rendering(); }
   [[nodiscard]] const gui::DisplaySettings& display() const { return settings_.display().settings; }
@@ -135,14 +136,11 @@ class WindowSession {
   void apply_composer(const gui::ComposerCommand& command, Instant now);
   void apply_face(const gui::FaceCommand& command, Instant now);
   void save_all(Instant now);
-  void leave_once_saved();
-  [[nodiscard]] bool unsaved() const { return editor_.unsaved() || composer_.unsaved(); }
   /// Whether a gallery or a GLB file is being made in the background.
   [[nodiscard]] bool makes_files() const {
     return gallery_.view().running || !export_.view().file.empty();
   }
-  /// Whether leaving would lose something unfinished, which cannot be saved as it is.
-  [[nodiscard]] bool unfinished() const { return composer_.begun() || makes_files(); }
+  [[nodiscard]] Losses losses() const;
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] Named named() const;
@@ -171,9 +169,7 @@ class WindowSession {
   WindowFiles files_;
   gui::VideoView video_;
   std::vector<gui::PaceRow> pace_;
-  bool asks_to_leave_ = false;
-  bool leaves_once_saved_ = false;  ///< a file to save to is being chosen
-  bool leaving_ = false;
+  Leaving leaving_;
 };
 
 }  // namespace aucast::app
