@@ -43,11 +43,6 @@ std::string_view remedy(SessionFailed::Why why) {
   return "; is it an au-transmitter? --connect-timeout sets how long to wait";
 }
 
-/// The code of a server that is full or does not have the stream yet. Another server may have it.
-constexpr int kBusyCode = 503;
-/// The code of a server that has no stream of that name.
-constexpr int kNoStreamCode = 404;
-
 }  // namespace
 
 protocol::ClientSessionOptions AuReader::session_options(const AuReaderOptions& options,
@@ -79,7 +74,8 @@ AuReader::AuReader(AuReaderOptions options)
       manner_{.hello = !options_.classic, .answers = !options_.buffers.low_delay},
       session_(session_options(options_, manner_)),
       buffers_(options_.buffers),
-      timing_(options_.buffers) {}
+      timing_(options_.buffers),
+      retries_({options_.reconnect, options_.one_round, options_.hosts}) {}
 
 Reaction AuReader::connected(Instant now, Duration round_trip) {
   connected_at_ = now;
@@ -124,10 +120,13 @@ std::optional<Instant> AuReader::deadline() const {
 }
 
 Reaction AuReader::unreachable(std::string reason) {
-  attempts_.busy_in_a_row = 0;
   Reaction reaction;
   reaction.changed = true;
-  if (!begin_again(reaction, reason)) {
+  std::optional<Milliseconds> wait;
+  if (status_.end == EndReason::NotEnded) wait = retries_.unreachable(keyframes_came());
+  if (wait) {
+    begin_again(reaction, reason, *wait);
+  } else {
     reaction.next = Reaction::Next::Close;
     end(EndReason::Unreachable, std::move(reason));
   }
@@ -143,9 +142,7 @@ Reaction AuReader::refused(EndReason why, const std::string& reason) {
 }
 
 /// After a loss: what was received is played until the next attempt.
-bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
-  if (!options_.reconnect || status_.end != EndReason::NotEnded) return false;
-  if (options_.one_round && !reached() && ++attempts_.failures >= options_.hosts) return false;
+void AuReader::begin_again(Reaction& reaction, const std::string& reason, Milliseconds wait) {
   if (first_) take_in(*std::exchange(first_, std::nullopt));
   buffers_.release();
   buffers_.set_live(std::nullopt);
@@ -160,16 +157,14 @@ bool AuReader::begin_again(Reaction& reaction, const std::string& reason) {
   ++status_.reconnects;
   reaction.send.clear();
   reaction.next = Reaction::Next::ReconnectLater;
-  reaction.retry_after = attempts_.back_off.next();
+  reaction.retry_after = wait;
   status_.reason = reason;
-  status_.retry_after = reaction.retry_after;
-  status_.detail =
-      reason + "; trying again in " + std::to_string(reaction.retry_after.count() / 1000) + " s";
-  return true;
+  status_.retry_after = wait;
+  status_.detail = reason + "; trying again in " + std::to_string(wait.count() / 1000) + " s";
 }
 
-bool AuReader::reached() const {
-  return attempts_.granted || lost_.keyframes + session_.keyframes_received() > 0;
+Retries::Keyframes AuReader::keyframes_came() const {
+  return {.earlier = lost_.keyframes > 0, .now = session_.keyframes_received() > 0};
 }
 
 Reaction AuReader::speak(Instant now) {
@@ -219,9 +214,8 @@ void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
 void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
   reaction.changed = true;
   const bool first = session_.keyframes_received() == 1;
-  if (first && attempts_.granted && !negotiated()) forget_hello();
-  attempts_.back_off.reset();
-  attempts_.busy_in_a_row = 0;
+  if (first && retries_.ever_granted() && !negotiated()) forget_hello();
+  retries_.keyframe_came();
   Keyframe keyframe{event.aus, std::nullopt};
   if (event.time_ms) keyframe.time = Milliseconds(*event.time_ms);
   const Milliseconds time = keyframe.time.value_or(status_.keyframe_time);
@@ -242,7 +236,7 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
-  attempts_.granted = true;
+  retries_.granted();
   if (!manner_.answers && !event.hello.live) {
     // Only a live stream goes without answers; a recorded one would come keyframe by keyframe.
     manner_.answers = true;
@@ -317,16 +311,9 @@ void AuReader::connect_anew(Reaction& reaction) {
 
 void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) {
   reaction.changed = true;
-  const bool lost =
-      event.why == SessionFailed::Why::Lost || event.why == SessionFailed::Why::Silent;
-  std::size_t& busy = attempts_.busy_in_a_row;
-  busy = event.code == kBusyCode ? busy + 1 : 0;
-  const bool elsewhere = busy > 0 && busy < options_.hosts;
-  // A stream that was here comes again: its server may have begun anew, or be full for now.
-  const bool later =
-      lost_.keyframes > 0 && (event.code == kBusyCode || event.code == kNoStreamCode);
-  if ((lost || elsewhere || later) && begin_again(reaction, options_.peer + ": " + event.reason))
-    return;
+  if (const auto wait = retries_.failed(event, keyframes_came())) {
+    return begin_again(reaction, options_.peer + ": " + event.reason, *wait);
+  }
   reaction.next = Reaction::Next::Close;
   status_.refusal = event.code;
   end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "client/net/answer_ledger.h"
-#include "client/net/back_off.h"
 #include "client/net/live_timing.h"
+#include "client/net/retries.h"
 #include "client/net/spoken_queue.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
@@ -128,15 +128,6 @@ class AuReader {
     bool answers = true;  ///< it asks for a window
   };
 
-  /// What came of the attempts to reach a server.
-  struct Attempts {
-    bool granted = false;           ///< at least one hello has been answered
-    std::size_t failures = 0;       ///< attempts that failed before a server was reached
-    std::size_t busy_in_a_row = 0;  ///< how many hosts in a row were full or did not have the
-                                    ///< stream yet
-    BackOff back_off;
-  };
-
   struct Received {
     std::uint64_t keyframes = 0;
     std::uint64_t bytes = 0;
@@ -166,8 +157,8 @@ class AuReader {
   [[nodiscard]] AnswerLedger::Wishes wishes() const;
   [[nodiscard]] bool negotiated() const;
   [[nodiscard]] std::size_t kept_max() const;
-  [[nodiscard]] bool begin_again(Reaction& reaction, const std::string& reason);
-  [[nodiscard]] bool reached() const;
+  void begin_again(Reaction& reaction, const std::string& reason, Milliseconds wait);
+  [[nodiscard]] Retries::Keyframes keyframes_came() const;
   [[nodiscard]] bool left() const { return status_.end == playback::EndReason::Stopped; }
   void end(playback::EndReason reason, std::string detail);
 
@@ -191,7 +182,7 @@ class AuReader {
   Milliseconds clock_shift_{0};  ///< what to add to a place of this connection to get the place on
                                  ///< clock_
   SpokenQueue spoken_;           ///< its places are on clock_
-  Attempts attempts_;
+  Retries retries_;
   Received lost_;  ///< what came over earlier connections, which were lost
 };
 
