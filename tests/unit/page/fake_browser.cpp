@@ -51,4 +51,12 @@ void set_timer(std::uint32_t timer, double milliseconds) {
   }
 }
 
+void write_sound(std::span<const float> samples) {
+  fake_browser().played.insert(fake_browser().played.end(), samples.begin(), samples.end());
+}
+
+std::size_t unheard_samples() {
+  return fake_browser().unheard;
+}
+
 }  // namespace aucast::web::browser
