@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "common/check.h"
 #include "common/number_of.h"
 #include "common/text.h"
 #include "protocol/codec.h"
@@ -25,6 +26,10 @@ constexpr std::uint64_t kNumberMax = (std::uint64_t{1} << 53U) - 1;
 
 Error broken(std::string what) {
   return {ErrorKind::BadData, std::move(what)};
+}
+
+bool is_origin(std::string_view text) {
+  return is_stream_name(text) && text.size() <= kServerIdBytesMax;
 }
 
 /// A line of words: the first alone, then `key=value`. Unknown keys are ignored.
@@ -55,7 +60,7 @@ class Line {
   [[nodiscard]] Result<std::string> id(std::string_view key) const {
     const auto found = values_.find(key);
     if (found == values_.end()) return broken("its line has no " + std::string(key) + "=");
-    if (!is_stream_name(found->second) || found->second.size() > kServerIdBytesMax) {
+    if (!is_origin(found->second)) {
       return broken("its " + std::string(key) + "= is no ID of a server");
     }
     return std::string(found->second);
@@ -102,6 +107,7 @@ std::optional<PlaceField> place_of(std::string_view packet) {
 }  // namespace
 
 std::string encode(const EngineMessage& message) {
+  AUCAST_CHECK(is_origin(message.origin));
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                  [&](const auto& one) { return one.second == message.kind; });
   std::string text(kind->first);
@@ -112,6 +118,7 @@ std::string encode(const EngineMessage& message) {
 }
 
 std::string encode(const EngineJoin& join) {
+  AUCAST_CHECK(join.origin.empty() || is_origin(join.origin));
   std::string text(kJoinWord);
   if (!join.origin.empty()) text += " origin=" + join.origin;
   if (join.after) text += " after=" + std::to_string(*join.after);

@@ -41,6 +41,7 @@ struct EngineJoin {
   friend bool operator==(const EngineJoin&, const EngineJoin&) = default;
 };
 
+/// `origin` must be an ID.
 [[nodiscard]] std::string encode(const EngineMessage& message);
 [[nodiscard]] std::string encode(const EngineJoin& join);
 

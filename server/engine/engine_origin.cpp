@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "common/random_digits.h"
 #include "common/text.h"
 #include "protocol/limits.h"
 #include "protocol/server_chain.h"
@@ -14,6 +15,14 @@
 namespace aucast::server {
 
 using std::chrono::steady_clock;
+
+namespace {
+
+/// Of the ID by which edges tell one run from another.
+constexpr std::size_t kRunIdDigits = 12;
+static_assert(kRunIdDigits <= protocol::kServerIdBytesMax);
+
+}  // namespace
 
 EngineOrigin::EngineOrigin(asio::io_context& io, Options options, Catalogue catalogue)
     : options_(std::move(options)),
@@ -98,8 +107,7 @@ void EngineOrigin::end() {
 void EngineOrigin::begin(const std::shared_ptr<const protocol::LiveChannel>& channel) {
   end();
   channel_ = channel;
-  const std::string& id = catalogue_()->id;
-  batches_.emplace(++runs_ == 1 ? id : id + '-' + std::to_string(runs_));
+  batches_.emplace(random_digits(kRunIdDigits));
 }
 
 void EngineOrigin::on_moment() {

@@ -66,7 +66,6 @@ class EngineOrigin {
   std::shared_ptr<const protocol::LiveChannel> channel_;  ///< the one that is sent; null: none
   protocol::HelloGranted hello_;
   std::optional<OutgoingBatches> batches_;
-  std::size_t runs_ = 0;      ///< channels so far
   std::string said_why_not_;  ///< why nothing is published, as the log said last
   asio::steady_timer batch_timer_;
   bool batch_waits_ = false;

@@ -1,14 +1,13 @@
 #include "server/serve/programme.h"
 
 #include <algorithm>
-#include <random>
-#include <string_view>
 #include <utility>
 #include <variant>
 
 #include <asio/post.hpp>
 
 #include "common/log.h"
+#include "common/random_digits.h"
 #include "protocol/limits.h"
 
 namespace aucast::server {
@@ -18,14 +17,6 @@ namespace {
 constexpr std::size_t kIdDigits = 12;
 /// 128 bits, which nobody guesses.
 constexpr std::size_t kOwnerTokenDigits = 32;
-
-std::string random_digits(std::size_t count) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::random_device random;
-  std::string digits;
-  while (digits.size() < count) digits += kDigits[random() % kDigits.size()];
-  return digits;
-}
 
 }  // namespace
 

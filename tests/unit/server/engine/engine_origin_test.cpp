@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <asio/io_context.hpp>
 
 #include "protocol/encoded_stream.h"
+#include "protocol/engine_message.h"
 #include "protocol/live_feed.h"
 #include "tests/support/kept_log.h"
 
@@ -139,6 +141,21 @@ TEST_F(EngineOriginTest, EndsForWhoFollowsWhenItMayNoLongerBePublished) {
   EXPECT_EQ(joined(), "");
   upstream->servers = "a,b";
   EXPECT_EQ(smile(), "{12:50}") << "the whole face";
+}
+
+TEST_F(EngineOriginTest, IsUnderstoodHoweverOftenItsChannelIsANewOne) {
+  std::set<std::string> origins;
+  for (int run = 0; run < 1'100; ++run) {
+    const auto feed = std::make_shared<LiveFeed>(250, 20);
+    feed->add(protocol::Keyframe());
+    serve(feed);
+    said_.clear();
+    origin_.on_moment();
+    ASSERT_FALSE(said_.empty());
+    const auto read = protocol::parse_engine_message(said_.back().bytes);
+    ASSERT_TRUE(read) << said_.back().bytes << ": " << read.error().message;
+    EXPECT_TRUE(origins.insert(read->origin).second) << "its own run";
+  }
 }
 
 TEST_F(EngineOriginTest, TellsThroughWhichServersTheStreamComesNow) {
