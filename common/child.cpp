@@ -23,6 +23,10 @@ namespace {
 constexpr std::size_t kLastWordsBytesMax = 2048;  ///< kept; the last line may have all of it
 constexpr std::size_t kLastWordsShown = 300;
 constexpr int kSendBufferBytes = 1 << 20;
+/// How often a function that waits looks whether it is to wait on.
+constexpr Milliseconds kLookEvery{50};
+/// How long the pipes of a child that has ended may stay open.
+constexpr Milliseconds kLeftOpenMax{500};
 
 // As those of posix_spawn, the functions below return the number of an error, or 0.
 
@@ -31,8 +35,7 @@ int set_attributes(posix_spawnattr_t& attributes) {
   sigset_t none;
   sigset_t defaults;
   sigemptyset(&none);
-  sigemptyset(&defaults);
-  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&defaults, number);
+  sigfillset(&defaults);
   int error = ::posix_spawnattr_setsigmask(&attributes, &none);
   if (error == 0) error = ::posix_spawnattr_setsigdefault(&attributes, &defaults);
   if (error == 0) error = ::posix_spawnattr_setpgroup(&attributes, 0);
@@ -83,7 +86,8 @@ Error cannot_start(const std::string& program, int error_number) {
 
 }  // namespace
 
-Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments, Flow flow) {
+Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments, Flow flow,
+                                            GivenUp given_up) {
   std::array<int, 2> ends{-1, -1};  // ours, theirs
   std::array<int, 2> errors{-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -98,40 +102,65 @@ Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& argu
   pid_t pid = -1;
   const int failed = spawn(arguments, flow, theirs.get(), their_errors.get(), pid);
   if (failed != 0) return cannot_start(arguments[0], failed);
-  return std::unique_ptr<Child>(new Child(pid, std::move(flow_end), std::move(error_end)));
+  return std::unique_ptr<Child>(
+      new Child(pid, std::move(flow_end), std::move(error_end), std::move(given_up)));
 }
 
 Child::~Child() {
-  if (!exit_code_.has_value()) {
-    ::kill(pid_, SIGKILL);
-    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+  stop();
+  if (reaped()) return;
+  while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
 
-bool Child::read_errors() {
+void Child::read_errors() {
   std::array<char, 4096> chunk{};
   const ssize_t got = ::read(errors_.get(), chunk.data(), chunk.size());
-  if (got < 0 && errno == EINTR) return true;
+  if (got < 0 && errno == EINTR) return;
   if (got <= 0) {
     errors_ = Descriptor();
-    return false;
+    return;
   }
   last_words_.append(chunk.data(), static_cast<std::size_t>(got));
   if (last_words_.size() > kLastWordsBytesMax) {
     last_words_.erase(0, last_words_.size() - kLastWordsBytesMax);
   }
-  return true;
+}
+
+/// False: nobody wants it any more, or what it has left behind keeps its pipes open; it is killed.
+/// `idle`: nothing has come since this was asked last.
+bool Child::goes_on(bool idle) {
+  const Instant now = std::chrono::steady_clock::now();
+  if (!idle || !has_ended()) {
+    left_open_since_.reset();
+  } else if (!left_open_since_) {
+    left_open_since_ = now;
+  }
+  const bool left_open = left_open_since_ && now - *left_open_since_ >= kLeftOpenMax;
+  if (!left_open && (!given_up_ || !given_up_())) return true;
+  stop();
+  return false;
+}
+
+/// Waits until the flow is ready and reads the child's errors meanwhile: a child that waits for
+/// room on stderr would never go on. nullopt: waiting failed.
+std::optional<bool> Child::poll_flow(short events, Milliseconds most) {
+  std::array<pollfd, 2> waits{{{flow_.get(), events, 0}, {errors_.get(), POLLIN, 0}}};
+  const int ready = ::poll(waits.data(), waits.size(), static_cast<int>(most.count()));
+  if (ready < 0 && errno != EINTR) return std::nullopt;
+  if (ready <= 0) return false;
+  if (errors_.open() && waits[1].revents != 0) read_errors();
+  return waits[0].revents != 0;
 }
 
 bool Child::feed(std::span<const std::uint8_t> bytes) {
+  bool idle = false;
   while (!bytes.empty()) {
-    if (!flow_.open()) return false;
-    // Its errors are read meanwhile: a child that waits for room on stderr would never read on.
-    std::array<pollfd, 2> waits{{{flow_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
-    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return false;
-    if (errors_.open() && waits[1].revents != 0) read_errors();
-    if (waits[0].revents == 0) continue;
+    if (!flow_.open() || !goes_on(idle)) return false;
+    const auto ready = poll_flow(POLLOUT, kLookEvery);
+    if (!ready) return false;
+    idle = !*ready;
+    if (idle) continue;
     const ssize_t sent =
         ::send(flow_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent >= 0) {
@@ -148,24 +177,17 @@ bool Child::await(Milliseconds patience) {
   while (flow_.open()) {
     const auto left = std::chrono::ceil<Milliseconds>(until - std::chrono::steady_clock::now());
     if (left <= Milliseconds::zero()) return false;
-    if (await_flow(static_cast<int>(left.count()))) return true;
+    // When waiting fails, reading says so.
+    if (poll_flow(POLLIN, left).value_or(true)) return true;
   }
   return true;
 }
 
-/// Waits for output and reads the child's errors meanwhile. True: there is output, or waiting
-/// failed.
-bool Child::await_flow(int milliseconds) {
-  std::array<pollfd, 2> waits{{{flow_.get(), POLLIN, 0}, {errors_.get(), POLLIN, 0}}};
-  const int ready = ::poll(waits.data(), waits.size(), milliseconds);
-  if (ready < 0) return errno != EINTR;
-  if (errors_.open() && waits[1].revents != 0) read_errors();
-  return waits[0].revents != 0;
-}
-
 std::size_t Child::read(std::span<std::uint8_t> bytes) {
-  while (flow_.open()) {
-    if (!await_flow(-1)) continue;
+  bool idle = false;
+  while (flow_.open() && goes_on(idle)) {
+    idle = !poll_flow(POLLIN, kLookEvery).value_or(true);
+    if (idle) continue;
     const ssize_t got = ::recv(flow_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (got > 0) return static_cast<std::size_t>(got);
     if (got == 0 || (errno != EINTR && errno != EAGAIN)) return 0;
@@ -182,37 +204,61 @@ void Child::end_input() const {
   ::shutdown(flow_.get(), SHUT_WR);
 }
 
+bool Child::reaped() const {
+  return exit_code_.with([](const auto& code) { return code.has_value(); });
+}
+
+/// It may not be reaped yet.
+bool Child::has_ended() const {
+  if (reaped()) return true;
+  siginfo_t ended{};
+  const int failed = ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
+  return failed == 0 && ended.si_pid == pid_;
+}
+
 bool Child::ends_within(Milliseconds patience) const {
-  constexpr Milliseconds kLookEvery{5};
+  constexpr Milliseconds kAskEvery{5};
   const auto until = std::chrono::steady_clock::now() + patience;
-  while (!exit_code_.has_value()) {
-    siginfo_t ended{};
-    const int failed =
-        ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
-    if (failed == 0 && ended.si_pid == pid_) return true;
+  while (!has_ended()) {
     if (std::chrono::steady_clock::now() >= until) return false;
-    std::this_thread::sleep_for(kLookEvery);
+    std::this_thread::sleep_for(kAskEvery);
   }
   return true;
 }
 
 void Child::stop() const {
-  ::kill(pid_, SIGKILL);
+  exit_code_.with([this](const auto& code) {
+    if (!code) ::kill(-pid_, SIGKILL);
+  });
 }
 
-int Child::wait() {
-  if (exit_code_.has_value()) return *exit_code_;
+int Child::wait(Milliseconds patience) {
+  if (const auto code = exit_code_.with([](const auto& known) { return known; })) return *code;
   flow_ = Descriptor();
-  while (errors_.open() && read_errors()) {
+  const Instant begin = std::chrono::steady_clock::now();
+  while ((errors_.open() || !has_ended()) && goes_on(true)) {
+    if (std::chrono::floor<Milliseconds>(std::chrono::steady_clock::now() - begin) >= patience) {
+      stop();
+      break;
+    }
+    if (errors_.open()) {
+      static_cast<void>(poll_flow(0, kLookEvery));
+    } else {
+      static_cast<void>(ends_within(kLookEvery));
+    }
   }
-  int status = 0;
-  pid_t waited = -1;
-  do {
-    waited = ::waitpid(pid_, &status, 0);
-  } while (waited < 0 && errno == EINTR);
-  AUCAST_CHECK(waited == pid_);
-  exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return *exit_code_;
+  errors_ = Descriptor();
+  siginfo_t ended{};
+  while (::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT) < 0 &&
+         errno == EINTR) {
+  }
+  return exit_code_.with([this](auto& code) {
+    int status = 0;
+    const pid_t waited = ::waitpid(pid_, &status, 0);
+    AUCAST_CHECK(waited == pid_);
+    code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return *code;
+  });
 }
 
 std::string Child::last_words() const {

@@ -13,24 +13,28 @@
 
 #include "common/descriptor.h"
 #include "common/result.h"
+#include "common/shared.h"
+#include "common/stopped.h"
 #include "common/time.h"
 
 namespace aucast {
 
 /// A program that is fed through its standard input, or read from its standard output, or both. The
 /// end of what it writes to stderr is kept. It runs in a process group of its own, so that Ctrl-C
-/// in a terminal does not end it before it has finished its file. Never raises SIGPIPE and leaves
-/// no zombie. Thread: one at a time, except for stop(), tell() and end_input().
+/// in a terminal does not end it before it has finished its file. What it has started itself and
+/// left behind with our pipes open is killed soon after its end. Never raises SIGPIPE and
+/// leaves no zombie. Thread: one at a time, except for stop(), tell() and end_input().
 class Child {
  public:
   enum class Flow : std::uint8_t { Fed, Read, Both };
 
   /// `arguments[0]` is looked up in $PATH. Fails with Unreadable if there is no such program, with
   /// ErrorKind::Failed and the system's reason if it cannot start. Standard input or output that
-  /// `flow` does not pipe is /dev/null.
+  /// `flow` does not pipe is /dev/null. Once `given_up` returns true, the child is killed: feed()
+  /// returns false, read() 0, and wait() waits no longer.
   [[nodiscard]] static Result<std::unique_ptr<Child>> start(
-      const std::vector<std::string>& arguments, Flow flow = Flow::Fed);
-  ~Child();  ///< kills the child if it still runs
+      const std::vector<std::string>& arguments, Flow flow = Flow::Fed, GivenUp given_up = {});
+  ~Child();  ///< kills the child, and what it has started, if it still runs
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
@@ -51,11 +55,12 @@ class Child {
   /// Waits at most `patience` for the end of the child, which may come a little after that of its
   /// output. False: it still runs.
   [[nodiscard]] bool ends_within(Milliseconds patience) const;
-  /// Kills it, so that read() finds the end. From any thread, before wait() or destruction.
+  /// Kills it and what it has started, so that read() finds the end. From any thread, before
+  /// destruction.
   void stop() const;
-  /// Closes the pipes and waits for the child to end. Returns its exit code, or 128 + the signal
-  /// that killed it; a further call returns the same.
-  [[nodiscard]] int wait();
+  /// Closes the pipes, waits for the child to end, and kills it after `patience`. Returns its exit
+  /// code, or 128 + the signal that killed it; a further call returns the same.
+  [[nodiscard]] int wait(Milliseconds patience = Milliseconds::max());
   /// The last 300 bytes that the child wrote to stderr, or fewer, joined into one line and safe to
   /// print.
   [[nodiscard]] std::string last_words() const;
@@ -64,16 +69,25 @@ class Child {
   [[nodiscard]] std::string last_line() const;
 
  private:
-  Child(pid_t pid, Descriptor flow, Descriptor errors)
-      : pid_(pid), flow_(std::move(flow)), errors_(std::move(errors)) {}
-  [[nodiscard]] bool await_flow(int milliseconds);
-  bool read_errors();
+  Child(pid_t pid, Descriptor flow, Descriptor errors, GivenUp given_up)
+      : pid_(pid),
+        flow_(std::move(flow)),
+        errors_(std::move(errors)),
+        given_up_(std::move(given_up)) {}
+  [[nodiscard]] std::optional<bool> poll_flow(short events, Milliseconds most);
+  [[nodiscard]] bool goes_on(bool idle);
+  [[nodiscard]] bool reaped() const;
+  [[nodiscard]] bool has_ended() const;
+  void read_errors();
 
   pid_t pid_;
   Descriptor flow_;    ///< a socket: send() can be told not to raise SIGPIPE
   Descriptor errors_;  ///< closed once its end was seen
   std::string last_words_;
-  std::optional<int> exit_code_;
+  GivenUp given_up_;
+  std::optional<Instant> left_open_since_;  ///< the child has ended, and its pipes are open
+  /// Set when the child is reaped: from then on its number may be that of another process.
+  Shared<std::optional<int>> exit_code_;
 };
 
 }  // namespace aucast

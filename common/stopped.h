@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #if __has_include(<stop_token>)
 #include <stop_token>
 #endif
@@ -17,6 +18,9 @@ struct StopToken {
   [[nodiscard]] static bool stop_requested() { return false; }
 };
 #endif
+
+/// Asked again and again by a function that waits, on its thread; returns true to end the waiting.
+using GivenUp = std::function<bool()>;
 
 /// The error of work that was asked to stop before its end. Nobody waits for its result any more.
 [[nodiscard]] inline Error stopped_early() {

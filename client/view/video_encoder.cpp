@@ -1,6 +1,7 @@
 #include "client/view/video_encoder.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -162,17 +163,27 @@ struct VideoEncoder::State {
   int width = 0;
   int height = 0;
   Format format = Format::Mp4;
-  std::unique_ptr<Child> ffmpeg;  ///< after the file that it writes, so that it ends before
+  GivenUp stop;
+  Milliseconds patience{0};             ///< for one picture, once the user wants to stop
+  std::optional<Instant> adding_since;  ///< nullopt: ffmpeg is not being given a picture
+  std::unique_ptr<Child> ffmpeg;        ///< after the file that it writes, so that it ends before
   std::size_t pictures = 0;
   std::optional<Error> failure;
 
+  [[nodiscard]] bool stuck() const;
   [[nodiscard]] Result<void> give_up();
   [[nodiscard]] Result<void> add_sound(const std::filesystem::path& sound);
 };
 
+/// While it is given no picture, it may take its time, as for the end of a long video.
+bool VideoEncoder::State::stuck() const {
+  if (!adding_since || !stop || !stop()) return false;
+  return std::chrono::steady_clock::now() - *adding_since >= patience;
+}
+
 /// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
-  const int code = ffmpeg->wait();
+  const int code = ffmpeg->wait(patience);
   const std::string words = ffmpeg->last_words();
   const std::string how = code >= 128 ? "was killed by signal " + std::to_string(code - 128)
                                       : "ended with code " + std::to_string(code);
@@ -203,7 +214,8 @@ VideoEncoder::VideoEncoder(std::unique_ptr<State> state) : state_(std::move(stat
 VideoEncoder::~VideoEncoder() = default;
 
 Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::path& path,
-                                                         int width, int height, int fps) {
+                                                         int width, int height, int fps,
+                                                         GivenUp stop, Milliseconds patience) {
   if (const auto checked = check_request(path, width, height, fps); !checked.has_value()) {
     return checked.error();
   }
@@ -212,6 +224,8 @@ Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::
   state->format = *format_of(path);
   state->width = width;
   state->height = height;
+  state->stop = std::move(stop);
+  state->patience = patience;
   // Made now: after the last picture it would be too late to learn that the place is not writable.
   auto temporary = TemporaryFile::beside(path);
   if (!temporary.has_value()) return temporary.error();
@@ -219,7 +233,8 @@ Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::
   const bool pairs = state->format != Format::Gif;
   auto ffmpeg =
       Child::start(ffmpeg_arguments(state->format, pairs ? even(width) : width,
-                                    pairs ? even(height) : height, fps, state->temporary.path()));
+                                    pairs ? even(height) : height, fps, state->temporary.path()),
+                   Child::Flow::Fed, [state = state.get()] { return state->stuck(); });
   if (!ffmpeg.has_value()) return not_started(path, ffmpeg.error());
   state->ffmpeg = std::move(ffmpeg.value());
   return std::unique_ptr<VideoEncoder>(new VideoEncoder(std::move(state)));
@@ -233,9 +248,11 @@ Result<void> VideoEncoder::add(const Image& picture) {
   AUCAST_CHECK(picture.height == state.height);
   const bool fits = state.format == Format::Gif ||
                     (even(state.width) == state.width && even(state.height) == state.height);
+  state.adding_since = std::chrono::steady_clock::now();
   const bool taken =
       fits ? state.ffmpeg->feed(picture.rgba)
            : state.ffmpeg->feed(grown(picture, even(state.width), even(state.height)));
+  state.adding_since.reset();
   if (!taken) return state.give_up();
   ++state.pictures;
   return {};

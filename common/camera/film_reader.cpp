@@ -46,12 +46,14 @@ struct Film {
 Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& tracker,
                           bool several, const std::function<void(const FilmProgress&)>& on_progress,
                           const std::stop_token& stop) {
-  auto source = PictureSource::open_film(path);
+  const GivenUp given_up = [&stop] { return stop.stop_requested(); };
+  auto source = PictureSource::open_film(path, given_up);
+  if (stop.stop_requested()) return stopped_early();
   if (!source) return source.error();
   Film film;
   film.fps = source->format().fps();
   const mesh::Picture size{source->format().width(), source->format().height(), {}};
-  const auto whole = on_progress ? film_seconds(path) : std::nullopt;
+  const auto whole = on_progress ? film_seconds(path, given_up) : std::nullopt;
   std::vector<std::uint8_t> rgb;
   while (source->next(rgb)) {
     if (stop.stop_requested()) return stopped_early();
@@ -73,6 +75,8 @@ Result<Film> measure_film(const std::filesystem::path& path, mesh::FaceTracker& 
       on_progress({static_cast<double>(film.pictures.size()) / film.fps, whole});
     }
   }
+  // A child that was killed looks as one that has ended.
+  if (stop.stop_requested()) return stopped_early();
   if (film.pictures.empty()) {
     return no_pictures(ErrorKind::BadData, path.string(), source->complaint());
   }

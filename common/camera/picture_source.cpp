@@ -12,6 +12,9 @@
 namespace aucast::camera {
 namespace {
 
+/// How long ffmpeg may take to end after its last picture.
+constexpr Milliseconds kEndTakes{2000};
+
 /// Square pixels, then 640 at most; the longer side of a face net's input is 192.
 constexpr const char* kFilters =
     "scale='max(1,trunc(iw*sar))':ih,"
@@ -53,29 +56,23 @@ bool await_picture(Child& ffmpeg, Milliseconds patience, const GivenUp& given_up
   return false;
 }
 
+/// `name`: of the film or camera, for the message.
+Result<std::unique_ptr<Child>> start_ffmpeg(const std::vector<std::string>& arguments,
+                                            const std::string& name, GivenUp given_up = {}) {
+  auto child = Child::start(arguments, Child::Flow::Read, std::move(given_up));
+  if (child || child.error().kind != ErrorKind::Unreadable) return child;
+  return Error{ErrorKind::Failed,
+               at_place(name, "ffmpeg, which decodes it, is not installed: apt install ffmpeg")};
+}
+
 }  // namespace
 
-Result<PictureSource> PictureSource::open(const std::vector<std::string>& arguments,
-                                          const std::string& name, ErrorKind kind,
-                                          std::optional<Milliseconds> patience,
-                                          const GivenUp& given_up) {
-  auto child = Child::start(arguments, Child::Flow::Read);
-  if (!child) {
-    if (child.error().kind != ErrorKind::Unreadable) return child.error();
-    return Error{ErrorKind::Failed,
-                 at_place(name, "ffmpeg, which decodes it, is not installed: apt install ffmpeg")};
-  }
+Result<PictureSource> PictureSource::open(std::unique_ptr<Child> ffmpeg, const std::string& name,
+                                          ErrorKind kind) {
   PictureSource source;
-  source.ffmpeg_ = std::move(*child);
-  Child* ffmpeg = source.ffmpeg_.get();
-  if (patience && !await_picture(*ffmpeg, *patience, given_up)) {
-    ffmpeg->stop();
-    return Error{kind,
-                 at_place(name, "no picture came for " + std::to_string(patience->count() / 1000) +
-                                    " s; is another program using it?")};
-  }
-  auto pictures =
-      Y4mReader::open([ffmpeg](std::span<std::uint8_t> bytes) { return ffmpeg->read(bytes); });
+  source.ffmpeg_ = std::move(ffmpeg);
+  auto pictures = Y4mReader::open(
+      [child = source.ffmpeg_.get()](std::span<std::uint8_t> bytes) { return child->read(bytes); });
   if (!pictures) return Error{kind, at_place(name, pictures.error().message)};
   if (!*pictures) {
     return no_pictures(kind, name, source.complaint());
@@ -84,11 +81,28 @@ Result<PictureSource> PictureSource::open(const std::vector<std::string>& argume
   return source;
 }
 
-Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path) {
+Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path,
+                                               const GivenUp& given_up) {
   if (const auto file = open_file(path); !file) return file.error();
-  return open(
+  auto ffmpeg = start_ffmpeg(
       arguments_of({"-i", file_url(path)}, "fps=fps='min(source_fps,30)'," + std::string(kFilters)),
-      path.string(), ErrorKind::BadData);
+      path.string(), given_up);
+  if (!ffmpeg) return ffmpeg.error();
+  return open(*std::move(ffmpeg), path.string(), ErrorKind::BadData);
+}
+
+Result<PictureSource> PictureSource::open_device(const std::vector<std::string>& arguments,
+                                                 const CameraOptions& options,
+                                                 const GivenUp& given_up) {
+  auto ffmpeg = start_ffmpeg(arguments, options.device);
+  if (!ffmpeg) return ffmpeg.error();
+  if (!await_picture(**ffmpeg, options.patience, given_up)) {
+    return Error{ErrorKind::Failed,
+                 at_place(options.device, "no picture came for " +
+                                              std::to_string(options.patience.count() / 1000) +
+                                              " s; is another program using it?")};
+  }
+  return open(*std::move(ffmpeg), options.device, ErrorKind::Failed);
 }
 
 Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
@@ -106,11 +120,10 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
     input = {"-fflags", "nobuffer", "-i", file_url(options.device)};
   }
   // Nothing is buffered that can be shown: a late face is worth nothing.
-  auto opened = open(arguments_of(std::move(input), kFilters), options.device, ErrorKind::Failed,
-                     options.patience, given_up);
+  auto opened = open_device(arguments_of(std::move(input), kFilters), options, given_up);
   if (!opened && !std::filesystem::exists(status)) {
     if (is_film(options.device)) {
-      if (const auto film = open_film(options.device); !film) return film.error();
+      if (const auto film = open_film(options.device, given_up); !film) return film.error();
     }
     return Error{ErrorKind::Failed,
                  at_place(options.device,
@@ -120,12 +133,12 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
 }
 
 std::string PictureSource::complaint() {
-  const int code = ffmpeg_->wait();
+  const int code = ffmpeg_->wait(kEndTakes);
   return code == 0 ? std::string() : without_component(ffmpeg_->last_words());
 }
 
 std::string PictureSource::film_complaint() {
-  static_cast<void>(ffmpeg_->wait());
+  static_cast<void>(ffmpeg_->wait(kEndTakes));
   // Of a film that breaks off it has much to say, of which the last is enough.
   std::string words = without_component(ffmpeg_->last_line());
   return words.empty() && pictures_->torn() ? "the last picture is cut off" : words;
@@ -136,10 +149,10 @@ Error no_pictures(ErrorKind kind, const std::string& name, const std::string& co
                                    (complaint.empty() ? "" : "; ffmpeg says: " + complaint))};
 }
 
-std::optional<double> film_seconds(const std::filesystem::path& path) {
+std::optional<double> film_seconds(const std::filesystem::path& path, const GivenUp& given_up) {
   auto probe = Child::start({"ffprobe", "-v", "error", "-show_entries", "format=duration", "-of",
                              "csv=p=0", file_url(path)},
-                            Child::Flow::Read);
+                            Child::Flow::Read, given_up);
   if (!probe) return std::nullopt;
   std::string text;
   std::vector<std::uint8_t> chunk(256);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "common/camera/y4m.h"
 #include "common/child.h"
 #include "common/result.h"
+#include "common/stopped.h"
 #include "common/time.h"
 
 namespace aucast::camera {
@@ -25,17 +25,16 @@ struct CameraOptions {
   friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
 
-/// Called again and again while a camera's first picture is awaited; returns true to stop waiting.
-using GivenUp = std::function<bool()>;
-
 /// Pictures of a film or a camera, decoded by ffmpeg as a child process: upright, with square
 /// pixels, no larger than 640x640. A film of more than 30 pictures a second is reduced to 30.
 /// Thread: one at a time, except for stop().
 class PictureSource {
  public:
   /// Fails with ErrorKind::Failed if ffmpeg is missing (the message says what to install), with
-  /// Unreadable if the file cannot be read, with BadData if ffmpeg finds no pictures in it.
-  [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path);
+  /// Unreadable if the file cannot be read, with BadData if ffmpeg finds no pictures in it. Once
+  /// the caller gives up, next() finds the end too.
+  [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path,
+                                                       const GivenUp& given_up = {});
   /// The device may also be a film, which then plays at its own speed, or a FIFO. Fails with
   /// ErrorKind::Failed and ffmpeg's own words if no picture comes in time or the caller gives up.
   [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options,
@@ -43,9 +42,10 @@ class PictureSource {
 
   [[nodiscard]] const Y4mReader& format() const { return *pictures_; }
   [[nodiscard]] bool next(std::vector<std::uint8_t>& rgb) { return pictures_->next(rgb); }
-  /// Makes next() find the end. May be called from any thread.
+  /// Makes next() find the end. From any thread.
   void stop() const { ffmpeg_->stop(); }
-  /// Waits for ffmpeg to end. Returns its error messages in one line; empty when it succeeded.
+  /// Waits for ffmpeg to end, and kills it if that takes long. Returns its error messages in one
+  /// line; empty when it succeeded.
   [[nodiscard]] std::string complaint();
   /// The same for a film that was read to its end. For a film, ffmpeg succeeds even if it could not
   /// decode a part or if the last picture is cut off; this function reports both.
@@ -53,10 +53,11 @@ class PictureSource {
 
  private:
   PictureSource() = default;
-  [[nodiscard]] static Result<PictureSource> open(const std::vector<std::string>& arguments,
-                                                  const std::string& name, ErrorKind kind,
-                                                  std::optional<Milliseconds> patience = {},
-                                                  const GivenUp& given_up = {});
+  [[nodiscard]] static Result<PictureSource> open(std::unique_ptr<Child> ffmpeg,
+                                                  const std::string& name, ErrorKind kind);
+  [[nodiscard]] static Result<PictureSource> open_device(const std::vector<std::string>& arguments,
+                                                         const CameraOptions& options,
+                                                         const GivenUp& given_up);
   std::unique_ptr<Child> ffmpeg_;
   std::optional<Y4mReader> pictures_;
 };
@@ -65,7 +66,8 @@ class PictureSource {
 [[nodiscard]] Error no_pictures(ErrorKind kind, const std::string& name,
                                 const std::string& complaint);
 
-/// How long a film is, in seconds; nullopt when its file does not say.
-[[nodiscard]] std::optional<double> film_seconds(const std::filesystem::path& path);
+/// How long a film is, in seconds; nullopt when its file does not say, or the caller gives up.
+[[nodiscard]] std::optional<double> film_seconds(const std::filesystem::path& path,
+                                                 const GivenUp& given_up = {});
 
 }  // namespace aucast::camera

@@ -12,6 +12,7 @@
 #include "common/camera/film_reader.h"
 #include "common/camera/picture_source.h"
 #include "common/result.h"
+#include "common/stopped.h"
 #include "common/time.h"
 #include "server/live/live_input.h"
 #include "server/live/live_streams.h"
@@ -24,7 +25,7 @@ struct LiveSourceOptions {
   camera::CameraOptions camera;   ///< if the source is a camera
   camera::FaceOptions faces;      ///< of a camera
   camera::OnSight on_sight{};     ///< likewise
-  camera::GivenUp given_up{};     ///< likewise
+  GivenUp given_up{};             ///< likewise
 };
 
 /// A source that is still being written, on the event loop. Feeds its LiveStreams with the time,

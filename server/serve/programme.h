@@ -11,6 +11,7 @@
 
 #include "common/camera/camera_feed.h"
 #include "common/result.h"
+#include "common/stopped.h"
 #include "protocol/server_session.h"
 #include "server/live/live_beat.h"
 #include "server/push/pushed_streams.h"
@@ -33,7 +34,7 @@ class Programme {
     std::function<void()> on_over;    ///< all sources have ended, and no other stream is left
     std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
-    camera::GivenUp given_up{};              ///< whether to stop waiting for a camera
+    GivenUp given_up{};                      ///< whether to stop waiting for a camera
   };
 
   Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,

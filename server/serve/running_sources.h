@@ -11,6 +11,7 @@
 #include "common/camera/camera_feed.h"
 #include "common/result.h"
 #include "common/sources/conditioning.h"
+#include "common/stopped.h"
 #include "protocol/server_session.h"
 #include "server/live/live_source.h"
 #include "server/settings/transmitter_options.h"
@@ -32,7 +33,7 @@ class RunningSources {
     std::function<void()> on_moment;  ///< a stream has something new, or has ended
     std::function<void()> on_face;    ///< a source has another stream
     camera::OnSight on_sight{};       ///< a camera sees something, on its own thread
-    camera::GivenUp given_up{};       ///< asked while open() waits for a camera
+    GivenUp given_up{};               ///< asked while open() waits for a camera
   };
 
   /// `id`: of this server, by which relays notice if their own streams come back.

@@ -52,7 +52,7 @@ struct Sinks {
   std::int64_t video_next = 0;
 };
 
-Result<Sinks> open_sinks(const OutputOptions& output) {
+Result<Sinks> open_sinks(const OutputOptions& output, const std::function<bool()>& stop) {
   Sinks sinks;
   sinks.frames_fps = output.fps;
   sinks.video_fps = output.fps.value_or(kRecordFps);
@@ -63,7 +63,7 @@ Result<Sinks> open_sinks(const OutputOptions& output) {
   }
   if (!output.record.empty()) {
     auto video =
-        view::VideoEncoder::open(output.record, output.width, output.height, sinks.video_fps);
+        view::VideoEncoder::open(output.record, output.width, output.height, sinks.video_fps, stop);
     if (!video) return video.error();
     sinks.video = std::move(*video);
   }
@@ -92,7 +92,7 @@ class VideoRun {
   Result<void> open() {
     if (auto opened = sound_.open(options_.sound, options_.output); !opened) return opened;
     if (!options_.output.pictures()) return {};
-    auto sinks = open_sinks(options_.output);
+    auto sinks = open_sinks(options_.output, stop_);
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
     const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();

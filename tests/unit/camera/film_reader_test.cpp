@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <stop_token>
 #include <string>
+#include <thread>
 
+#include "common/camera/picture_source.h"
 #include "common/files.h"
+#include "tests/unit/camera/other_ffmpeg.h"
 
 namespace aucast::camera {
 namespace {
@@ -30,6 +35,22 @@ TEST(FilmReader, EachFaceOfAPictureHasItsNumberAndTheClearestIsOneOfThem) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(read_film(picture, {}, {}, stop.get_token()));
+}
+
+TEST(FilmReader, StopsAlsoWhenFfmpegOrFfprobeHangs) {
+  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg("sleep 60");
+  const std::filesystem::path film = ffmpeg.file("film.mp4", "x");
+  std::stop_source stop;
+  const std::jthread stopper([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    stop.request_stop();
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(read_film(film, {}, {}, stop.get_token()));
+  std::filesystem::copy(film.parent_path() / "ffmpeg", film.parent_path() / "ffprobe");
+  EXPECT_FALSE(film_seconds(film, [&stop] { return stop.stop_requested(); }));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -101,6 +102,29 @@ TEST(PictureSource, ACameraThatIsGivenUpIsAwaitedNoLonger) {
       PictureSource::open_camera({.device = kDevice}, [&asked] { return ++asked == 3; });
   EXPECT_FALSE(camera.has_value());
   EXPECT_EQ(asked, 3);
+}
+
+TEST(PictureSource, AFilmThatIsGivenUpIsAwaitedNoLonger) {
+  for (const char* script : {"sleep 60", "printf 'YUV4MPEG2 W2 H1 F25:1 C444\nFRA'; sleep 60"}) {
+    OtherFfmpeg ffmpeg(script);
+    const auto film = ffmpeg.file("film.mp4", "x");
+    int asked = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    auto source = PictureSource::open_film(film, [&asked] { return ++asked > 40; });
+    std::vector<std::uint8_t> rgb;
+    EXPECT_FALSE(source && source->next(rgb));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30)) << script;
+  }
+}
+
+TEST(PictureSource, AnFfmpegThatDoesNotEndIsAwaitedNoLonger) {
+  OtherFfmpeg ffmpeg("echo 'it hangs' >&2; exec >&-; sleep 60");
+  const auto begin = std::chrono::steady_clock::now();
+  const auto film = PictureSource::open_film(ffmpeg.file("film.mp4", "x"));
+  ASSERT_FALSE(film.has_value());
+  EXPECT_NE(film.error().message.find("ffmpeg says: it hangs"), std::string::npos)
+      << film.error().message;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
 TEST(PictureSource, AFilmOrAFifoStandsInForACamera) {

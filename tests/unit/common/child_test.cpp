@@ -4,15 +4,18 @@
 #include <spawn.h>
 
 #include <array>
+#include <bitset>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/eventually.h"
 #include "tests/support/temp_folder.h"
 
 // Linked before the system's own, so that a test can have them fail.
@@ -155,6 +158,100 @@ TEST(Child, SaysItsLastLineWholeAndInItsLetters) {
 
 TEST(Child, TellsTheSignalThatKilledIt) {
   EXPECT_EQ(shell("kill -9 $$")->wait(), 128 + SIGKILL);
+}
+
+TEST(Child, BeginsWithNoSignalIgnored) {
+  const std::array numbers{SIGQUIT, SIGXFSZ, SIGUSR1, SIGPIPE};
+  for (const int number : numbers) std::signal(number, SIG_IGN);
+  const auto child = *Child::start({"sed", "-n", "s/^SigIgn:[[:blank:]]*//p", "/proc/self/status"},
+                                   Child::Flow::Read);
+  for (const int number : numbers) std::signal(number, SIG_DFL);
+  std::array<std::uint8_t, 32> bytes{};
+  const std::size_t size = child->read(bytes);
+  const auto ignored = std::stoull(std::string(bytes.begin(), bytes.begin() + size), nullptr, 16);
+  for (const int number : numbers)
+    EXPECT_FALSE(std::bitset<64>(ignored).test(static_cast<std::size_t>(number - 1))) << number;
+}
+
+/// Whether so much time has passed that somebody must have waited for the sleepers of these tests.
+class Waited {
+ public:
+  explicit operator bool() const {
+    return std::chrono::steady_clock::now() - begin_ > std::chrono::seconds(30);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+TEST(Child, IsKilledWhenItIsGivenUp) {
+  const Waited waited;
+  int asked = 0;
+  const auto begin = [&asked](const char* script, Child::Flow flow) {
+    asked = 0;
+    return *Child::start({"sh", "-c", script}, flow, [&asked] { return ++asked > 2; });
+  };
+  std::vector<std::uint8_t> bytes(8'000'000, 'x');
+  const auto fed = begin("sleep 60", Child::Flow::Fed);
+  EXPECT_FALSE(fed->feed(bytes));
+  EXPECT_EQ(fed->wait(), 128 + SIGKILL);
+  const auto read = begin("sleep 60", Child::Flow::Read);
+  EXPECT_EQ(read->read(bytes), 0U);
+  EXPECT_EQ(read->wait(), 128 + SIGKILL);
+  EXPECT_EQ(begin("sleep 60", Child::Flow::Fed)->wait(), 128 + SIGKILL);
+  EXPECT_EQ(begin("exec 2>&-; sleep 60", Child::Flow::Fed)->wait(), 128 + SIGKILL);
+  EXPECT_FALSE(waited);
+}
+
+TEST(Child, IsKilledWhenItTakesTooLongToEnd) {
+  const Waited waited;
+  const auto child = shell("echo stuck >&2; sleep 60");
+  EXPECT_EQ(child->wait(Milliseconds(300)), 128 + SIGKILL);
+  EXPECT_EQ(child->last_words(), "stuck");
+  EXPECT_FALSE(waited);
+}
+
+TEST(Child, WaitsForNobodyWhoKeepsItsPipesOpenAfterItsEnd) {
+  const Waited waited;
+  const auto child = shell("echo first >&2; sleep 60 & exit 4");
+  EXPECT_EQ(child->wait(), 4);
+  EXPECT_EQ(child->last_words(), "first");
+  const auto read = *Child::start({"sh", "-c", "echo it; sleep 60 &"}, Child::Flow::Read);
+  std::vector<std::uint8_t> bytes(8);
+  EXPECT_EQ(read->read(bytes), 3U);
+  EXPECT_EQ(read->read(bytes), 0U);
+  EXPECT_EQ(read->wait(), 0);
+  // Not even for one that has left its group.
+  EXPECT_EQ(shell("setsid sleep 40 & exit 4")->wait(), 4);
+  EXPECT_FALSE(waited);
+}
+
+TEST(Child, TakesWhatItHasStartedWithIt) {
+  const auto pid_of_sleeper = [](Child& child) {
+    std::array<std::uint8_t, 32> bytes{};
+    const std::size_t size = child.read(bytes);
+    return std::stoi(std::string(bytes.begin(), bytes.begin() + size));
+  };
+  // An orphan is a zombie for a while, until somebody reaps it.
+  const auto gone = [](int pid) {
+    std::ifstream status("/proc/" + std::to_string(pid) + "/stat");
+    std::string text;
+    std::getline(status, text);
+    return text.empty() || text.find(") Z ") != std::string::npos;
+  };
+  for (const bool stopped : {true, false}) {
+    auto child = *Child::start({"sh", "-c", "sleep 1000 & echo $!; wait"}, Child::Flow::Read);
+    const int pid = pid_of_sleeper(*child);
+    EXPECT_FALSE(gone(pid));
+    if (stopped) {
+      child->stop();
+      EXPECT_EQ(child->wait(), 128 + SIGKILL);
+      child->stop();  // its number is nobody's any more
+    } else {
+      child.reset();
+    }
+    EXPECT_TRUE(test::eventually([&] { return gone(pid); }));
+  }
 }
 
 TEST(Child, IsOutOfReachOfCtrlC) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
@@ -209,6 +210,21 @@ TEST(VideoEncoder, ReportsTheLastWordsOfADyingFfmpeg) {
   // It stays with what it said.
   EXPECT_EQ((*encoder)->add(picture(640, 480, 0)).error(), result.error());
   EXPECT_EQ((*encoder)->finish().error(), result.error());
+  EXPECT_EQ(files_in(folder), 0U);
+}
+
+TEST(VideoEncoder, IsNotKeptWaitingByAHungFfmpegWhenTheUserStops) {
+  const test::TempFolder folder;
+  const test::FakeFfmpeg fake("sleep 60");
+  auto encoder = VideoEncoder::open(
+      folder.path() / "a.mp4", 2048, 2048, 25, [] { return true; }, Milliseconds(200));
+  ASSERT_TRUE(encoder.has_value());
+  const auto begin = std::chrono::steady_clock::now();
+  const auto added = (*encoder)->add(picture(2048, 2048, 0));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  ASSERT_FALSE(added.has_value());
+  EXPECT_NE(added.error().message.find("killed by signal 9"), std::string::npos)
+      << added.error().message;
   EXPECT_EQ(files_in(folder), 0U);
 }
 
