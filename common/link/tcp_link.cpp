@@ -253,7 +253,8 @@ class TcpLink final : public Link, public std::enable_shared_from_this<TcpLink> 
     if (sent_ < output_.size()) return;
     output_.clear();
     sent_ = 0;
-    if (!finishing()) user_->on_room();
+    // What broke just now is told next; there is no room.
+    if (!finishing() && outgoing_ != Outgoing::Broken) user_->on_room();
   }
 
   void arm_timer() {

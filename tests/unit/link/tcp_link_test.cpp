@@ -170,6 +170,15 @@ TEST_F(TcpLinkTest, WritingToABrokenConnectionIsToldAfterTheCall) {
   EXPECT_TRUE(closed_as(Why::Lost));
 }
 
+TEST_F(TcpLinkTest, ABrokenConnectionHasNoRoom) {
+  link_->write(std::string(16'000'000, 'x'));
+  ASSERT_TRUE(link_->blocked());
+  peer_.set_option(asio::socket_base::linger(true, 0));
+  peer_.close();
+  EXPECT_TRUE(closed_as(Why::Lost));
+  EXPECT_EQ(user_.rooms, 0);
+}
+
 TEST_F(TcpLinkTest, CloseTellsNothing) {
   link_->wake_at(link_->now());
   say("x");
