@@ -38,19 +38,33 @@ struct Objection {
   bool others = false;  ///< something else may be written to it
 };
 
+/// Locks the file. What it holds counts only then: another program that had it may have written to
+/// it until now.
 Objection objection(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return {system_reason(errno)};
   if (!S_ISREG(status.st_mode)) {
     return {"it is no plain file; give --record a new file, or a folder that is there"};
   }
+  // Two that write at once would make one that nobody can read.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) return {"another program is recording to it", true};
+    return {"it cannot be locked: " + system_reason(errno) + "; record to a disk of this computer"};
+  }
+  if (::fstat(descriptor, &status) != 0) return {system_reason(errno)};
   if (status.st_size > 0) {
     return {"it holds something already, which --record never writes over", true};
   }
-  // Two that write at once would make one that nobody can read.
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return {};
-  if (errno == EWOULDBLOCK) return {"another program is recording to it", true};
-  return {"it cannot be locked: " + system_reason(errno) + "; record to a disk of this computer"};
+  return {};
+}
+
+/// Whether the open file is the one at `path`. One that another program has removed would take a
+/// record that nobody finds.
+bool is_at(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 /// A new file outlives a power cut only if its name, which is kept in the folder, does. What cannot
@@ -68,22 +82,26 @@ RecordFile::RecordFile(std::filesystem::path path, const RecordForm& form, Descr
     : path_(std::move(path)), form_(form), file_(std::move(file)), made_(made) {}
 
 RecordFile::~RecordFile() {
-  if (file_.open() && made_ && end_ == 0) ::unlink(path_.c_str());
+  if (file_.open() && made_ && end_ == 0 && is_at(file_.get(), path_)) ::unlink(path_.c_str());
 }
 
 Result<RecordFile> RecordFile::create(const std::filesystem::path& path, const RecordForm& form) {
   // Not blocking: a FIFO that nobody reads would be waited for.
   constexpr int kFlags = O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK;
-  Descriptor file(::open(path.c_str(), kFlags | O_EXCL, 0644));
-  const bool made = file.open();
-  if (!made) file = Descriptor(::open(path.c_str(), kFlags, 0644));
-  if (!file.open()) return cannot_record(path, system_reason(errno) + "; choose another place");
-  if (const Objection objected = objection(file.get()); !objected.why.empty()) {
-    // Another program that was quicker to lock the file writes to it now.
-    if (made && !objected.others) ::unlink(path.c_str());
-    return cannot_record(path, objected.why);
+  constexpr int kAttempts = 8;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    Descriptor file(::open(path.c_str(), kFlags | O_EXCL, 0644));
+    const bool made = file.open();
+    if (!made) file = Descriptor(::open(path.c_str(), kFlags, 0644));
+    if (!file.open()) return cannot_record(path, system_reason(errno) + "; choose another place");
+    if (const Objection objected = objection(file.get()); !objected.why.empty()) {
+      // Another program that was quicker to lock the file writes to it now.
+      if (made && !objected.others) ::unlink(path.c_str());
+      return cannot_record(path, objected.why);
+    }
+    if (is_at(file.get(), path)) return RecordFile(path, form, std::move(file), made);
   }
-  return RecordFile(path, form, std::move(file), made);
+  return cannot_record(path, "another program removes it again and again");
 }
 
 Error RecordFile::failed() const {

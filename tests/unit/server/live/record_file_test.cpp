@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@
 namespace {
 
 std::atomic<int> lock_error{0};
+/// What another program does between opening and locking.
+std::function<void()> before_lock;
 
 aucast::Shared<std::vector<std::filesystem::path>>& synced() {
   static aucast::Shared<std::vector<std::filesystem::path>> paths;
@@ -38,6 +41,7 @@ extern "C" int fsync(int descriptor) {
 }
 
 extern "C" int flock(int descriptor, int operation) noexcept {
+  if (before_lock) before_lock();
   if (lock_error == 0) return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
   errno = lock_error;
   return -1;
@@ -145,6 +149,36 @@ TEST_F(RecordFileTest, AFileThatAnotherProgramWasQuickerToLockStays) {
   EXPECT_TRUE(std::filesystem::exists(path_));
   ASSERT_FALSE(file);
   EXPECT_NE(file.error().message.find("another program is recording to it"), std::string::npos);
+}
+
+TEST_F(RecordFileTest, WhatIsWrittenBeforeItIsLockedIsNotWrittenOver) {
+  before_lock = [this] { folder_.write("kept.txt", "another's"); };
+  const auto file = RecordFile::create(path_);
+  before_lock = {};
+  ASSERT_FALSE(file);
+  EXPECT_NE(file.error().message.find("it holds something already"), std::string::npos);
+  EXPECT_EQ(folder_.read("kept.txt"), "another's");
+}
+
+TEST_F(RecordFileTest, AFileThatIsRemovedBeforeItIsLockedIsMadeAnew) {
+  int times = 0;
+  before_lock = [&] {
+    if (++times == 1) std::filesystem::remove(path_);
+  };
+  auto file = RecordFile::create(path_);
+  before_lock = {};
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_TRUE(file->add("12;40\n"));
+  EXPECT_EQ(folder_.read("kept.txt"), "Beg_Stream\n12;40\nEnd_Stream\n");
+  EXPECT_EQ(times, 2);
+}
+
+TEST_F(RecordFileTest, AFileThatIsAlwaysRemovedIsAnError) {
+  before_lock = [this] { std::filesystem::remove(path_); };
+  const auto file = RecordFile::create(path_);
+  before_lock = {};
+  ASSERT_FALSE(file);
+  EXPECT_NE(file.error().message.find("removes it again and again"), std::string::npos);
 }
 
 TEST_F(RecordFileTest, OnlyPlainFilesAreTaken) {
