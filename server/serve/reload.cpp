@@ -4,12 +4,19 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "common/log.h"
 #include "common/thread.h"
+#include "common/time.h"
 
 namespace aucast::server {
+namespace {
+
+constexpr Milliseconds kPostAgainAfter{100};
+
+}  // namespace
 
 Reload::Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
                Programme& programme, Load load, OnDone on_done)
@@ -52,7 +59,10 @@ void Reload::start() {
 
 void Reload::read_sources(bool failed) {
   failed_ = failed;
-  auto started = start_thread([this] { load(); });
+  // A failure to load is a Result; what else can be thrown is the lack of memory.
+  const auto result =
+      std::make_shared<Result<Repertoire>>(Error{ErrorKind::Failed, "not enough memory"});
+  auto started = start_thread([this, result] { load(result); });
   if (started) {
     thread_ = std::move(*started);
     running_ = true;
@@ -63,15 +73,22 @@ void Reload::read_sources(bool failed) {
   }
 }
 
-void Reload::load() {
-  // A failure to load is a Result; what else can be thrown is the lack of memory.
-  Result<Repertoire> loaded = Error{ErrorKind::Failed, "not enough memory"};
+void Reload::load(const std::shared_ptr<Result<Repertoire>>& result) {
   try {
-    loaded = load_(stop_.get_token());
+    *result = load_(stop_.get_token());
   } catch (const std::bad_alloc&) {
   }
-  const auto result = std::make_shared<Result<Repertoire>>(std::move(loaded));
-  gate_->post([this, result] { done(std::move(*result)); });
+  // Who waits for the end of the reload must learn of it, if only when there is memory again.
+  while (!post(result) && !stop_.stop_requested()) std::this_thread::sleep_for(kPostAgainAfter);
+}
+
+bool Reload::post(const std::shared_ptr<Result<Repertoire>>& result) {
+  try {
+    gate_->post([this, result] { done(std::move(*result)); });
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 void Reload::done(Result<Repertoire> loaded) {

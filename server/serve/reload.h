@@ -56,7 +56,9 @@ class Reload {
 
  private:
   void read_sources(bool failed);
-  void load();  ///< on its own thread
+  // These two run on the other thread. `result`: what is told if nothing else can be.
+  void load(const std::shared_ptr<Result<Repertoire>>& result);
+  [[nodiscard]] bool post(const std::shared_ptr<Result<Repertoire>>& result);
   void done(Result<Repertoire> loaded);
   [[nodiscard]] bool take_over(Result<Repertoire> loaded);
 
