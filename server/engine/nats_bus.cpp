@@ -22,6 +22,8 @@ namespace aucast::server {
 namespace {
 
 constexpr std::size_t kSaidMax = 200;  ///< of a text of the library, in the log
+/// How often an error of the library is logged: a broken server brings one for each message.
+constexpr std::chrono::seconds kSayEvery{10};
 
 NatsServers servers_of(const NatsOptions& options) {
   const EngineSettings& settings = options.settings;
@@ -56,6 +58,7 @@ struct LibraryEvents {
   std::function<void(Bus::Message)> on_message;
   std::function<void(int connection, const std::string& server)> on_connected;
   std::function<void(int connection)> on_disconnected;
+  std::function<void(const std::string& text)> on_error;
   /// It is closed for good.
   std::function<void(int connection, const std::string& why)> on_given_up;
 };
@@ -83,8 +86,7 @@ class Poster final : public NatsListener {
         [&events = events_, message = std::move(message)] { events.on_message(message); }, bytes);
   }
   void on_error(const std::string& text) override {
-    gate_->post_if_room([text] { spdlog::warn("NATS says: {}", escaped(text, kSaidMax)); },
-                        text.size());
+    gate_->post_if_room([&events = events_, text] { events.on_error(text); }, text.size());
   }
   void on_given_up(const std::string& why) override {
     gate_->post([&events = events_, connection = connection_, why] {
@@ -127,6 +129,7 @@ class NatsBus final : public Bus {
   void add_subscription(const std::string& subject);
   void on_connected(const std::string& server);
   void on_disconnected();
+  void on_error(const std::string& text);
   void ask_again_later(const std::string& why);
   void connect_anew();
 
@@ -141,6 +144,8 @@ class NatsBus final : public Bus {
   std::unique_ptr<NatsConnection> connection_;  ///< null: one was closed, and the next is not open
   std::string connected_early_;  ///< the server that was reported before connection_ was set
   bool owner_knows_ = false;     ///< that there is a connection
+  std::uint64_t errors_ = 0;     ///< of the library
+  Instant next_said_{};          ///< when the next of them may be logged
   std::vector<std::string> subjects_;
   std::string own_subject_;
 };
@@ -160,6 +165,7 @@ LibraryEvents NatsBus::library_events() {
               [this](int connection) {
                 if (connection == connections_) on_disconnected();
               },
+          .on_error = [this](const std::string& text) { on_error(text); },
           .on_given_up =
               [this](int connection, const std::string& why) {
                 if (connection == connections_) ask_again_later(why);
@@ -183,6 +189,15 @@ void NatsBus::on_connected(const std::string& server) {
 void NatsBus::on_disconnected() {
   connected_early_.clear();
   if (std::exchange(owner_knows_, false)) events_.on_disconnected();
+}
+
+void NatsBus::on_error(const std::string& text) {
+  ++errors_;
+  const Instant now = std::chrono::steady_clock::now();
+  if (now < next_said_) return;
+  next_said_ = now + kSayEvery;
+  const std::string more = errors_ > 1 ? " (" + std::to_string(errors_) + " errors so far)" : "";
+  spdlog::warn("NATS says: {}{}", escaped(text, kSaidMax), more);
 }
 
 /// The library gives up when it is refused twice in the same way. We try again, since the servers'

@@ -15,6 +15,7 @@
 
 #include "common/link/loop_gate.h"
 #include "common/log.h"
+#include "tests/support/kept_log.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 
@@ -163,6 +164,29 @@ TEST(NatsBus, TheEndOfAConnectionThatIsToldLateIsNotTheEndOfTheNext) {
   asio::post(io, [&heard] { heard = true; });
   ASSERT_TRUE(test::run_until(io, [&heard] { return heard; }));
   EXPECT_EQ(told, (std::vector<std::string>{"hub 1", "lost", "hub 2"}));
+}
+
+TEST(NatsBus, WhatTheLibrarySaysAgainAndAgainIsLoggedOnce) {
+  const test::KeptLog log;
+  const NatsModule module{
+      "",
+      [](const NatsServers&, const std::shared_ptr<NatsListener>& listener) {
+        library = listener;
+        return Result<std::unique_ptr<NatsConnection>>(std::make_unique<OpenConnection>());
+      },
+      new_subject};
+  asio::io_context io;
+  const auto work = asio::make_work_guard(io);
+  const auto bus = open_nats_bus(
+      io, module, {}, {[](const Bus::Message&) {}, [](const std::string&) {}, [] {}}, 1ms);
+  ASSERT_TRUE(bus);
+  for (int i = 0; i < 100; ++i) library->on_error("no room " + std::to_string(i));
+  bool heard = false;
+  asio::post(io, [&heard] { heard = true; });
+  ASSERT_TRUE(test::run_until(io, [&heard] { return heard; }));
+  const std::string said = log.said();
+  EXPECT_NE(said.find("NATS says: no room 0\n"), std::string::npos) << said;
+  EXPECT_EQ(said.find("NATS says"), said.rfind("NATS says"));
 }
 
 }  // namespace
