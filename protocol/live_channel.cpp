@@ -26,9 +26,10 @@ void LiveChannel::keep(CaptionData caption) {
     const CaptionData* const second = captions_.find(captions_.first_number() + 1);
     return second == nullptr || Milliseconds(second->place_ms) > now;
   };
-  // Who writes captions far ahead of the face costs himself the oldest.
-  constexpr std::size_t kCaptionsMax = 64;
-  while (!stands() || captions_.size() > kCaptionsMax) captions_.pop_front();
+  while (!stands() || captions_.size() > kCaptionsMax) {
+    if (stands()) ++captions_left_out_;
+    captions_.pop_front();
+  }
 }
 
 }  // namespace aucast::protocol

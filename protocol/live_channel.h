@@ -32,6 +32,9 @@ struct LiveMoment {
 /// Thread: none of its own; sessions and writer are on the same one.
 class LiveChannel {
  public:
+  /// The most captions that are kept. Who writes more of them ahead of the face loses the oldest.
+  static constexpr std::size_t kCaptionsMax = 64;
+
   LiveChannel(const LiveChannel&) = delete;
   LiveChannel& operator=(const LiveChannel&) = delete;
 
@@ -56,6 +59,8 @@ class LiveChannel {
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
   /// The present caption and those that follow.
   [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }
+  /// How many captions were dropped, before the next one began, because of kCaptionsMax.
+  [[nodiscard]] std::uint64_t captions_left_out() const { return captions_left_out_; }
   /// The largest window to grant: as many moments as begin within kLiveWindowTime, but at least
   /// two.
   [[nodiscard]] std::size_t window_max() const { return window_max_; }
@@ -87,6 +92,7 @@ class LiveChannel {
   Spoken spoken_;
   Recent<EncodedVoice> voice_;
   Recent<CaptionData> captions_;
+  std::uint64_t captions_left_out_ = 0;
 };
 
 }  // namespace aucast::protocol

@@ -82,6 +82,8 @@ void add_upstreams(std::string& text, const std::vector<UpstreamStatus>& upstrea
       [](const UpstreamStatus& upstream) { return upstream.keyframes; });
   add("aucast_upstream_bytes_total", "counter", "Bytes of those.",
       [](const UpstreamStatus& upstream) { return upstream.bytes; });
+  add("aucast_upstream_captions_left_out_total", "counter", "Captions too far ahead of the face.",
+      [](const UpstreamStatus& upstream) { return upstream.captions_left_out; });
 }
 
 /// The same for the streams that are pushed to other servers.
@@ -136,7 +138,10 @@ std::vector<std::string> status_lines(const Status& status) {
                     (upstream.receiving ? "from " + upstream.parent : "from nobody") +
                     ": connections " + text(upstream.connects) + ", lost " + text(upstream.losses) +
                     ", received " + text(upstream.keyframes) + " packets, " + text(upstream.bytes) +
-                    " bytes");
+                    " bytes" +
+                    (upstream.captions_left_out > 0
+                         ? ", left out " + text(upstream.captions_left_out) + " captions"
+                         : ""));
   }
   for (const PushStatus& push : status.pushes) {
     lines.push_back("status: push " + push.stream + " to " + push.server + ": " +
@@ -217,7 +222,8 @@ std::string status_json(const Status& status) {
                          {"connects", upstream.connects},
                          {"losses", upstream.losses},
                          {"packets", upstream.keyframes},
-                         {"bytes", upstream.bytes}});
+                         {"bytes", upstream.bytes},
+                         {"captions_left_out", upstream.captions_left_out}});
   }
   Json pushes = Json::array();
   for (const PushStatus& push : status.pushes) {

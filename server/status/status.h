@@ -17,9 +17,10 @@ struct UpstreamStatus {
   std::string parent;      ///< HOST:PORT; empty: none is connected
   bool receiving = false;  ///< keyframes have come from it
   std::uint64_t connects = 0;
-  std::uint64_t losses = 0;     ///< of parents that had sent keyframes
-  std::uint64_t keyframes = 0;  ///< received
-  std::uint64_t bytes = 0;      ///< of the keyframes
+  std::uint64_t losses = 0;             ///< of parents that had sent keyframes
+  std::uint64_t keyframes = 0;          ///< received
+  std::uint64_t bytes = 0;              ///< of the keyframes
+  std::uint64_t captions_left_out = 0;  ///< too many were ahead of the face
 };
 
 /// A stream that is pushed to another server.

@@ -177,6 +177,7 @@ UpstreamStatus Reception::status() const {
   status.losses = losses_;
   status.keyframes = keyframes_before_ + (parent_ ? parent_->keyframes() : 0);
   status.bytes = bytes_before_ + (parent_ ? parent_->bytes() : 0);
+  status.captions_left_out = stream_.captions_left_out();
   return status;
 }
 

@@ -61,6 +61,10 @@ class RelayedStream {
   /// The stream as the sessions use it.
   [[nodiscard]] std::shared_ptr<const protocol::UpstreamStream> shared() const { return shared_; }
   [[nodiscard]] bool live() const { return feed_ != nullptr; }
+  /// Of a live stream: those that came too far ahead of the face.
+  [[nodiscard]] std::uint64_t captions_left_out() const {
+    return feed_ ? feed_->captions_left_out() : 0;
+  }
   /// Whether it is a recorded stream that is here to its end, so that nothing is missing.
   [[nodiscard]] bool whole() const;
   /// How much of a recorded stream is here.

@@ -86,19 +86,22 @@ TEST(Status, JsonHasTheSameNumbers) {
 
 TEST(Status, TellsOfStreamsOfOtherServers) {
   Status status;
-  status.upstreams = {{"talk", "a:4650", true, 3, 2, 100, 2000}, {"", "", false, 0, 0, 0, 0}};
+  status.upstreams = {{"talk", "a:4650", true, 3, 2, 100, 2000, 5}, {"", "", false, 0, 0, 0, 0, 0}};
   const auto lines = status_lines(status);
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[4],
             "status: upstream talk from a:4650: connections 3, lost 2, received 100 packets, 2000 "
-            "bytes");
+            "bytes, left out 5 captions");
   EXPECT_NE(lines[5].find(" from nobody: "), std::string::npos) << lines[5];
   const std::string metrics = metrics_text(status);
   EXPECT_NE(metrics.find("\naucast_upstream_receiving{stream=\"talk\"} 1\n"), std::string::npos);
   EXPECT_NE(metrics.find("\naucast_upstream_losses_total{stream=\"talk\"} 2\n"), std::string::npos);
+  EXPECT_NE(metrics.find("\naucast_upstream_captions_left_out_total{stream=\"talk\"} 5\n"),
+            std::string::npos);
   const auto json = nlohmann::json::parse(status_json(status));
   EXPECT_EQ(json["upstreams"][0]["parent"], "a:4650");
   EXPECT_EQ(json["upstreams"][0]["bytes"], 2000);
+  EXPECT_EQ(json["upstreams"][0]["captions_left_out"], 5);
 }
 
 TEST(Status, TellsWhatAnEngineBroughtThatWasLeftOut) {
