@@ -78,9 +78,8 @@ CameraFeed::~CameraFeed() {
   if (reading_.joinable()) reading_.join();
 }
 
-std::string CameraFeed::complaint() {
-  if (taking_.joinable()) taking_.join();
-  return pictures_.complaint();
+std::string CameraFeed::complaint() const {
+  return seen_.with([](const Seen& seen) { return seen.complaint; });
 }
 
 void CameraFeed::take_pictures() {
@@ -95,7 +94,12 @@ void CameraFeed::take_pictures() {
     });
     if (ended) return;
   }
-  seen_.change([](Seen& seen) { seen.ended = true; });
+  // Waited for here, so that it is known when the rows end.
+  std::string complaint = pictures_.complaint();
+  seen_.change([&complaint](Seen& seen) {
+    seen.complaint = std::move(complaint);
+    seen.ended = true;
+  });
 }
 
 bool CameraFeed::write(const std::string& text) const {
@@ -151,6 +155,8 @@ void CameraFeed::read_faces() {
     }
     if (on_sight_) on_sight_(sight);
   }
+  // Nobody may read the rows any more: then no picture is wanted either.
+  seen_.change([](Seen& seen) { seen.ended = true; });
   write_ = Descriptor();  // the reader of the rows sees their end
 }
 

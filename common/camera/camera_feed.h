@@ -51,8 +51,8 @@ class CameraFeed {
   /// Gives away the end of the pipe from which rows are read. Call this only once.
   [[nodiscard]] Descriptor take_rows() { return std::move(rows_); }
   /// Returns in one line why ffmpeg ended; empty when it reported no error. Call it after the rows
-  /// have ended.
-  [[nodiscard]] std::string complaint();
+  /// have ended. Waits for nothing.
+  [[nodiscard]] std::string complaint() const;
 
  private:
   struct TimedPicture {
@@ -63,6 +63,7 @@ class CameraFeed {
   struct Seen {
     std::optional<TimedPicture> newest;  ///< whose faces are not read yet; nullopt: none
     bool ended = false;
+    std::string complaint;  ///< why ffmpeg ended; known when the pictures have ended
   };
 
   CameraFeed(PictureSource pictures, FaceModels models, const FaceOptions& faces, OnSight on_sight,

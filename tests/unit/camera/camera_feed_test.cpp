@@ -5,9 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "tests/support/eventually.h"
 #include "tests/unit/camera/other_ffmpeg.h"
 
 namespace aucast::camera {
@@ -50,6 +54,45 @@ TEST(CameraFeed, EndsAtOnceWhileItsCameraGoesOn) {
   auto feed = CameraFeed::start({.device = kDevice}, {});
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
   feed->reset();
+}
+
+/// Reads rows to their end.
+void read_all(const Descriptor& rows) {
+  std::vector<char> chunk(4096);
+  for (;;) {
+    pollfd wait{rows.get(), POLLIN, 0};
+    ASSERT_EQ(::poll(&wait, 1, 30'000), 1);
+    if (::read(rows.get(), chunk.data(), chunk.size()) <= 0) return;
+  }
+}
+
+TEST(CameraFeed, SaysAtOnceWhyItsCameraWentAlsoWhenFfmpegHangs) {
+  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\nFRAME\\n'; head -c 768 /dev/zero; "
+      "echo unplugged >&2; exec >&-; sleep 60");
+  auto feed = CameraFeed::start({.device = kDevice}, {});
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  read_all((*feed)->take_rows());
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ((*feed)->complaint(), "unplugged");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+}
+
+TEST(CameraFeed, TakesNoMorePicturesWhenNobodyReadsItsRows) {
+  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
+      "/dev/zero; echo on >> \"${0%/*}/pictures\"; done");
+  const std::filesystem::path pictures = ffmpeg.file("pictures", "");
+  auto feed = CameraFeed::start({.device = kDevice}, {});
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  { const Descriptor gone = (*feed)->take_rows(); }
+  EXPECT_TRUE(test::eventually([&pictures] {
+    const auto before = std::filesystem::file_size(pictures);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    return std::filesystem::file_size(pictures) == before;
+  }));
 }
 
 }  // namespace
