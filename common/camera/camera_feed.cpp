@@ -82,6 +82,10 @@ std::string CameraFeed::complaint() const {
   return seen_.with([](const Seen& seen) { return seen.complaint; });
 }
 
+std::uint64_t CameraFeed::rows_left_out() const {
+  return seen_.with([](const Seen& seen) { return seen.rows_left_out; });
+}
+
 void CameraFeed::take_pictures() {
   TimedPicture picture;
   while (pictures_.next(picture.rgb)) {
@@ -102,10 +106,12 @@ void CameraFeed::take_pictures() {
   });
 }
 
-bool CameraFeed::write(const std::string& text) const {
+bool CameraFeed::write(const std::string& text) {
   // A row is shorter than what a pipe takes whole or not at all. One that finds no room is late.
-  const ssize_t written = ::write(write_.get(), text.data(), text.size());
-  return written >= 0 || errno == EAGAIN || errno == EINTR;
+  if (::write(write_.get(), text.data(), text.size()) >= 0) return true;
+  if (errno != EAGAIN && errno != EINTR) return false;
+  seen_.with([](Seen& seen) { ++seen.rows_left_out; });
+  return true;
 }
 
 std::vector<mesh::SeenFace> CameraFeed::look_at(const mesh::Picture& picture) {

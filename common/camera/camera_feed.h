@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -53,6 +54,8 @@ class CameraFeed {
   /// Returns in one line why ffmpeg ended; empty when it reported no error. Call it after the rows
   /// have ended. Waits for nothing.
   [[nodiscard]] std::string complaint() const;
+  /// How many rows were dropped, because the reader of the rows was behind by a whole pipe.
+  [[nodiscard]] std::uint64_t rows_left_out() const;
 
  private:
   struct TimedPicture {
@@ -63,6 +66,7 @@ class CameraFeed {
   struct Seen {
     std::optional<TimedPicture> newest;  ///< whose faces are not read yet; nullopt: none
     bool ended = false;
+    std::uint64_t rows_left_out = 0;
     std::string complaint;  ///< why ffmpeg ended; known when the pictures have ended
   };
 
@@ -71,7 +75,7 @@ class CameraFeed {
   void take_pictures();
   void read_faces();
   [[nodiscard]] std::vector<mesh::SeenFace> look_at(const mesh::Picture& picture);
-  [[nodiscard]] bool write(const std::string& text) const;
+  [[nodiscard]] bool write(const std::string& text);
 
   PictureSource pictures_;
   FaceModels models_;

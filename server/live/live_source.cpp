@@ -16,6 +16,7 @@ LiveSource::LiveSource(asio::io_context& io, const LiveSourceOptions& options,
       input_(io, options.streams.each.path, options.streams.follow,
              {[this](std::string_view bytes) {
                 streams_.feed(bytes, clock_());
+                say_what_is_lost();
                 go_on();
               },
               [this] {
@@ -54,10 +55,20 @@ LiveInput::Opener LiveSource::opener(const LiveSourceOptions& options) {
   };
 }
 
+/// Said once: it lasts for as long as this computer is too slow.
+void LiveSource::say_what_is_lost() {
+  if (!camera_ || loss_said_ || camera_->rows_left_out() == 0) return;
+  loss_said_ = true;
+  spdlog::warn("the camera's faces are not taken as fast as they are read; some are left out");
+}
+
 void LiveSource::on_end() {
   if (camera_) {
     const std::string why = camera_->complaint();
     spdlog::warn("the camera gives no more pictures{}", why.empty() ? "" : "; ffmpeg says: " + why);
+    if (const auto lost = camera_->rows_left_out(); lost > 0) {
+      spdlog::warn("{} of the camera's faces were left out", lost);
+    }
   }
   streams_.end_input(clock_(), input_.ended());
   go_on();

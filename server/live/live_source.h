@@ -53,6 +53,7 @@ class LiveSource {
 
  private:
   [[nodiscard]] LiveInput::Opener opener(const LiveSourceOptions& options);
+  void say_what_is_lost();
   void on_end();
   void go_on();
 
@@ -63,6 +64,7 @@ class LiveSource {
   std::optional<LiveInput> voice_;
   asio::steady_timer timer_;
   bool stopped_ = false;
+  bool loss_said_ = false;
 };
 
 }  // namespace aucast::server

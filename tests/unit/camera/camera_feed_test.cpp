@@ -1,6 +1,7 @@
 // What needs the models of scripts/install_models.sh says so when they are not there.
 #include "common/camera/camera_feed.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -93,6 +94,19 @@ TEST(CameraFeed, TakesNoMorePicturesWhenNobodyReadsItsRows) {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     return std::filesystem::file_size(pictures) == before;
   }));
+}
+
+TEST(CameraFeed, CountsTheRowsThatFindNoRoom) {
+  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  OtherFfmpeg ffmpeg(
+      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
+      "/dev/zero; done");
+  auto feed = CameraFeed::start({.device = kDevice}, {});
+  ASSERT_TRUE(feed.has_value()) << feed.error().message;
+  const Descriptor rows = (*feed)->take_rows();
+  EXPECT_EQ((*feed)->rows_left_out(), 0U);
+  ASSERT_GT(::fcntl(rows.get(), F_SETPIPE_SZ, 4096), 0);
+  EXPECT_TRUE(test::eventually([&feed] { return (*feed)->rows_left_out() > 0; }));
 }
 
 }  // namespace
