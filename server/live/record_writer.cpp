@@ -16,7 +16,7 @@ namespace {
 /// How much time of a record a power cut may destroy.
 constexpr std::chrono::seconds kSyncEvery{1};
 
-/// The most that may wait for the disk, some ten minutes of a face; beyond that recording ends.
+/// The most that may wait for the disk, some minutes of a face; beyond that recording ends.
 constexpr std::size_t kUnwrittenBytesMax = std::size_t{1} << 20U;
 
 }  // namespace
@@ -45,7 +45,7 @@ RecordWriter::~RecordWriter() {
 
 void RecordWriter::add(std::vector<std::string> pieces) {
   if (pieces.empty()) return;
-  std::size_t bytes = 0;
+  std::size_t bytes = pieces.size() * kBytesEach;
   Makers makers;
   for (std::string& piece : pieces) {
     bytes += piece.size();
@@ -57,7 +57,7 @@ void RecordWriter::add(std::vector<std::string> pieces) {
 void RecordWriter::add(std::size_t bytes, std::function<std::string()> make) {
   Makers makers;
   makers.push_back(std::move(make));
-  enqueue(bytes, std::move(makers));
+  enqueue(bytes + kBytesEach, std::move(makers));
 }
 
 void RecordWriter::enqueue(std::size_t bytes, Makers makers) {

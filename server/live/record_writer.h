@@ -20,6 +20,10 @@ namespace aucast::server {
 /// Thread: its owner's; the Shared part is also used by the writing thread.
 class RecordWriter {
  public:
+  /// Each waiting piece counts as this many bytes more than its data: about the memory that the
+  /// piece itself takes.
+  static constexpr std::size_t kBytesEach = 128;
+
   /// Errors are those of RecordFile::create().
   [[nodiscard]] static Result<std::unique_ptr<RecordWriter>> start(
       const std::filesystem::path& path, const RecordForm& form);
@@ -32,8 +36,8 @@ class RecordWriter {
   void add(std::vector<std::string> pieces);
   /// Adds what `make` returns, which may be empty. `make` runs on the writing thread, in its turn,
   /// before finish() returns; after the recording has ended, it is not run. `bytes`: how many bytes
-  /// `make` holds until it runs. Only these count as waiting for the disk; `make` may return any
-  /// number of bytes.
+  /// `make` holds until it runs. Only these, and kBytesEach, count as waiting for the disk; `make`
+  /// may return any number of bytes.
   void add(std::size_t bytes, std::function<std::string()> make);
   /// Waits until everything is written. Fails with the error that ended the recording, if any.
   [[nodiscard]] Result<void> finish();

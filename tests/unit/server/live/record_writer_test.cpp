@@ -36,7 +36,7 @@ TEST_F(RecordWriterTest, WhatIsBeingWrittenCountsAsWaitingForTheDisk) {
   ASSERT_TRUE(writer) << writer.error().message;
   std::binary_semaphore begun{0};
   std::binary_semaphore disk{0};
-  constexpr std::size_t kHalf = std::size_t{1} << 19U;  // of what may wait
+  constexpr std::size_t kHalf = (std::size_t{1} << 19U) - RecordWriter::kBytesEach;
   (*writer)->add(kHalf, [&] {
     begun.release();
     disk.acquire();
@@ -48,6 +48,20 @@ TEST_F(RecordWriterTest, WhatIsBeingWrittenCountsAsWaitingForTheDisk) {
   disk.release();
   EXPECT_FALSE((*writer)->finish());
   EXPECT_EQ(folder_.read("kept.txt"), "begin and end");
+}
+
+TEST_F(RecordWriterTest, PiecesThatHoldNothingHaveTheirLimitToo) {
+  auto writer = RecordWriter::start(path_, kPagesForm);
+  ASSERT_TRUE(writer) << writer.error().message;
+  std::binary_semaphore disk{0};
+  (*writer)->add(0, [&disk] {
+    disk.acquire();
+    return std::string("begin");
+  });
+  constexpr std::size_t kFitMax = (std::size_t{1} << 20U) / RecordWriter::kBytesEach;
+  for (std::size_t i = 0; i < kFitMax; ++i) (*writer)->add(0, [] { return std::string(); });
+  disk.release();
+  EXPECT_FALSE((*writer)->finish());
 }
 
 TEST_F(RecordWriterTest, WhatIsMadeWhenItIsWrittenMayBeLarge) {
