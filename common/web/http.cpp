@@ -155,7 +155,9 @@ bool has_word(std::string_view field, std::string_view word) {
                      [&wanted](std::string_view part) { return word_of(part) == wanted; });
 }
 
-HttpProgress read_http_request(std::string_view bytes, std::size_t head_bytes_max) {
+namespace {
+
+HttpProgress read_request(std::string_view bytes, std::size_t head_bytes_max) {
   const std::size_t end = bytes.substr(0, head_bytes_max).find("\r\n\r\n");
   if (end == std::string_view::npos) {
     if (bytes.size() >= head_bytes_max) return refused(431, "the request is too long");
@@ -190,6 +192,14 @@ HttpProgress read_http_request(std::string_view bytes, std::size_t head_bytes_ma
   return {HttpRequest{std::string(path), line->method == "HEAD", line->version == "HTTP/1.1",
                       end + 2 * kLineEnd.size(), std::move(*fields)},
           std::nullopt};
+}
+
+}  // namespace
+
+HttpProgress read_http_request(std::string_view bytes, std::size_t head_bytes_max) {
+  HttpProgress progress = read_request(bytes, head_bytes_max);
+  progress.head = bytes.starts_with("HEAD ");
+  return progress;
 }
 
 std::string format_http_head(const HttpReply& reply, std::size_t body_bytes) {

@@ -20,7 +20,7 @@ struct HttpReply {
 /// A request that was read whole.
 struct HttpRequest {
   std::string path;            ///< as it was written, without the query
-  bool head = false;           ///< a HEAD request: the reply gets no body
+  bool head = false;           ///< it is a HEAD request
   bool version_1_1 = false;    ///< else HTTP/1.0
   std::size_t head_bytes = 0;  ///< length of the request; bytes beyond are no part of it
   std::map<std::string, std::string, std::less<>> fields{};  ///< names in small letters
@@ -34,6 +34,7 @@ struct HttpRequest {
 struct HttpProgress {
   std::optional<HttpRequest> request;  ///< set once it is whole
   std::optional<HttpReply> refusal;    ///< set once the request must be refused
+  bool head = false;                   ///< the bytes begin a HEAD request: no reply gets a body
 };
 
 /// Reads the head of an HTTP/1.0 or 1.1 request of at most `head_bytes_max` bytes: GET or HEAD,

@@ -26,6 +26,7 @@ void HttpExchange::on_bytes(std::string_view bytes) {
   const auto alive = shared_from_this();
   request_ += bytes;
   const auto progress = web::read_http_request(request_, hooks_.head_bytes_max);
+  head_ = progress.head;
   if (progress.refusal) {
     hooks_.on_fault(*this, *progress.refusal);
   } else if (progress.request) {
@@ -38,13 +39,13 @@ void HttpExchange::on_peer_end() {
   if (!replied_) link_->finish();
 }
 
-void HttpExchange::reply(SharedReply reply, bool head) {
+void HttpExchange::reply(SharedReply reply) {
   replied_ = true;
   if (!reply.body) {
-    link_->write(web::format_http_reply(reply.head, head));
+    link_->write(web::format_http_reply(reply.head, head_));
   } else {
     link_->write(web::format_http_head(reply.head, reply.body->size()));
-    if (!head) body_ = std::move(reply.body);
+    if (!head_) body_ = std::move(reply.body);
   }
   send_more();
 }

@@ -47,8 +47,8 @@ class HttpExchange final : public link::LinkUser,
   HttpExchange& operator=(const HttpExchange&) = delete;
 
   void start() { link_->start(*this); }
-  /// Answers the request. `head`: it was a HEAD request, which gets no body.
-  void reply(SharedReply reply, bool head);
+  /// Answers the request, or refuses it. A HEAD request gets no body.
+  void reply(SharedReply reply);
   /// Gives the link to the caller; this exchange has then ended.
   [[nodiscard]] std::shared_ptr<link::Link> release() { return std::exchange(link_, nullptr); }
   [[nodiscard]] bool released() const { return link_ == nullptr; }
@@ -75,6 +75,7 @@ class HttpExchange final : public link::LinkUser,
   const asio::ip::tcp::endpoint peer_;
   const Hooks& hooks_;
   std::string request_;
+  bool head_ = false;  ///< it is a HEAD request
   bool replied_ = false;
   SharedBytes body_;
   std::size_t sent_ = 0;  ///< how much of it was sent

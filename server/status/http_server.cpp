@@ -18,10 +18,10 @@ HttpServer::HttpServer(asio::io_context& io, Answer answer)
       exchanges_(kHttpConnectionsMax,
                  {kHttpHeadBytesMax,
                   [this](HttpExchange& exchange, const web::HttpRequest& request) {
-                    exchange.reply({this->answer(request), nullptr}, request.head);
+                    exchange.reply({this->answer(request), nullptr});
                   },
                   [](HttpExchange& exchange, const web::HttpReply& why) {
-                    exchange.reply({why, nullptr}, false);
+                    exchange.reply({why, nullptr});
                   },
                   {}}) {}
 

@@ -42,7 +42,7 @@ void WebServer::answer(HttpExchange& exchange, const web::HttpRequest& request) 
   if (const auto refused = refuse_host(request, known)) {
     refuse(exchange, *refused);
   } else if (request.path != kWebSocketPath) {
-    exchange.reply(files_.reply(request), request.head);
+    exchange.reply(files_.reply(request));
   } else if (const auto refused_too = refuse_web_socket(request, known)) {
     refuse(exchange, *refused_too);
   } else if (request.head_bytes != exchange.bytes()) {
@@ -66,7 +66,7 @@ void WebServer::refuse(HttpExchange& exchange, const web::HttpReply& why) {
   log_.say(exchange.now(), spdlog::level::info, "web {}: refused with {}: {}",
            link::endpoint_text(exchange.peer()), why.status,
            std::string_view(why.body).substr(0, why.body.find('\n')));
-  exchange.reply({why, nullptr}, false);
+  exchange.reply({why, nullptr});
 }
 
 Result<void> WebServer::open(bool shared) {

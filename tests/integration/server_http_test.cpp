@@ -76,6 +76,7 @@ TEST_F(ServerHttp, BadRequestsAreRefused) {
   EXPECT_TRUE(ask("GET /" + std::string(100'000, 'x')).starts_with("HTTP/1.1 431 "));
   EXPECT_TRUE(ask(std::string("\0\1\2\n", 4)).starts_with("HTTP/1.1 400 "));
   EXPECT_EQ(body(ask("HEAD /metrics HTTP/1.0\r\n\r\n")), "");
+  EXPECT_EQ(body(ask("HEAD /metrics HTTP/2.0\r\n\r\n")), "") << "refused";
   EXPECT_EQ(server_.terminate(), 0);
 }
 

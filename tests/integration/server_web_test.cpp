@@ -227,6 +227,8 @@ TEST(ServerWeb, ForeignHostsAndPagesOfOthersAreRefused) {
   Web web({"--web-host", "au.example", "--web-host", "*.campus.example"});
   EXPECT_TRUE(web.ask(web.request("evil.example")).starts_with("HTTP/1.1 421 "));
   EXPECT_TRUE(web.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n").starts_with("HTTP/1.1 421 "));
+  EXPECT_TRUE(web.ask("HEAD / HTTP/1.1\r\nHost: evil.example\r\n\r\n").ends_with("\r\n\r\n"))
+      << "no body";
   for (const char* origin : {"https://evil.example", "null", "http://6.6.6.6"}) {
     const std::string reply = web.ask(web.request({}, "Origin: " + std::string(origin) + "\r\n"));
     EXPECT_TRUE(reply.starts_with("HTTP/1.1 403 ")) << origin;

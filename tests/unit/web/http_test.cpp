@@ -22,9 +22,14 @@ TEST(HttpRequest, GetAndHeadAreUnderstood) {
   ASSERT_TRUE(get.request);
   EXPECT_EQ(get.request->path, "/metrics");
   EXPECT_FALSE(get.request->head);
+  EXPECT_FALSE(get.head);
   const HttpProgress head = read_http_request("HEAD / HTTP/1.0\r\n\r\n", kBytesMax);
   ASSERT_TRUE(head.request);
   EXPECT_TRUE(head.request->head);
+  EXPECT_TRUE(head.head);
+  const HttpProgress refused = read_http_request("HEAD / HTTP/2.0\r\n\r\n", kBytesMax);
+  ASSERT_TRUE(refused.refusal);
+  EXPECT_TRUE(refused.head);
 }
 
 TEST(HttpRequest, ATargetMayNameTheHostWhichThenCounts) {
