@@ -29,9 +29,11 @@ std::size_t held_bytes(const EncodedStream& stream) {
 }
 
 Entry entry_at(const EncodedStream& stream, std::uint64_t from_ms, bool loop) {
-  if (loop) {
-    const auto there = static_cast<std::uint64_t>(length_of(stream).count());
-    const std::uint64_t turn = stream.duration_ms.value_or(there);
+  // Most clients begin at 0; all keyframes are added up only if nobody knows what they come to.
+  if (loop && from_ms > 0) {
+    const std::uint64_t turn = stream.duration_ms
+                                   ? *stream.duration_ms
+                                   : static_cast<std::uint64_t>(length_of(stream).count());
     from_ms = turn == 0 ? 0 : from_ms % turn;
   }
   Entry entry;

@@ -101,6 +101,8 @@ TEST(EncodedStream, InALoopIsEnteredTurnAfterTurn) {
   growing.duration_ms = 350;
   EXPECT_EQ(entry(growing, 350 + 120, true), "1 at 100") << "a turn is as long as it will be";
   EXPECT_EQ(entry(growing, 200, true), "2 at 150") << "not there yet";
+  growing.duration_ms.reset();
+  EXPECT_EQ(entry(growing, 150 + 120, true), "1 at 100") << "a turn is as long as it is";
 }
 
 TEST(EncodedStream, WhateverIsEnteredEndsAfterThePlaceAndNothingBeforeItDoes) {
