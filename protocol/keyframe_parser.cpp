@@ -16,7 +16,8 @@ constexpr NumberBounds kAuBounds{kAuNumberMax, 2, "an AU number is 0-99, of one 
 constexpr NumberBounds kPercentBounds{100, 3, "an intensity is 0-100 percent"};
 constexpr NumberBounds kTimeBounds{kKeyframeTimeMsMax, 7,
                                    "the time of a keyframe is 0-3600000 ms (an hour)"};
-constexpr NumberBounds kPlaceBounds{kPlaceMsMax, 13, "a place in the stream is 0-1000000000000 ms"};
+constexpr NumberBounds kPlaceBounds{kPlaceMsMax, kNumberDigitsMax,
+                                    "a place in the stream is 0-1000000000000 ms"};
 
 }  // namespace
 

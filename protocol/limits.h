@@ -36,6 +36,8 @@ inline constexpr std::size_t kRelayHopsMax = 8;  ///< relays between the first s
 inline constexpr int kWindowMax = 256;           ///< the largest window that is granted
 inline constexpr std::int64_t kKeyframeTimeMsMax = 3'600'000;   ///< of one keyframe: an hour
 inline constexpr std::int64_t kPlaceMsMax = 1'000'000'000'000;  ///< about 31 years
+/// The most digits of a place, and of a number of a hello or a list: as kPlaceMsMax has.
+inline constexpr std::size_t kNumberDigitsMax = 13;
 
 inline constexpr std::chrono::milliseconds kDefaultKeyframeTime{250};
 inline constexpr std::chrono::milliseconds kGraceMin{100};   ///< shortest wait for code or hello

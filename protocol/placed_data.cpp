@@ -8,13 +8,12 @@
 namespace aucast::protocol {
 
 std::variant<PlacedData, FieldFault> parse_placed_data(std::string_view text) {
-  constexpr std::size_t kDigitsMax = 13;
   PlacedData placed;
   text.remove_prefix(1);
   placed.position = 2;
   if (text.starts_with('@')) {
     const std::string_view digits = text.substr(1, text.find(' ') - 1);
-    if (digits.size() <= kDigitsMax) placed.place_ms = number_of<std::uint64_t>(digits);
+    if (digits.size() <= kNumberDigitsMax) placed.place_ms = number_of<std::uint64_t>(digits);
     if (!placed.place_ms || *placed.place_ms > static_cast<std::uint64_t>(kPlaceMsMax)) {
       return FieldFault{3, "a place is a number of 0-" + std::to_string(kPlaceMsMax) + ", found '" +
                                escaped(digits) + "'"};

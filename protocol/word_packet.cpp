@@ -145,9 +145,8 @@ bool read_value(const Key<Hello>& key, std::string_view text, Hello& hello) {
           if (!string) return false;
           value = *std::move(string);
         } else {
-          constexpr std::size_t kDigitsMax = 13;  // as the largest number of the protocol has
           const auto number =
-              text.size() > kDigitsMax ? std::nullopt : number_of<std::uint64_t>(text);
+              text.size() > kNumberDigitsMax ? std::nullopt : number_of<std::uint64_t>(text);
           if (!number || *number < key.min || *number > key.max) return false;
           value = static_cast<Value>(*number);
         }

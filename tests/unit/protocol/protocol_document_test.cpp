@@ -189,6 +189,7 @@ Limits all_limits() {
       {"kWindowMax", kWindowMax},
       {"kKeyframeTimeMsMax", kKeyframeTimeMsMax},
       {"kPlaceMsMax", kPlaceMsMax},
+      {"kNumberDigitsMax", kNumberDigitsMax},
       {"kDefaultKeyframeTime", kDefaultKeyframeTime.count()},
       {"kGraceMin", kGraceMin.count()},
       {"kGraceMax", kGraceMax.count()},
