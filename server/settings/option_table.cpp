@@ -4,6 +4,8 @@
 
 #include <asio/ip/address.hpp>
 
+#include "common/standard_output.h"
+
 namespace aucast::server {
 namespace {
 
@@ -394,10 +396,10 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
 std::vector<OptionRow> status_rows(TransmitterOptions& options) {
   return {
       {.option = {"stats", "FILE.json"},
-       .text = "write statistics at exit",
+       .text = "write statistics at exit; - for stdout",
        .more = "Writes totals over all clients, and a list of the latest 1000 with statistics of "
                "each. The file is written completely or not at all.",
-       .value = word(options.stats),
+       .value = parsed(Kind::Word, read_output_path, options.stats),
        .heading = "Status, settings, log"},
       {.option = {"http", "ADDR:PORT"},
        .text = "serve status and metrics for monitors",

@@ -112,6 +112,10 @@ TEST(TransmitterOptions, BadNumbersAreNamedWithTheirRange) {
   EXPECT_EQ(message({"--client-timeout", "2s", "a"}), "--client-timeout '2s'" + seconds);
 }
 
+TEST(TransmitterOptions, StatisticsGoToStandardOutputWithAHyphen) {
+  EXPECT_EQ(read({"--stats", "-", "a"}).stats, "/dev/stdout");
+}
+
 TEST(TransmitterOptions, UnknownOptionNamesTheNearest) {
   EXPECT_EQ(message({"--prot", "1", "a"}),
             "unknown option --prot; did you mean --port? (try --help)");
