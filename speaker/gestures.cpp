@@ -28,6 +28,9 @@ class Dice {
   SplitMix64 bits_;
 };
 
+/// How far the inner ends of raised brows go, of the outer ends: as far, and the face pleads.
+constexpr float kInnerShare = 0.45F;
+
 /// A movement: rises, stays, falls.
 struct Beat {
   Milliseconds begin;
@@ -114,7 +117,7 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     if (what < 0.65F) {
       const Beat beat{at - Milliseconds(140), Milliseconds(200),
                       dice.between(Milliseconds(60), Milliseconds(260)), Milliseconds(380)};
-      put(curves, kInnerBrowRaiser, beat, 0.8F * brows);
+      put(curves, kInnerBrowRaiser, beat, kInnerShare * brows);
       put(curves, kOuterBrowRaiser, beat, brows);
     } else {
       // Weight without raised brows: eyes and forehead gather a little.
@@ -149,7 +152,7 @@ void end_sentences(const Speech& speech, const Script& script, const GestureOpti
       const Beat beat{last.begin - Milliseconds(150), Milliseconds(250), Milliseconds(450),
                       Milliseconds(500)};
       const float brows = dice.between(0.4F, 0.6F) * options.amount;
-      put(curves, kInnerBrowRaiser, beat, brows);
+      put(curves, kInnerBrowRaiser, beat, kInnerShare * brows);
       put(curves, kOuterBrowRaiser, beat, brows);
       put(curves, kHeadUp, beat, 0.2F * options.amount);
     } else {
@@ -219,9 +222,10 @@ struct Bearing {
 /// Between the beats of stressed words a speaker's face does not go blank: each phrase is said
 /// openly, warmly or intently, until the next pause.
 void bear(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
-  constexpr std::array<Bearing, 3> kBearings{{{kInnerBrowRaiser, 0.38F, kOuterBrowRaiser, 0.48F},
-                                              {kCheekRaiser, 0.55F, kLipCornerPuller, 0.48F},
-                                              {kBrowLowerer, 0.34F, kLidTightener, 0.42F}}};
+  constexpr std::array<Bearing, 3> kBearings{
+      {{kInnerBrowRaiser, 0.48F * kInnerShare, kOuterBrowRaiser, 0.48F},
+       {kCheekRaiser, 0.55F, kLipCornerPuller, 0.48F},
+       {kBrowLowerer, 0.34F, kLidTightener, 0.42F}}};
   constexpr Milliseconds kOnset{450};
   constexpr Milliseconds kOffset{600};
   std::size_t which = 1;  // whoever begins to speak greets
