@@ -40,7 +40,7 @@ inline constexpr int kMouthCornerSpoke = 12;
   return 1 - power(1 - u, 1.2);
 }
 /// Share of the way from the red of the lips (0) to the border of the block (1), ring by ring.
-inline constexpr std::array kMouthRings{1.0, 0.82, 0.64, 0.46, 0.30, 0.15};
+inline constexpr std::array kMouthRings{1.0, 0.82, 0.64, 0.46, 0.30, 0.09};
 inline constexpr int kLipBorderRing = 6;    ///< where the red begins
 inline constexpr int kLipContactRing = 10;  ///< where the lips touch
 inline constexpr int kLipLastRing = 13;     ///< inside the mouth; the mouth bag starts there
