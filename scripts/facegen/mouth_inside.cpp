@@ -26,14 +26,14 @@ constexpr Arch kUpperArch{1,
                           -1.58,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.96, .86, .875, .76, .65, .55, .47}};
+                          {.96, .885, .90, .79, .68, .57, .48}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
                           -3.27,
                           0.12,
                           {.41, .44, .49, .49, .49, .70, .64},
-                          {.62, .63, .65, .63, .60, .54, .51}};
+                          {.66, .66, .67, .64, .60, .54, .51}};
 constexpr double kArchBack = 4.8;
 /// Squarer than an ellipse (2): a narrow front ends in a dark gap to the corner of the mouth.
 constexpr double kArchPower = 2.18;
@@ -75,15 +75,15 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr Vec3 kLostBetweenTeeth{0.34, 0.41, 0.47};
+constexpr Vec3 kLostBetweenTeeth{0.22, 0.29, 0.34};
 
 /// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
 /// and behind them light gets lost.
 constexpr std::array<Vec3, kTeethPerSide> kCrownTint{{{1.0, 1.0, 1.0},
-                                                      {0.95, 0.94, 0.93},
-                                                      {0.85, 0.79, 0.70},
-                                                      {0.83, 0.79, 0.73},
-                                                      {0.78, 0.74, 0.69},
+                                                      {0.97, 0.96, 0.95},
+                                                      {0.92, 0.88, 0.82},
+                                                      {0.88, 0.84, 0.79},
+                                                      {0.82, 0.78, 0.73},
                                                       {0.75, 0.72, 0.68},
                                                       {0.70, 0.67, 0.63}}};
 
@@ -102,7 +102,7 @@ Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
 /// How much of its edge a front tooth loses beside its neighbours, towards the middle and away from
 /// it: canines are pointed.
 constexpr std::array<std::array<double, 2>, 3> kRounding{
-    {{0.035, 0.09}, {0.06, 0.11}, {0.10, 0.13}}};
+    {{0.03, 0.065}, {0.05, 0.08}, {0.08, 0.10}}};
 
 /// How thick crowns are, in those of the front.
 constexpr std::array<double, kTeethPerSide> kThickness{1, 1, 1.15, 1.4, 1.5, 1.6, 1.6};
@@ -218,7 +218,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(1.80, 0.45, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.05, 0.45, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.74, 0.66, 0.60};
@@ -249,11 +249,11 @@ void shade_teeth(Part& teeth, const Arch& arch) {
 void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
-    vertex.occlusion = mix(0.12, 0.74, smooth_step(5.0, 7.0, p.z));
+    vertex.occlusion = mix(0.15, 0.85, smooth_step(5.0, 7.0, p.z));
     vertex.gloss = mix(0.1, 1.6, smooth_step(5.9, 7.0, p.z));
-    vertex.colour *= mix(0.26, 1.40, smooth_step(4.2, 6.9, p.z)) *
-                     mix(0.38, 1.0, smooth_step(1.30, 0.40, std::abs(p.x))) *
-                     (1 - 0.34 * bell(p.x, 0.15) * smooth_step(7.3, 6.6, p.z));
+    vertex.colour *= mix(0.30, 1.85, smooth_step(4.2, 6.9, p.z)) *
+                     mix(0.45, 1.0, smooth_step(1.30, 0.40, std::abs(p.x))) *
+                     (1 - 0.22 * bell(p.x, 0.17) * smooth_step(7.3, 6.6, p.z));
   }
 }
 
@@ -280,7 +280,7 @@ std::vector<LipPlace> lip_loop(const Skin& skin) {
   std::vector<LipPlace> loop;
   const auto go_by = [&](int s, int side) {
     const int up = s == kMouthCornerSpoke ? 0 : s < kMouthCornerSpoke ? 1 : -1;
-    const double corner = smooth_step(5.0, 0.0, std::abs(s - kMouthCornerSpoke));
+    const double corner = smooth_step(6.0, 0.0, std::abs(s - kMouthCornerSpoke));
     loop.push_back({skin.find(Patch::Mouth, kLipLastRing, s, side), up, corner});
   };
   for (int s = 0; s < kMouthSpokes; ++s) go_by(s, 1);
@@ -340,7 +340,7 @@ Part make_tongue() {
     const double z = 5.40 + 1.95 * std::cos(b);
     const double width = 1.28 * power(std::sin(b), 0.62) * (1 - 0.24 * std::cos(b));
     // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
-    const double height = power(std::sin(b), 0.6) * mix(0.55, 0.24, smooth_step(4.6, 7.1, z));
+    const double height = power(std::sin(b), 0.6) * mix(0.55, 0.29, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;
@@ -393,15 +393,19 @@ Part make_mouth_bag(const Skin& skin) {
       if (place.up < 0) high = std::min(high, -below);
       const Vec3 p{lip.position.x * shape.widen, kMiddleY + high,
                    mix(lip.position.z, kThroatZ, shape.back)};
-      // Darker in the corners, where its edge is seen from the front: lit, it is a pale string.
-      const Vec3 colour = mix(kMouthFront * mix(0.9, 0.5, place.corner), kMouthBack,
-                              smooth_step(0.0, 0.7, shape.back));
+      // Darker in the corners, where its edge is seen from the front: lit, it is a pale string. The
+      // walls behind it are red for longer, that an open mouth ends in flesh and not in a black
+      // wedge.
+      const Vec3 front_colour = kMouthFront * mix(0.9, k == 0 ? 0.5 : 0.95, place.corner);
+      const Vec3 colour =
+          mix(front_colour, kMouthBack, smooth_step(0.0, mix(0.75, 1.3, place.corner), shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // A trace, that the walls of the open mouth are red and not black; more, and the lights from
       // behind would draw them.
-      vertex.occlusion = 0.60 * smooth_step(1.0, 0.15, shape.back);
+      vertex.occlusion =
+          mix(0.60, k == 0 ? 0.45 : 0.95, place.corner) * smooth_step(1.0, 0.15, shape.back);
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;
