@@ -26,7 +26,7 @@ constexpr Arch kUpperArch{1,
                           -1.58,
                           0.04,
                           {.60, .49, .53, .49, .49, .68, .64},
-                          {.96, .885, .90, .79, .68, .57, .48}};
+                          {.96, .88, .88, .775, .68, .57, .48}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
@@ -75,7 +75,7 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr Vec3 kLostBetweenTeeth{0.22, 0.29, 0.34};
+constexpr Vec3 kLostBetweenTeeth{0.18, 0.25, 0.30};
 
 /// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
 /// and behind them light gets lost.
@@ -90,9 +90,20 @@ constexpr std::array<Vec3, kTeethPerSide> kCrownTint{{{1.0, 1.0, 1.0},
 /// Seven columns of a crown, closer where it rounds off beside its neighbours.
 constexpr std::array kAcrossCrown{0.0, 0.07, 0.23, 0.5, 0.77, 0.93, 1.0};
 
-/// `to_tip` from the gum to the edge, `across` 0 in the middle of the crown and 1 beside the next.
-Vec3 tooth_colour(double to_tip, double across, std::size_t tooth) {
-  Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) * kCrownTint[tooth] *
+/// A measure of crowns at `u` of the width of one: neighbours meet at one height and thickness, or
+/// the row looks torn, and in one tint, or they are keys.
+template <typename Measure>
+Measure of_crown(const std::array<Measure, kTeethPerSide>& measure, std::size_t tooth, double u) {
+  const Measure own = measure[tooth];
+  const std::size_t towards =
+      u < 0.5 ? (tooth == 0 ? 0 : tooth - 1) : std::min(tooth + 1, kTeethPerSide - 1);
+  return mix(own, (own + measure[towards]) * 0.5, std::abs(2 * u - 1));
+}
+
+/// `to_tip` from the gum to the edge, `u` of the width of the crown.
+Vec3 tooth_colour(double to_tip, double u, std::size_t tooth) {
+  const double across = std::abs(2 * u - 1);
+  Vec3 c = mix(kToothNeck, kTooth, smooth_step(0, 0.6, to_tip)) * of_crown(kCrownTint, tooth, u) *
            (Vec3{1} - kLostBetweenTeeth * power(across, 6));
   // The edge is thin: what shows through is the dark of the mouth, and little red.
   if (tooth < 2) c *= mix(Vec3{1}, Vec3{0.80, 0.82, 0.86}, smooth_step(0.80, 1.0, to_tip));
@@ -106,15 +117,6 @@ constexpr std::array<std::array<double, 2>, 3> kRounding{
 
 /// How thick crowns are, in those of the front.
 constexpr std::array<double, kTeethPerSide> kThickness{1, 1, 1.15, 1.4, 1.5, 1.6, 1.6};
-
-/// A measure of crowns at `u` of the width of one: neighbours meet at one height and thickness, or
-/// the row looks torn.
-double of_crown(const std::array<double, kTeethPerSide>& measure, std::size_t tooth, double u) {
-  const double own = measure[tooth];
-  const std::size_t towards =
-      u < 0.5 ? (tooth == 0 ? 0 : tooth - 1) : std::min(tooth + 1, kTeethPerSide - 1);
-  return mix(own, (own + measure[towards]) / 2, std::abs(2 * u - 1));
-}
 
 /// One row of a crown: how far from the gum to the edge, and how far behind its front.
 struct CrownRow {
@@ -155,7 +157,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const Vec3 base = curve.at(begin - 0.015 + width * tapered);
       const Vec3 out = glm::normalize(Vec3{base.x / 2.0, 0, (base.z - 4.9) / 3.0});
       const double bulge = 0.10 * (1 - power(across, 4)) * (1 - 0.3 * v);
-      const double edge = -0.05 * power(across, 8) - 0.10 * power(v, 8);
+      const double edge = -0.035 * power(across, 8) - 0.10 * power(v, 8);
       const double depth = behind * of_crown(kThickness, tooth, u);
       Vec3 p = base + out * (bulge + edge - depth + lean * v);
       const double height = of_crown(arch.heights, tooth, u);
@@ -167,7 +169,7 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       const double in_shade = smooth_step(0.0, 0.16, behind);
-      const Vec3 front = tooth_colour(v, across, tooth);
+      const Vec3 front = tooth_colour(v, u, tooth);
       // The lower row is seen from behind past the lip: lit, its backs would be a heap of shells.
       const Vec3 near_back = arch.up > 0 ? front * kCrownBack : kCrownFarBack;
       const Vec3 back = mix(kCrownFarBack, near_back, smooth_step(5.8, 7.4, p.z));
@@ -340,7 +342,7 @@ Part make_tongue() {
     const double z = 5.40 + 1.95 * std::cos(b);
     const double width = 1.28 * power(std::sin(b), 0.62) * (1 - 0.24 * std::cos(b));
     // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
-    const double height = power(std::sin(b), 0.6) * mix(0.55, 0.29, smooth_step(4.6, 7.1, z));
+    const double height = power(std::sin(b), 0.6) * mix(0.55, 0.24, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;
@@ -374,6 +376,8 @@ Part make_mouth_bag(const Skin& skin) {
                                                   {.68, 1.45, 1.5, .8, 1.6, .4},
                                                   {.88, .9, .8, .5, .9, 0}}};
   constexpr double kThroatZ = 3.6;
+  /// In the corners, ring by ring: the edge is dark, the walls close behind it are not.
+  static constexpr std::array kCornerLight{0.45, 0.95, 0.65};
   const std::vector<LipPlace> loop = lip_loop(skin);
   Part bag;
   bag.name = "mouth_bag";
@@ -398,14 +402,14 @@ Part make_mouth_bag(const Skin& skin) {
       // wedge.
       const Vec3 front_colour = kMouthFront * mix(0.9, k == 0 ? 0.5 : 0.95, place.corner);
       const Vec3 colour =
-          mix(front_colour, kMouthBack, smooth_step(0.0, mix(0.75, 1.3, place.corner), shape.back));
+          mix(front_colour, kMouthBack, smooth_step(0.0, mix(0.7, 0.85, place.corner), shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // A trace, that the walls of the open mouth are red and not black; more, and the lights from
       // behind would draw them.
-      vertex.occlusion =
-          mix(0.60, k == 0 ? 0.45 : 0.95, place.corner) * smooth_step(1.0, 0.15, shape.back);
+      const double at_corner = kCornerLight[std::min(k, kCornerLight.size() - 1)];
+      vertex.occlusion = mix(0.60, at_corner, place.corner) * smooth_step(1.0, 0.15, shape.back);
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;

@@ -37,7 +37,7 @@ inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
 inline constexpr Vec3 kNostril{0.15, 0.048, 0.036};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
 inline constexpr Vec3 kMouthFront{0.56, 0.165, 0.145};
-inline constexpr Vec3 kMouthBack{0.30, 0.078, 0.064};
+inline constexpr Vec3 kMouthBack{0.29, 0.074, 0.061};
 inline constexpr Vec3 kGum{0.60, 0.27, 0.25};
 inline constexpr Vec3 kGumBack{0.26, 0.12, 0.105};
 inline constexpr Vec3 kToothNeck{0.83, 0.74, 0.60};
