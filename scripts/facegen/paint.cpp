@@ -94,7 +94,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
   const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner) *
-                          (1 - 0.68 * smooth_step(0.80, 1.0, to_corner));
+                          (1 - 0.80 * smooth_step(0.74, 1.0, to_corner));
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
   // The line between the lips fades out before their corners, or it is drawn with a pen.

@@ -158,7 +158,7 @@ TEST_F(DefaultFaceRecordings, SmilesWithBothLipsInAnArc) {
     return smile[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)].y;
   };
   // From beside the corners down to the middle of each lip.
-  EXPECT_GT(height(9) - height(0), 0.20F) << "the edge of the upper lip is straight";
+  EXPECT_GT(height(9) - height(0), 0.17F) << "the edge of the upper lip is straight";
   EXPECT_GT(height(15) - height(24), 0.46F) << "the lower lip is flat";
 }
 
