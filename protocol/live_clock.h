@@ -8,6 +8,7 @@
 
 #include "common/time.h"
 #include "protocol/encoded_stream.h"
+#include "protocol/limits.h"
 
 namespace aucast::protocol {
 
@@ -20,6 +21,8 @@ class LiveClock {
  public:
   /// How late a moment may be without being skipped.
   static constexpr Milliseconds kLiveLagMax{1000};
+  /// How many moments passed() has at most, the newest ones: no window takes more.
+  static constexpr std::size_t kPassedMax = kWindowMax;
 
   /// `number` counts the moments from 0, and counts on when the stream starts again.
   struct Moment {
@@ -35,7 +38,8 @@ class LiveClock {
   /// Goes on to the next moment, or to the end, if that is due; else returns false. Call it until
   /// then.
   bool advance(Instant now);
-  /// Goes through all moments that are due; returns false if none is.
+  /// Goes through all moments that are due; returns false if none is. Of a loop that is due many
+  /// times over only the last turns are gone through, which takes no longer for more of them.
   bool advance_all(Instant now);
   /// The moments that the last advance() or advance_all() went through, the newest last; empty when
   /// it only reached the end.
@@ -50,8 +54,10 @@ class LiveClock {
 
  private:
   void step();
+  void skip_turns(Instant now);
 
   std::span<const KeyframeTime> times_;
+  Milliseconds turn_{0};  ///< the length of a turn
   bool loop_;
   Instant next_at_;
   std::size_t next_keyframe_ = 0;

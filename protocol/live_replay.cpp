@@ -50,6 +50,12 @@ bool LiveReplay::advance(Instant now) {
 /// Moves next_begin_ on to where the moment with this number begins.
 void LiveReplay::go_to(std::uint64_t number) {
   const std::size_t size = stream_->times.size();
+  // Turns that the clock has left out are not gone through, nor heard.
+  if (const std::uint64_t turns = (number - next_number_) / size; turns > 1) {
+    next_number_ += (turns - 1) * size;
+    next_begin_ += static_cast<std::int64_t>(turns - 1) * turn_time_;
+    turn_begin_ += static_cast<std::int64_t>(turns - 1) * turn_time_;
+  }
   for (; next_number_ < number; ++next_number_) {
     next_begin_ += stream_->times[static_cast<std::size_t>(next_number_ % size)];
     if ((next_number_ + 1) % size > 0) continue;

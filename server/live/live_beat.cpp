@@ -67,10 +67,12 @@ void LiveBeat::beat() {
     if (!replay->advance(begin)) continue;
     moved = true;
     worst = std::max(worst, late);
+    // Less late than that, what is left out is more than any client takes at once.
+    if (late <= protocol::LiveClock::kLiveLagMax) continue;
     const std::uint64_t now_begun = begun(replay->replay());
     if (now_begun > before) left_out += now_begun - before - replay->replay().latest().size();
   }
-  // Once a second at most: less late than that nothing is left out.
+  // Once a second at most.
   if (left_out > 0) {
     spdlog::warn("late by {:.1f} s: {} moments of live streams were left out", seconds(worst),
                  left_out);

@@ -99,6 +99,31 @@ TEST(LiveClock, LeavesOutWhatIsLongPast) {
   EXPECT_EQ(short_one.newest()->keyframe, 1U) << "the last state is kept";
 }
 
+TEST(LiveClock, OfALoopThatIsDueManyTimesOverItKeepsTheNewest) {
+  for (const std::size_t size : {2U, 3U, 100U, 1000U}) {
+    std::vector<Milliseconds> times(size, 0ms);
+    times.back() = 1ms;
+    const auto clock_times = times_of(times);
+    LiveClock quick(clock_times, true, kBegin);
+    LiveClock patient(clock_times, true, kBegin);
+    Instant now = kBegin;
+    for (const Milliseconds pause : {0ms, 1ms, 2ms, 300ms, 900ms, 5000ms}) {
+      now += pause;
+      EXPECT_EQ(quick.advance_all(now), patient.advance(now));
+      std::vector<LiveClock::Moment> all(patient.passed().begin(), patient.passed().end());
+      while (patient.advance(now)) {
+        all.insert(all.end(), patient.passed().begin(), patient.passed().end());
+      }
+      EXPECT_EQ(quick.newest(), patient.newest());
+      EXPECT_EQ(quick.next_at(), patient.next_at());
+      const auto kept = quick.passed();
+      ASSERT_EQ(kept.size(), std::min(all.size(), LiveClock::kPassedMax));
+      EXPECT_TRUE(std::equal(kept.rbegin(), kept.rend(), all.rbegin()))
+          << size << " keyframes, after " << pause.count() << " ms";
+    }
+  }
+}
+
 TEST(LiveClock, NeverDriftsWhateverTheMomentsOfAsking) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());
