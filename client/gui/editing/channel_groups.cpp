@@ -26,7 +26,7 @@ constexpr TextKey kHead("region.head");
 constexpr TextKey kOther("region.other");
 constexpr std::array kRegions = {kBrow, kEyes, kNose, kMouth, kJaw, kHead, kOther};
 
-constexpr std::array<Clue, 39> kClues = {{
+constexpr std::array<Clue, 40> kClues = {{
     {"forehead", kBrow}, {"crows_feet", kEyes},  {"nose", kNose},       {"neck", kJaw},
     {"head_", kHead},    {"lid", kEyes},         {"gaze", kEyes},       {"oculi", kEyes},
     {"cheek", kEyes},    {"frontalis", kBrow},   {"brow", kBrow},       {"corrugat", kBrow},
@@ -36,7 +36,7 @@ constexpr std::array<Clue, 39> kClues = {{
     {"chin", kJaw},      {"zygomatic", kMouth},  {"anguli", kMouth},    {"angular", kMouth},
     {"labi", kMouth},    {"oris", kMouth},       {"lip", kMouth},       {"corner", kMouth},
     {"risor", kMouth},   {"buccinator", kMouth}, {"incisiv", kMouth},   {"mouth", kMouth},
-    {"tongue", kMouth},  {"dimple", kMouth},     {"smile", kMouth},
+    {"tongue", kMouth},  {"dimple", kMouth},     {"smile", kMouth},     {"socket", kBrow},
 }};
 
 TextKey region_of(const std::string& name) {
