@@ -6,7 +6,7 @@
 namespace aucast::pipeline {
 namespace {
 
-/// The name without left_, Right_, l_ and the like.
+/// The name without the side at its beginning, in any of the spellings.
 std::string_view without_side(std::string_view name) {
   for (const std::string_view side : {"left_", "right_", "Left_", "Right_", "L_", "R_"}) {
     if (name.starts_with(side)) return name.substr(side.size());

@@ -193,8 +193,10 @@ void Listener::accept_waiting(const Waits::Token& wait) {
 void Listener::accept_later(const std::error_code& cause) {
   ++failures_;
   if (!std::exchange(failing_, true)) {
-    spdlog::warn("cannot accept connections for now: {} (more clients need a higher ulimit -n)",
-                 cause.message());
+    const bool too_many = cause == std::errc::too_many_files_open ||
+                          cause == std::errc::too_many_files_open_in_system;
+    spdlog::warn("cannot accept connections for now: {}{}", cause.message(),
+                 too_many ? " (more clients need a higher ulimit -n)" : "");
   }
   pause_.expires_after(limits_.pause);
   pause_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {

@@ -41,9 +41,12 @@ bool means_no_data(std::string_view cell) {
 
 /// Groups of three digits after each comma: "12,345".
 bool are_thousands(std::string_view whole) {
-  const std::size_t comma = whole.rfind(',');
-  if (comma == std::string_view::npos) return !whole.empty();
-  return whole.size() - comma == 4 && are_thousands(whole.substr(0, comma));
+  while (true) {
+    const std::size_t comma = whole.rfind(',');
+    if (comma == std::string_view::npos) return !whole.empty();
+    if (whole.size() - comma != 4) return false;
+    whole.remove_suffix(4);
+  }
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::string tags() {
 }  // namespace
 
 struct OggOpusWriter::State {
-  State(Milliseconds begin_, std::uint32_t serial) : begin(begin_), end(begin_) {
+  State(Milliseconds from, std::uint32_t serial) : begin(from), end(from) {
     AUCAST_CHECK(ogg_stream_init(&stream, static_cast<int>(serial)) == 0);
     put(head(), 0, false);
     move_pages(true);

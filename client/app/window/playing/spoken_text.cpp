@@ -37,7 +37,7 @@ void SpokenText::move_to(playback::Playback& playback, Duration place) {
   line_.take_from(playback);
   if (playback.seekable() == nullptr) {
     title_ = playback.status().title;
-    static_cast<void>(line_.move_to(place));
+    line_.move_to(place);
     caption_ = line_.text();
     return;
   }
