@@ -267,7 +267,8 @@ void add_edge_wisp(Part& hair, const Identity& who, const Sheet& sheet, std::siz
   const double side = number % 2 == 0 ? -1 : 1;
   const double from_edge = mix(0.004, 0.030, chance(1));
   const double s = side < 0 ? from_edge : 1 - from_edge;
-  const double begin = mix(0.06, 0.50, (static_cast<double>(number / 2) + chance(2)) * 2 / kWisps);
+  const std::size_t of_its_side = number / 2;
+  const double begin = mix(0.06, 0.50, (static_cast<double>(of_its_side) + chance(2)) * 2 / kWisps);
   const double length = mix(0.12, 0.26, chance(3));
   const double strays = mix(0.2, 0.8, chance(4) * chance(4));
   const auto along = [&](double v) { return begin + length * v; };
