@@ -7,10 +7,10 @@
 namespace aucast::app {
 
 Result<std::unique_ptr<VideoFeed>> VideoFeed::start(std::unique_ptr<view::VideoEncoder> encoder,
-                                                    std::size_t picture_bytes) {
+                                                    std::size_t picture_bytes, Over over) {
   const std::size_t fit = kWaitingBytesMax / std::max<std::size_t>(picture_bytes, 1);
-  std::unique_ptr<VideoFeed> feed(
-      new VideoFeed(std::move(encoder), std::clamp<std::size_t>(fit, 1, kWaitingMax)));
+  std::unique_ptr<VideoFeed> feed(new VideoFeed(
+      std::move(encoder), std::clamp<std::size_t>(fit, 1, kWaitingMax), std::move(over)));
   auto started = start_thread([&feed = *feed] { feed.run(); });
   if (!started) return started.error();
   feed->thread_ = std::move(*started);
@@ -18,6 +18,7 @@ Result<std::unique_ptr<VideoFeed>> VideoFeed::start(std::unique_ptr<view::VideoE
 }
 
 VideoFeed::~VideoFeed() {
+  *over_ = true;
   course_.change([](Course& course) {
     course.ending = true;
     course.abandoned = true;
@@ -65,6 +66,7 @@ Result<void> VideoFeed::add(view::Image picture, std::uint64_t times) {
 }
 
 Result<void> VideoFeed::finish(const std::filesystem::path& sound) {
+  *over_ = true;
   course_.change([](Course& course) { course.ending = true; });
   thread_.join();
   // An encoder that has failed says again why.

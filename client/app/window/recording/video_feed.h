@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -25,9 +26,12 @@ class VideoFeed {
   static constexpr std::size_t kWaitingMax = 8;
   static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 27;
 
-  /// `picture_bytes`: the size of each picture.
+  using Over = std::shared_ptr<std::atomic<bool>>;
+
+  /// `picture_bytes`: the size of each picture. `over`: becomes true when the video is over; the
+  /// encoder's `stop` has to look at it, or one that hangs is waited for without end.
   [[nodiscard]] static Result<std::unique_ptr<VideoFeed>> start(
-      std::unique_ptr<view::VideoEncoder> encoder, std::size_t picture_bytes);
+      std::unique_ptr<view::VideoEncoder> encoder, std::size_t picture_bytes, Over over);
   /// Without finish(), what waits is dropped and the video is abandoned.
   ~VideoFeed();
   VideoFeed(const VideoFeed&) = delete;
@@ -54,13 +58,14 @@ class VideoFeed {
     std::optional<Error> failure;
   };
 
-  VideoFeed(std::unique_ptr<view::VideoEncoder> encoder, std::size_t waiting_max)
-      : encoder_(std::move(encoder)), waiting_max_(waiting_max) {}
+  VideoFeed(std::unique_ptr<view::VideoEncoder> encoder, std::size_t waiting_max, Over over)
+      : encoder_(std::move(encoder)), waiting_max_(waiting_max), over_(std::move(over)) {}
   void run();
   [[nodiscard]] Result<void> feed(const Waiting& next);
 
   std::unique_ptr<view::VideoEncoder> encoder_;  ///< the thread's until that has ended
   std::size_t waiting_max_;
+  Over over_;
   Shared<Course> course_;
   std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };

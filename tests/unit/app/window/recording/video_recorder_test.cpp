@@ -1,12 +1,16 @@
 #include "client/app/window/recording/video_recorder.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "client/app/window/recording/video_feed.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
@@ -103,6 +107,21 @@ TEST_F(VideoRecorderTest, ASlowFfmpegDoesNotHoldTheWindowUp) {
   EXPECT_NE(ended->find(repeated), std::string::npos) << *ended;
   EXPECT_EQ(std::stoi(folder_.read("bytes")), kFrames * kSide * kSide * 4)
       << "the video is as long as the time it shows";
+}
+
+TEST_F(VideoRecorderTest, AnAbandonedVideoDoesNotWaitForAFfmpegThatHangs) {
+  const test::FakeFfmpeg hanging("while :; do sleep 0.01; done");
+  const auto over = std::make_shared<std::atomic<bool>>(false);
+  constexpr int kSide = 512;  // more than fits into the pipe
+  auto encoder = view::VideoEncoder::open(
+      folder_.path() / "video.mp4", kSide, kSide, 25, [over] { return over->load(); },
+      Milliseconds(50));
+  ASSERT_TRUE(encoder);
+  auto feed = VideoFeed::start(std::move(*encoder), std::size_t{kSide} * kSide * 4, over);
+  ASSERT_TRUE(feed);
+  ASSERT_TRUE((*feed)->add(view::make_image(kSide, kSide), 1));
+  feed->reset();
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing is left behind";
 }
 
 TEST_F(VideoRecorderTest, AFailingFfmpegEndsTheVideo) {
