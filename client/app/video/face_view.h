@@ -5,6 +5,7 @@
 #include <span>
 
 #include "client/face/face.h"
+#include "client/face/face_deformer.h"
 #include "client/view/image.h"
 #include "client/view/scene.h"
 #include "client/view/style.h"
@@ -22,7 +23,10 @@ enum class Sharpness : std::uint8_t { Video, Still };
 class FaceView {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face);
-  /// As create(), but makes the view in portions. Until make_more() has returned true, the view
+  /// As create(face), with a deformer of that face that is made already.
+  [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face,
+                                                                face::FaceDeformer deformer);
+  /// As create(face), but makes the view in portions. Until make_more() has returned true, the view
   /// draws the neutral face, whatever its pose.
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_neutral(const face::Face& face);
   /// Makes the next portion, which takes a few milliseconds. Returns true when nothing is left to
@@ -48,6 +52,8 @@ class FaceView {
  private:
   struct State;
   explicit FaceView(std::unique_ptr<State> state);
+  /// With nothing to draw yet.
+  [[nodiscard]] static Result<std::unique_ptr<FaceView>> create_bare(const face::Face& face);
   void show_pose();
   std::unique_ptr<State> state_;
 };

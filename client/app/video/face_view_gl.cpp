@@ -16,17 +16,13 @@ namespace aucast::app {
 
 struct FaceView::State {
   State(const face::Face& face, std::unique_ptr<render::FaceRenderer> made)
-      : making(face),
-        neutral(face::neutral_face(face)),
-        diagram(face),
-        renderer(std::move(made)),
-        activations(face.channels.size()) {
+      : diagram(face), renderer(std::move(made)), activations(face.channels.size()) {
     renderer->load(FaceScene(face).still());
   }
 
   std::optional<face::FaceDeformer::Making> making;
+  face::DeformedFace neutral;                  ///< what is drawn meanwhile
   std::optional<face::FaceDeformer> deformer;  ///< nullopt while it is being made
-  face::DeformedFace neutral;
   FaceDiagram diagram;
   std::unique_ptr<render::FaceRenderer> renderer;
   std::vector<float> activations;
@@ -38,19 +34,32 @@ struct FaceView::State {
   int drawn_larger = 1;  ///< factor
 };
 
-FaceView::FaceView(std::unique_ptr<State> state) : state_(std::move(state)) {
-  show_pose();
-}
+FaceView::FaceView(std::unique_ptr<State> state) : state_(std::move(state)) {}
 FaceView::~FaceView() = default;
 
 Result<std::unique_ptr<FaceView>> FaceView::create(const face::Face& face) {
-  auto view = create_neutral(face);
-  while (view && !(*view)->make_more()) {
-  }
+  return create(face, face::FaceDeformer(face));
+}
+
+Result<std::unique_ptr<FaceView>> FaceView::create(const face::Face& face,
+                                                   face::FaceDeformer deformer) {
+  auto view = create_bare(face);
+  if (!view) return view.error();
+  (*view)->state_->deformer = std::move(deformer);
+  (*view)->show_pose();
   return view;
 }
 
 Result<std::unique_ptr<FaceView>> FaceView::create_neutral(const face::Face& face) {
+  auto view = create_bare(face);
+  if (!view) return view.error();
+  (*view)->state_->making.emplace(face);
+  (*view)->state_->neutral = face::neutral_face(face);
+  (*view)->show_pose();
+  return view;
+}
+
+Result<std::unique_ptr<FaceView>> FaceView::create_bare(const face::Face& face) {
   auto renderer = render::FaceRenderer::create();
   if (!renderer) return renderer.error();
   return std::unique_ptr<FaceView>(

@@ -9,6 +9,9 @@
 #include "client/app/window/thumbnails/face_thumbnails.h"
 #include "client/app/window/thumbnails/keyframe_thumbnails.h"
 #include "client/app/window/window_overlay.h"
+#include "client/face/face_deformer.h"
+#include "common/check.h"
+#include "common/task.h"
 
 namespace aucast::app {
 namespace {
@@ -188,13 +191,20 @@ class GlDisplay : public WindowDisplay {
 Result<std::unique_ptr<WindowDisplay>> open_display(const Assets& assets,
                                                     const OutputOptions& output,
                                                     StartTimes& start_times) {
+  // The window waits for the display most of the time that it takes to open.
+  Task<face::FaceDeformer> making;
+  auto started = making.start([&face = assets.face] { return face::FaceDeformer(face); });
+  if (!started) return started.error();
   const bool given = output.size_given;
   auto window = render::Window::create(given ? output.width : kWindowWidth,
                                        given ? output.height : kWindowHeight, "AUcast");
   if (!window) return window.error();
   if (!given) (*window)->fit_to_screen();
   start_times.passed("window and OpenGL");
-  auto view = FaceView::create(assets.face);
+  making.wait();
+  auto deformer = making.take();
+  AUCAST_CHECK(deformer.has_value());
+  auto view = FaceView::create(assets.face, *std::move(deformer));
   if (!view) return view.error();
   start_times.passed("face in OpenGL");
   std::unique_ptr<WindowDisplay> display =
