@@ -55,16 +55,21 @@ std::error_code copy_writable(const fs::path& from, const fs::path& to) {
   return cause;
 }
 
-/// Copies a folder and what is in it. Shipped folders may be read-only, which fs::copy would make
-/// of the new ones before there is anything in them.
+/// Copies a folder and what is in it, except linked folders, which may lead round in a circle.
+/// Shipped folders may be read-only, which fs::copy would make of the new ones before there is
+/// anything in them.
 std::error_code copy_files(const fs::path& from, const fs::path& to) {
   std::error_code cause;
   fs::create_directory(to, cause);
   if (cause) return cause;
   for (fs::directory_iterator at(from, cause), end; !cause && at != end;) {
     const fs::path copy = to / at->path().filename();
-    cause =
-        at->is_directory(cause) ? copy_files(at->path(), copy) : copy_writable(at->path(), copy);
+    const bool folder = at->is_directory(cause);
+    if (!folder) {
+      cause = copy_writable(at->path(), copy);
+    } else if (!at->is_symlink()) {
+      cause = copy_files(at->path(), copy);
+    }
     if (!cause) at.increment(cause);
   }
   return cause;
@@ -87,7 +92,7 @@ Result<void> make_whole(const fs::path& copy, const fs::path& from) {
     const TomlValue* named = document->find(key);
     if (named == nullptr) continue;
     const fs::path file = fs::path(named->text).lexically_normal();
-    if (file.is_relative() && *file.begin() != "..") continue;
+    if (file.empty() || (file.is_relative() && *file.begin() != "..")) continue;
     std::string name = file.filename().string();
     if (is_there(copy / name)) name = file.parent_path().filename().string() + "_" + name;
     if (const auto cause = copy_writable(from / file, copy / name)) {

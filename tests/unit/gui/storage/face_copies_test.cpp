@@ -104,6 +104,24 @@ TEST_F(FaceCopies, ACopyHasItsOwnNameAndSaysWhatItIsACopyOf) {
   EXPECT_EQ(face::load_face(shipped_, folder_.path())->name, "small");
 }
 
+TEST_F(FaceCopies, ALinkedFolderIsNotFollowed) {
+  fs::create_directory_symlink(shipped_, shipped_ / "round");
+  fs::create_directory(shipped_ / "notes");
+  folder_.write("shipped/plain/notes/list.txt", "mine");
+  const auto copy = copy_face(shipped_, faces_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_FALSE(fs::exists(fs::symlink_status(*copy / "round")));
+  EXPECT_EQ(folder_.read("home/aucast/faces/anna/notes/list.txt"), "mine");
+}
+
+TEST_F(FaceCopies, AFileWithoutANameStaysSo) {
+  folder_.write("shipped/plain/face.toml", "mesh = \"\"\n");
+  const auto copy = copy_face(shipped_, faces_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_NE(folder_.read("home/aucast/faces/anna/face.toml").find("mesh = \"\"\n"),
+            std::string::npos);
+}
+
 TEST_F(FaceCopies, ACopyOfItsFacesNameIsCalledOnesOwnInPictures) {
   const auto copy = writable_face(shipped_, faces_);
   ASSERT_TRUE(copy) << copy.error().message;
