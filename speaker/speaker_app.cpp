@@ -15,6 +15,7 @@
 #include "common/options.h"
 #include "common/result.h"
 #include "common/standard_output.h"
+#include "common/temporary_file.h"
 #include "common/text.h"
 #include "common/voice/voice_encoder.h"
 #include "protocol/stream_file.h"
@@ -143,23 +144,21 @@ Result<std::string> read_text(const fs::path& file) {
 
 /// 16-bit WAV of mono samples, whole or not at all.
 Result<void> write_wav(const fs::path& path, const Speech& speech) {
-  const auto temporary = create_temporary_beside(path);
+  auto temporary = TemporaryFile::beside(path);
   if (!temporary) return temporary.error();
   SF_INFO info{};
   info.samplerate = speech.rate;
   info.channels = 1;
   info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
-  SNDFILE* const file = sf_open(temporary->c_str(), SFM_WRITE, &info);
+  SNDFILE* const file = sf_open(temporary->path().c_str(), SFM_WRITE, &info);
   const auto count = static_cast<sf_count_t>(speech.samples.size());
   const bool whole =
       file != nullptr && sf_writef_float(file, speech.samples.data(), count) == count;
   std::string why = sf_strerror(file);
   // The rest is written at the end, and may fail alone.
   const int closed = sf_close(file);
-  if (closed == SF_ERR_NO_ERROR && whole) return replace_file(*temporary, path);
+  if (closed == SF_ERR_NO_ERROR && whole) return temporary->replace(path);
   if (whole) why = sf_error_number(closed);
-  std::error_code ignored;
-  fs::remove(*temporary, ignored);
   return Error{ErrorKind::Failed,
                at_place(path.string(), "cannot be written whole: " + why + "; is the disk full?")};
 }

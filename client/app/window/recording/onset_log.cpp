@@ -3,10 +3,8 @@
 #include <array>
 #include <cstdio>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include "common/files.h"
 #include "common/log.h"
 #include "common/text.h"
 #include "protocol/codec.h"
@@ -14,13 +12,13 @@
 namespace aucast::app {
 
 Result<std::unique_ptr<OnsetLog>> OnsetLog::create(const std::filesystem::path& path) {
-  auto temporary = create_temporary_beside(path);
+  auto temporary = TemporaryFile::beside(path);
   if (!temporary) return temporary.error();
   return std::unique_ptr<OnsetLog>(new OnsetLog(path, *std::move(temporary)));
 }
 
-OnsetLog::OnsetLog(std::filesystem::path path, std::filesystem::path temporary)
-    : path_(std::move(path)), temporary_(std::move(temporary)), rows_(temporary_) {
+OnsetLog::OnsetLog(std::filesystem::path path, TemporaryFile temporary)
+    : path_(std::move(path)), temporary_(std::move(temporary)), rows_(temporary_.path()) {
   rows_ << "monotonic_s,keyframe,aus,reached\n";
 }
 
@@ -48,12 +46,11 @@ Result<void> OnsetLog::finish() {
   finished_ = true;
   rows_.close();
   if (rows_.fail()) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
+    temporary_.remove();
     return Error{ErrorKind::Failed,
                  at_place(path_.string(), "the onsets could not be written; is the disk full?")};
   }
-  return replace_file(temporary_, path_);
+  return temporary_.replace(path_);
 }
 
 }  // namespace aucast::app

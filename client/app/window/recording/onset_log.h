@@ -8,6 +8,7 @@
 
 #include "common/action_unit.h"
 #include "common/result.h"
+#include "common/temporary_file.h"
 #include "common/time.h"
 
 namespace aucast::app {
@@ -39,10 +40,10 @@ class OnsetLog {
   [[nodiscard]] Result<void> finish();
 
  private:
-  OnsetLog(std::filesystem::path path, std::filesystem::path temporary);
+  OnsetLog(std::filesystem::path path, TemporaryFile temporary);
 
   std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  TemporaryFile temporary_;
   std::ofstream rows_;
   std::optional<std::uint64_t> reached_;  ///< as in the last row that was written while something
                                           ///< played
