@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "client/sound/pcm.h"
 #include "common/sound_name.h"
 #include "common/text.h"
 #include "common/voice/sound_file.h"
@@ -41,18 +42,7 @@ Filter make_filter() {
   return filter;
 }
 
-constexpr float kWhole = 32767;
 constexpr std::size_t kBlockSamples = voice::kEncoderRate;
-
-std::vector<std::int16_t> whole_numbers(std::span<const float> samples) {
-  std::vector<std::int16_t> numbers;
-  numbers.reserve(samples.size());
-  for (const float sample : samples) {
-    numbers.push_back(
-        static_cast<std::int16_t>(std::lround(std::clamp(sample, -1.0F, 1.0F) * kWhole)));
-  }
-  return numbers;
-}
 
 Result<voice::SoundFile> open_short(const std::filesystem::path& path) {
   auto file = voice::SoundFile::open(path);
@@ -97,7 +87,7 @@ Result<std::unique_ptr<FileTrack>> FileTrack::begin(const std::filesystem::path&
 FileTrack::FileTrack(const std::vector<float>& samples) {
   for (std::span<const float> left = samples; !left.empty();) {
     const auto block = left.first(std::min(left.size(), kBlockSamples));
-    append(whole_numbers(block));
+    append(pcm_of(block));
     left = left.subspan(block.size());
   }
 }
@@ -111,7 +101,7 @@ bool FileTrack::read_block(voice::SoundFile& file) {
   std::vector<float> samples(kBlockSamples);
   samples.resize(file.read(samples));
   const bool more = samples.size() == kBlockSamples;
-  Block block = whole_numbers(samples);
+  Block block = pcm_of(samples);
   news_.with([&](std::vector<Block>& news) { news.push_back(std::move(block)); });
   return more;
 }
@@ -152,7 +142,7 @@ void FileTrack::read(std::int64_t begin, std::span<float> samples) {
     for (std::size_t tap = 0; tap < kTaps; ++tap) {
       sum += filter[phase][tap] * this->at(whole - (kReach - 1) + static_cast<std::int64_t>(tap));
     }
-    out = sum / kWhole;
+    out = sum / kPcmWhole;
   }
 }
 

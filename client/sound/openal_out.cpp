@@ -5,7 +5,6 @@
 #include <AL/alext.h>
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +12,9 @@
 #include <cstring>
 #include <deque>
 #include <utility>
+#include <vector>
 
+#include "client/sound/pcm.h"
 #include "client/sound/sound_track.h"
 
 namespace aucast::sound {
@@ -90,12 +91,9 @@ class OpenAlOut final : public SoundOut {
       buffer = free_.back();
       free_.pop_back();
     }
-    pcm_.clear();
-    for (const float sample : samples) {
-      pcm_.push_back(static_cast<std::int16_t>(std::clamp(sample, -1.0F, 1.0F) * 32767));
-    }
-    alBufferData(buffer, AL_FORMAT_MONO16, pcm_.data(),
-                 static_cast<ALsizei>(pcm_.size() * sizeof(std::int16_t)), kRate);
+    const std::vector<std::int16_t> pcm = pcm_of(samples);
+    alBufferData(buffer, AL_FORMAT_MONO16, pcm.data(),
+                 static_cast<ALsizei>(pcm.size() * sizeof(std::int16_t)), kRate);
     alSourceQueueBuffers(source_, 1, &buffer);
     // A buffer that is not played must not be counted as heard: the face follows that.
     if (alGetError() != AL_NO_ERROR) {
@@ -160,7 +158,6 @@ class OpenAlOut final : public SoundOut {
   bool tells_loss_ = false;
   std::deque<Queued> queued_;
   std::vector<ALuint> free_;
-  std::vector<std::int16_t> pcm_;
   std::int64_t done_ = 0;  ///< samples of the buffers taken back
   bool failed_ = false;    ///< it took no more sound
 };
