@@ -156,7 +156,9 @@ std::optional<double> film_seconds(const std::filesystem::path& path, const Give
   if (!probe) return std::nullopt;
   std::string text;
   std::vector<std::uint8_t> chunk(256);
-  while (const std::size_t got = (*probe)->read(chunk)) {
+  while (text.size() < chunk.size()) {  // a number is shorter
+    const std::size_t got = (*probe)->read(chunk);
+    if (got == 0) break;
     text.append(chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(got));
   }
   while (!text.empty() && text.back() == '\n') text.pop_back();
