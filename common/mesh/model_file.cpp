@@ -178,10 +178,10 @@ class ModelReader {
     switch (step.kind) {
       case Operator::Conv2d:
         return read_window(table, step) && read_activation(table, 3, step) &&
-               !read_dilation(table, 4);
+               !dilated(table, 4);
       case Operator::DepthwiseConv2d:
         return read_window(table, step) && read_size(table, 3, step.depth_multiplier) &&
-               read_activation(table, 4, step) && !read_dilation(table, 5);
+               read_activation(table, 4, step) && !dilated(table, 5);
       case Operator::MaxPool2d:
         return read_window(table, step) && read_size(table, 3, step.filter_width) &&
                read_size(table, 4, step.filter_height) && read_activation(table, 5, step);
@@ -211,7 +211,7 @@ class ModelReader {
     return read_size(table, 1, step.stride_width) && read_size(table, 2, step.stride_height);
   }
 
-  bool read_dilation(std::size_t table, std::size_t field) {
+  bool dilated(std::size_t table, std::size_t field) {
     return buffer_.number<std::int32_t>(table, field, 1) != 1 ||
            buffer_.number<std::int32_t>(table, field + 1, 1) != 1;
   }
