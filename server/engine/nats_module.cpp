@@ -230,9 +230,8 @@ Result<std::unique_ptr<NatsConnection>> connect(const NatsServers& servers,
     natsConnection* connection = nullptr;
     status = natsConnection_Connect(&connection, options.get());
     if (connection != nullptr) {
-      // From here on on_closed() has it.
-      Held* const given = held.release();
-      if (status == NATS_OK) on_connected(connection, given);
+      static_cast<void>(held.release());  // on_closed() has it, and may have let it go already
+      if (status == NATS_OK) listener->on_connected(server_of(connection));
       return std::unique_ptr<NatsConnection>(std::make_unique<Connection>(connection, listener));
     }
     if (!may_come_yet(status)) break;
