@@ -29,7 +29,7 @@ constexpr GLuint kStrandSlot = 5;
 MaterialBlock block_of(const view::Material& material, bool grained) {
   // Shadows on skin go red, not grey. With less green and blue round the edge, a red ring lies
   // there and the shade behind it looks blue.
-  constexpr glm::vec3 kSkinWrap{0.43F, 0.26F, 0.20F};
+  constexpr glm::vec3 kSkinWrap{0.66F, 0.47F, 0.40F};
   constexpr glm::vec3 kSkinShadow{0.30F, 0.165F, 0.13F};
   return {.wrap = kSkinWrap * material.wrap,
           .specular = material.specular,
@@ -185,7 +185,7 @@ void MeshBuffers::load(const view::StaticMesh& mesh) {
   for (std::size_t i = 0; i < vertex_count_; ++i) {
     occlusion_gloss[i] = {mesh.occlusion[i], mesh.gloss[i]};
   }
-  auto grain_places = SkinGrain::places(mesh.rest);
+  auto grain_places = SkinGrain::places(mesh.rest, mesh.gloss);
   grain_places.resize(vertex_count_);
   const auto upload_once = [this]<typename T>(const Buffer& buffer, std::span<const T> own) {
     const std::vector<T> all = rounded_.with_edges(own);

@@ -11,6 +11,7 @@ constexpr int kGrainSide = 256;
 /// Mesh units that one turn of the texture covers: a pore of three texels measures 0.8 mm.
 constexpr float kTurn = 5.0F;
 constexpr int kPores = 3600;
+constexpr float kMoist = 1.45F;  ///< gloss
 
 /// A fixed pseudo-random number in [0, 1).
 float hash(std::uint32_t n) {
@@ -103,14 +104,20 @@ SkinGrain::SkinGrain() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-std::vector<glm::vec2> SkinGrain::places(std::span<const glm::vec3> rest) {
+std::vector<glm::vec2> SkinGrain::places(std::span<const glm::vec3> rest,
+                                         std::span<const float> gloss) {
   std::vector<glm::vec2> places;
   places.reserve(rest.size());
-  for (const glm::vec3& p : rest) {
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const glm::vec3& p = rest[i];
     // Round an axis through the middle of the head, and slanting, so that what faces down or aside
     // is not drawn out.
-    const float round = 5.0F * std::abs(std::atan2(p.x, p.z - 1.5F)) - 0.6F * p.z;
-    places.emplace_back(round / kTurn, (p.y - 0.35F * p.z + 0.25F * p.x) / kTurn);
+    const float radius = std::clamp(std::hypot(p.x, p.z - 1.5F), 2.0F, 5.0F);
+    const float round = radius * std::abs(std::atan2(p.x, p.z - 1.5F)) - 0.6F * p.z;
+    const glm::vec2 place{round, p.y - 0.35F * p.z + 0.25F * p.x};
+    // What is as moist as lips has fine upright lines.
+    const glm::vec2 drawn_out = gloss[i] > kMoist ? glm::vec2{2.6F, 0.7F} : glm::vec2{1};
+    places.push_back(place * drawn_out / kTurn);
   }
   return places;
 }

@@ -18,8 +18,9 @@ class SkinGrain {
  public:
   SkinGrain();
 
-  /// The texture coordinates of the vertices of a neutral head.
-  [[nodiscard]] static std::vector<glm::vec2> places(std::span<const glm::vec3> rest);
+  /// The texture coordinates of the vertices of a neutral head; `gloss` is the mesh's.
+  [[nodiscard]] static std::vector<glm::vec2> places(std::span<const glm::vec3> rest,
+                                                     std::span<const float> gloss);
   void bind(GLenum unit) const;
 
  private:

@@ -235,8 +235,8 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
-    c *= Vec3{1} - Vec3{-0.25, -0.14, -0.06} * inner_socket(p);
-    c *= Vec3{1} + Vec3{0.05, 0.10, 0.11} * under_brow(p);
+    c *= Vec3{1} - Vec3{-0.20, -0.13, -0.10} * inner_socket(p);
+    c *= Vec3{1} + Vec3{0.17, 0.22, 0.25} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
     c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);
     vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
@@ -257,7 +257,7 @@ void lighten_sockets(Skin& skin) {
     const double inside = bell(Vec3{(p.x - 1.95) / 1.35, (p.y - 3.25) / 0.70, 0});
     double& occlusion = skin.part.vertices[i].occlusion;
     // Beside the nose the rim lights would lay a grey haze on it.
-    occlusion = mix(occlusion, 1.0, 0.3 * inside) * (1 - 0.2 * inner_socket(p));
+    occlusion = mix(occlusion, 1.0, 0.5 * inside) * (1 - 0.2 * inner_socket(p));
   }
 }
 

@@ -8,10 +8,10 @@ namespace aucast::facegen {
 
 /// The colours in which one person differs from another.
 struct Palette {
-  Vec3 skin{0.74, 0.505, 0.385};
-  Vec3 flush{0.74, 0.36, 0.29};
-  Vec3 forehead_skin{0.77, 0.55, 0.41};
-  Vec3 neck_skin{0.68, 0.45, 0.35};
+  Vec3 skin{0.745, 0.508, 0.415};
+  Vec3 flush{0.745, 0.365, 0.315};
+  Vec3 forehead_skin{0.76, 0.555, 0.450};
+  Vec3 neck_skin{0.68, 0.465, 0.385};
   Vec3 lid_skin{0.60, 0.35, 0.29};
   Vec3 lid_rim{0.50, 0.24, 0.21};
   Vec3 lip{0.66, 0.285, 0.265};

@@ -20,30 +20,30 @@ view::Material look_of(face::Material material) {
   using view::Shader;
   switch (material) {
     case face::Material::Skin:
-      return {.order = 2, .two_sided = false, .specular = 0.15F, .grain = 1};
+      return {.order = 2, .two_sided = false, .specular = 0.23F, .power = 26, .grain = 1};
     case face::Material::Eye:
-      return {.shader = Shader::Eye, .two_sided = false, .wrap = 0.25F, .power = 60};
+      return {.shader = Shader::Eye, .two_sided = false, .wrap = 0.6F, .power = 60};
     case face::Material::Teeth:
       // Teeth behind a lip are lit through and from all sides; in true shadow they look grey.
-      return {.wrap = 0.8F, .specular = 0.5F, .power = 40, .shadow_kept = 0.56F, .enclosed = 0.22F};
+      return {.wrap = 1, .specular = 0.5F, .power = 40, .shadow_kept = 0.56F, .enclosed = 0.22F};
     case face::Material::Mouth:
       // Light is lost in the mouth, but not all of it, or it is a hole.
-      return {.wrap = 0.7F, .specular = 0.4F, .power = 24, .shadow_kept = 0.34F};
+      return {.wrap = 1, .specular = 0.4F, .power = 24, .shadow_kept = 0.34F};
     case face::Material::Hair:
     case face::Material::GreyHair:
       return {.shader = Shader::Hair,
               .order = 0,
               .two_sided = false,
-              .wrap = 0.35F,
+              .wrap = 0.8F,
               .specular = 0.46F,
               .power = 18,
               .grey = material == face::Material::GreyHair ? 1.0F : 0.0F};
     case face::Material::Cloth:
-      return {.order = 1, .wrap = 0.15F, .specular = 0.05F, .power = 6, .grain = 1.3F};
+      return {.order = 1, .wrap = 0.7F, .specular = 0.05F, .power = 6, .grain = 1.3F};
     case face::Material::Brow:
-      return {.wrap = 0.2F, .specular = 0.05F, .power = 10, .thinning = 1};
+      return {.wrap = 0.7F, .specular = 0.05F, .power = 10, .thinning = 1};
     case face::Material::Lash:
-      return {.wrap = 0.2F, .specular = 0.05F, .power = 10};
+      return {.wrap = 0.7F, .specular = 0.05F, .power = 10};
     case face::Material::Crease:
       return {.shader = Shader::Crease};
   }

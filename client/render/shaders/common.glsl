@@ -1,5 +1,5 @@
-// Put before every stage. Light is linear; fragment shaders end with to_screen(), so that the
-// framebuffer is plain 8 bits without sRGB conversion. The blocks mirror the structs of
+// Put before every stage. Light is linear; fragment shaders end with to_screen() or to_film(), so
+// that the framebuffer is plain 8 bits without sRGB conversion. The blocks mirror the structs of
 // uniform_blocks.h member by member.
 
 layout(std140) uniform Camera {
@@ -17,18 +17,18 @@ layout(std140) uniform Lights {
   vec3 u_key_direction;
   float u_key_strength;  // 1 is the studio's
 };
-const vec3 kKeyColour = vec3(1.385, 1.23, 1.07);
+const vec3 kKeyColour = vec3(1.56, 1.42, 1.28);
 const float kFillWrap = 0.35;  // how far the fill reaches round into the shade
 const vec3 kFillDirection = vec3(0.835504472, 0.0982946381, 0.540620506);
-const vec3 kFillColour = vec3(0.175, 0.176, 0.197);
-const float kRimStrength = 0.75;
+const vec3 kFillColour = vec3(0.172, 0.158, 0.160);
+const float kRimStrength = 0.52;
 const vec3 kRimDirection = vec3(0.596480846, 0.41294831, -0.688247204);
 const vec3 kRimColour = vec3(0.75, 0.80, 0.95);
 const float kSecondRimStrength = 0.28;
 const vec3 kSecondRimDirection = vec3(-0.766261041, 0.287347883, -0.574695766);
 const vec3 kSecondRimColour = vec3(0.90, 0.75, 0.60);
-const vec3 kSky = vec3(0.236, 0.238, 0.261);
-const vec3 kGround = vec3(0.192, 0.148, 0.133);
+const vec3 kSky = vec3(0.195, 0.192, 0.205);
+const vec3 kGround = vec3(0.150, 0.108, 0.094);
 
 layout(std140) uniform Material {
   vec3 u_wrap;         // how far the key reaches round into the shade, per colour
@@ -45,4 +45,10 @@ layout(std140) uniform Material {
 vec3 to_screen(vec3 light) {
   light = max(light, vec3(0.0));
   return sqrt(min(light / (1.0 + 0.14 * light), vec3(1.0)));
+}
+
+// The same with a film's contrast: without it a lit face is a mask.
+vec3 to_film(vec3 light) {
+  vec3 tone = to_screen(light);
+  return mix(tone, tone * tone * (3.0 - 2.0 * tone), 0.35);
 }

@@ -138,7 +138,8 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
 // What the key gives a surface; `arriving` is how much of it no shadow takes.
 vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   float towards_key = dot(normal, u_key_direction);
-  vec3 lit = clamp((towards_key + u_wrap) / (1.0 + u_wrap), 0.0, 1.0);
+  vec3 lit = max((towards_key + u_wrap) / (1.0 + u_wrap), 0.0);
+  lit *= lit;  // it ends softly, or a red ring lies round the shade
   // Where the surface turns away from the key it is its own shadow; the map would only draw its
   // texels there.
   arriving = mix(1.0, v_key, smoothstep(-0.36, 0.0, towards_key));
@@ -147,7 +148,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
 }
 
 #ifdef SURFACE
-const float kRelief = 0.38;  // how far pores tilt what has grain
+const float kRelief = 0.34;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
@@ -241,12 +242,12 @@ void main() {
   result += specular + rim * (edge * occlusion * 0.18);
 #else
   result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
-            rim * (0.10 + 0.95 * colour) * (edge * occlusion * occlusion * occlusion);
+            rim * (0.05 + 0.95 * colour) * (edge * occlusion * occlusion * occlusion);
 #endif
 #endif
 #ifdef HAIR
-  o_colour = vec4(to_screen(result), cover);
+  o_colour = vec4(to_film(result), cover);
 #else
-  o_colour = vec4(to_screen(result), v_colour.a);
+  o_colour = vec4(to_film(result), v_colour.a);
 #endif
 }
