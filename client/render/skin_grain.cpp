@@ -111,12 +111,13 @@ std::vector<glm::vec2> SkinGrain::places(std::span<const glm::vec3> rest,
   for (std::size_t i = 0; i < rest.size(); ++i) {
     const glm::vec3& p = rest[i];
     // Round an axis through the middle of the head, and slanting, so that what faces down or aside
-    // is not drawn out.
+    // is not drawn out. The neck is thinner. The sides are not quite mirror images.
     const float radius = std::clamp(std::hypot(p.x, p.z - 1.5F), 2.0F, 5.0F);
-    const float round = radius * std::abs(std::atan2(p.x, p.z - 1.5F)) - 0.6F * p.z;
-    const glm::vec2 place{round, p.y - 0.35F * p.z + 0.25F * p.x};
-    // What is as moist as lips has fine upright lines.
-    const glm::vec2 drawn_out = gloss[i] > kMoist ? glm::vec2{2.6F, 0.7F} : glm::vec2{1};
+    const float angle = std::abs(std::atan2(p.x, p.z - 1.5F));
+    const float round = radius * angle * (p.x < 0 ? 1.13F : 1.0F) - 0.35F * p.z;
+    const glm::vec2 place{round, p.y - 0.35F * p.z + 0.25F * std::abs(p.x)};
+    // Lips, which are moister than skin, have fine upright lines.
+    const glm::vec2 drawn_out = gloss[i] > kMoist && p.y < 0 ? glm::vec2{2.6F, 0.7F} : glm::vec2{1};
     places.push_back(place * drawn_out / kTurn);
   }
   return places;
