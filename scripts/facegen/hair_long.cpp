@@ -133,7 +133,7 @@ double waves(double s, double t) {
   const double free = smooth_step(0.1, 0.5, t);
   const double astray = value_noise({s * 17, 2.2 * t, 11.5}) - 0.5;
   return free * (0.10 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
-                 0.09 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) + 0.30 * astray +
+                 0.09 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) + 0.20 * astray +
                  0.035 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
 }
 
@@ -183,7 +183,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
         mix(0.24, 0.05, smooth_step(0.2, 0.8, s)) * std::exp(-std::pow(t / 0.13, 2));
     const double light = 0.30 * tuft + 0.60 * t - 0.18 * at.rolled * rolls(t) + parted;
     const double loose = smooth_step(0.14, 0.34, t);
-    const double soft = mix(0.035, 0.095, value_noise({0.5, 26 * t, 9.5}));
+    const double soft = mix(0.025, 0.075, value_noise({0.5, 26 * t, 9.5}));
     // Where it hangs single strands of the edge lie on the cheek.
     const double begin = -kRolled * loose;
     const double hairline =
@@ -191,7 +191,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
                     from_edge - kRolled * at.rolled);
     // The scalp shows along the front of the parting alone: at the crown one would look through.
     const double parting =
-        mix(1, smooth_step(-0.004, 0.040, t), 0.7 * smooth_step(0.14, 0.06, from_edge));
+        mix(1, smooth_step(-0.004, 0.040, t), 0.45 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
     const double whole = 0.7 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =
@@ -249,9 +249,9 @@ void add_loose(Part& hair, const Identity& who, const Sheet& sheet, std::size_t 
   const auto chance = [&](int of) { return hash(static_cast<int>(number) * 61 + of * 7001); };
   const double s = mix(0.08, 0.92, (static_cast<double>(number) + chance(1)) / kStrays);
   const double begin = mix(0.04, 0.62, chance(2) * chance(2));
-  const double length = mix(0.16, 0.34, chance(3));
+  const double length = mix(0.18, 0.42, chance(3));
   const double drift = 0.09 * (chance(4) - 0.5);
-  const double height = mix(0.12, 0.36, chance(5) * chance(5));
+  const double height = mix(0.10, 0.46, chance(5) * chance(5));
   const auto across = [&](double v) { return s + drift * v * v; };
   const auto along = [&](double v) { return begin + length * v; };
   const auto up = [&](double v) { return sheet.up(across(v), along(v)); };

@@ -65,14 +65,14 @@ class Sides {
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.02 + 0.15 * temple + 0.05 * tuft + 0.05 * (1 - grown);
+    const double light = 0.02 + 0.22 * temple + 0.05 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.
     const double astray = 0.8 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
     point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.25 * low);
     // In front the top's own line is the hairline: here strands fork, and would be a notch in it.
-    point.alpha *= 1 - forehead * smooth_step(0.9, 0.3, from_edge);
+    point.alpha *= 1 - forehead * smooth_step(2.0, 0.9, from_edge + astray);
     point.strand = number(direction, s, t);
     point.gloss = mix(0.2, 0.6, grown);
     return point;
@@ -130,10 +130,10 @@ class Top {
     const double light = 0.02 + 0.03 * front + 0.06 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.20 - 0.34 * value_noise({u * 48, 0.5, 4.5}) -
-                         0.36 * value_noise({u * 13, 0.5, 8.5});
+    const double begin = way + 0.20 - 0.30 * value_noise({u * 48, 0.5, 4.5}) -
+                         0.55 * value_noise({u * 13, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 0.55, ends / 3, u / 0.12, (1 - u) / 0.22}));
+    point.alpha = thinned(std::min({begin / 1.25, ends / 3, u / 0.12, (1 - u) / 0.22}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.05 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
@@ -199,8 +199,8 @@ void add_first(Part& hair, const Identity& who, const Top& top, std::size_t numb
   const auto chance = [&](int of) { return hash(static_cast<int>(number) * 67 + of * 5003); };
   const double u = mix(0.05, 0.95, (static_cast<double>(number) + chance(1)) / kWisps);
   const double drift = 0.10 * (chance(2) - 0.4);
-  const double begin = -mix(-0.05, 0.12, chance(3) * chance(3));
-  const double length = mix(0.5, 0.9, chance(4));
+  const double begin = mix(0.20, 0.60, chance(3));
+  const double length = mix(0.5, 1.0, chance(4));
   const auto up = [&](double v) {
     return glm::normalize(top.at(who, u + drift * v, 0.08 * v).place - kInsideHead);
   };

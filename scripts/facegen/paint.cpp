@@ -228,9 +228,9 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (p.z > 4)
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
-    c = cooled(c, p) * (Vec3{1} - Vec3{0.32, 0.42, 0.45} * under_chin(p));
-    c *= Vec3{1} - Vec3{0.36, 0.44, 0.46} * below_jaw(p);
-    c *= Vec3{1} - Vec3{0.16, 0.18, 0.18} * under_jaw(who, p);
+    c = cooled(c, p) * (Vec3{1} - Vec3{0.22, 0.29, 0.31} * under_chin(p));
+    c *= Vec3{1} - Vec3{0.30, 0.37, 0.39} * below_jaw(p);
+    c *= Vec3{1} - Vec3{0.11, 0.13, 0.13} * under_jaw(who, p);
     c *= Vec3{1} - Vec3{0.15, 0.20, 0.21} * beside_rope(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
@@ -335,7 +335,7 @@ void tint_scalp(const Identity& who, Skin& skin, std::span<const ScalpPoint> sca
         inside = point.inside;
       }
     }
-    const double width = cropped ? mix(1.4, 3.2, smooth_step(2.0, -0.5, vertex.position.y)) : 1.3;
+    const double width = cropped ? mix(1.8, 3.2, smooth_step(2.0, -0.5, vertex.position.y)) : 1.3;
     // The tint starts behind the hairline; at the line itself it would show the grid in steps.
     const double tint = (cropped ? 0.92 : 0.85) * smooth_step(0.0, width, inside);
     vertex.colour = mix(vertex.colour, shade_of(who, 0.12), tint);

@@ -8,7 +8,7 @@ namespace aucast::facegen {
 
 /// The colours in which one person differs from another.
 struct Palette {
-  Vec3 skin{0.745, 0.508, 0.415};
+  Vec3 skin{0.750, 0.515, 0.408};
   Vec3 flush{0.745, 0.365, 0.315};
   Vec3 forehead_skin{0.76, 0.555, 0.450};
   Vec3 neck_skin{0.68, 0.465, 0.385};
@@ -47,8 +47,8 @@ inline constexpr Vec3 kLash{0.045, 0.028, 0.022};
 inline constexpr Vec3 kPupil{0.012, 0.011, 0.012};
 inline constexpr Vec3 kIrisEdge{0.03, 0.035, 0.035};
 inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
-inline constexpr Vec3 kSclera{0.60, 0.535, 0.49};
-inline constexpr Vec3 kScleraCorner{0.47, 0.29, 0.255};
+inline constexpr Vec3 kSclera{0.66, 0.60, 0.565};
+inline constexpr Vec3 kScleraCorner{0.50, 0.325, 0.29};
 /// A factor on the light in the deepest line.
 inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
 inline constexpr Vec3 kForeheadCrease{0.61, 0.42, 0.36};

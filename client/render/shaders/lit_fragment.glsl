@@ -22,12 +22,12 @@ in float v_key;
 out vec4 o_colour;
 
 #ifdef HAIR
-const float kStrands = 900.0;  // side by side round the head
+const float kStrands = 720.0;  // side by side round the head
 const float kShineShift = 0.10;
 const float kPieces = 8.0;  // of a strand, along the direction that v_grain counts
 
 // How much shows of strands numbered by `at`: nothing where several share a pixel.
-float fineness(float at) { return 1.0 - smoothstep(0.5, 1.4, fwidth(at)); }
+float fineness(float at) { return 1.0 - smoothstep(0.55, 1.6, fwidth(at)); }
 
 uvec2 scatter(uvec2 n) {
   n = n * 747796405u + 2891336453u;
@@ -83,8 +83,8 @@ vec3 strand_shine(vec3 normal, vec3 along, vec3 view, vec3 colour, float strand,
   float broad = exp(-u_power * down * down);
   float narrow = exp(-4.0 * u_power * up * up);
   float filled = 0.3 * exp(-2.0 * u_power * fill_tilt * fill_tilt) * fill_lit;
-  // Half the hue of the hair: plain white makes brown hair look dusty.
-  vec3 white = 0.5 + 0.5 * colour / max(max(colour.r, colour.g), max(colour.b, 0.01));
+  // Most of the hue of the hair: plain white makes brown hair look dusty.
+  vec3 white = 0.3 + 0.7 * colour / max(max(colour.r, colour.g), max(colour.b, 0.01));
   vec3 shine = 1.9 * colour * (broad * lit + filled) +
                0.24 * white * (narrow * max(1.0 + 1.7 * strand, 0.0) * lit);
   // Not at the very outline, where single pixels would sparkle.
@@ -112,15 +112,15 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
     // Not the noise of the colour, or the longest strands would be the dark ones.
     float length_here = piece_noise(at * 1.6 + 3000.0, along * 2.5) * visible;
     float cut = 0.5 + 0.45 * length_here + 0.12 * tuft;
-    float soft = mix(0.5, 0.42, visible);
+    float soft = mix(0.5, mix(0.26, 0.38, u_grey), visible);
     cover = smoothstep(cut - soft, cut + soft, mix(-0.7, 1.7, v_colour.a));
   }
   // Seen along it the outside ends strand by strand, at places of their own.
   float outline =
       0.5 + 0.5 * piece_noise(at * 0.16 + 700.0, 0.6 * (v_grain.y - v_grain.x) * kPieces);
-  cover *= smoothstep(0.0, 0.14, facing - mix(0.26, 0.06, u_grey) * outline * outline);
+  cover *= smoothstep(0.0, 0.10, facing - mix(0.11, 0.06, u_grey) * outline * outline);
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
-  colour *= 1.0 + mix(0.42, 0.55, grey) * strand;
+  colour *= 1.0 + mix(0.52, 0.55, grey) * strand;
   // White hairs are whole ones, not lighter places of all.
   colour = mix(colour, vec3(0.27, 0.25, 0.23), 0.42 * grey * smoothstep(0.15, 0.85, fine));
   // Locks: some lie deeper than others, and between them it is dark.
