@@ -10,6 +10,7 @@
 #include "scripts/facegen/mouth_inside.h"
 #include "scripts/facegen/occlusion.h"
 #include "scripts/facegen/paint.h"
+#include "scripts/facegen/proportions.h"
 #include "scripts/facegen/relax.h"
 #include "scripts/facegen/shirt.h"
 #include "scripts/facegen/skin.h"
@@ -60,6 +61,7 @@ std::vector<Part> make_head(const Identity& who) {
   parts.push_back(std::move(lashes));
   for (Part& crease : creases) parts.push_back(std::move(crease));
   make_uneven(who.askew, parts);
+  shorten_middle(who.form, parts);
   return parts;
 }
 

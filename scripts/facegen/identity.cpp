@@ -43,6 +43,8 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"forehead_round", &Form::forehead_round},
     {"muzzle", &Form::muzzle},
     {"throat_drop", &Form::throat_drop},
+    {"short_lip", &Form::short_lip},
+    {"short_nose", &Form::short_nose},
     {"neck_width", &Form::neck_width},
     {"larynx", &Form::larynx},
     {"collar", &Form::collar},

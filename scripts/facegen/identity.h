@@ -30,6 +30,8 @@ struct Form {
   double forehead_round = 0;  ///< its bosses, towards the middle and forwards
   double muzzle = 0;          ///< the region of the lips, forwards
   double throat_drop = 0;     ///< floor of the mouth
+  double short_lip = 0.11;    ///< by how much the skin of the upper lip is shorter than sculpted
+  double short_nose = 0.18;   ///< likewise the way from the nose to the eyes
   double neck_width = 1;
   double larynx = 0;
   double collar = 0;  ///< of the shirt: 0 a round band, 1 turned down

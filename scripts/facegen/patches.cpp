@@ -108,8 +108,8 @@ Vec3 inner_lip(const Identity& who, int which, int spoke) {
 Vec3 nostril_rim(const Identity& who, int spoke, double size) {
   const Form& form = who.form;
   const double angle = radians(135 - 45.0 * spoke);
-  const Vec3 along{-0.150, 0.065, 0};
-  const Vec3 across{0.085, 0.090, 0};
+  const Vec3 along{-0.172, 0.072, 0};
+  const Vec3 across{0.092, 0.098, 0};
   const Vec3 at = Vec3{0.46, -0.55 + 0.5 * form.nose_up, 0} +
                   (along * std::sin(angle) + across * std::cos(angle)) * size;
   return {at.x * form.nose_width, at.y, 0};

@@ -147,10 +147,10 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   d = melt(d, tip, 0.60);
   // From the tip back to the cheek, thickest in the middle, its end below.
   const Vec3 front{0.46, 0.00 + 0.6 * form.nose_up, 8.82 + 0.6 * form.nose_forward};
-  constexpr Vec3 kMiddle{0.71, -0.14, 8.42};
-  double wing = round_cone(q, front, kMiddle, 0.26, 0.35);
-  wing = melt(wing, round_cone(q, kMiddle, {0.82, -0.34, 8.10}, 0.35, 0.25), 0.3);
-  return melt(d, wing, 0.22);
+  constexpr Vec3 kMiddle{0.75, -0.15, 8.42};
+  double wing = round_cone(q, front, kMiddle, 0.25, 0.37);
+  wing = melt(wing, round_cone(q, kMiddle, {0.84, -0.34, 8.10}, 0.37, 0.26), 0.3);
+  return melt(d, wing, 0.17);
 }
 
 /// Depth of the fold of the upper lid and of the groove under the eye.
@@ -172,8 +172,8 @@ double lid_relief(const Identity& who, const Vec3& p) {
 double alar_groove(const Form& form, const Vec3& p) {
   const double x = std::abs(p.x) / form.nose_width;
   if (p.z <= 7.2 || x >= 1.9 || p.y >= 1.0 || p.y <= -1.4) return 0;
-  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .005},
-                                              {.61, .22, .030},
+  static constexpr std::array<Vec3, 8> kLine{{{.46, .02, .012},
+                                              {.61, .22, .045},
                                               {.82, .33, .076},
                                               {1.00, .24, .092},
                                               {1.115, .02, .104},

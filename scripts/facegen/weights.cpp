@@ -12,7 +12,7 @@ namespace {
 /// not at all.
 double smile_field(const Vec3& p) {
   const double x = std::abs(p.x);
-  const double nose = smooth_step(-1.15, -0.35, p.y) * smooth_step(2.0, 1.05, x);
+  const double nose = smooth_step(-1.35, -0.35, p.y) * smooth_step(2.0, 1.05, x);
   const double from_attachment = glm::length(Vec3{x, p.y, p.z} - Vec3{3.805, 0.868, 6.6});
   const double outer = mix(0.20, 1.0, smooth_step(2.6, 4.2, from_attachment));
   return (1 - nose) * outer * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
@@ -30,7 +30,7 @@ double lower_lip_field(const Identity& who, const Vec3& p) {
 
 /// What the levators leave alone: the tip and the ridge of the nose.
 double nose_tip_field(const Vec3& p) {
-  return smooth_step(-1.6, -0.4, p.y) * smooth_step(1.05, 0.3, std::abs(p.x)) *
+  return smooth_step(-2.2, -0.4, p.y) * smooth_step(1.05, 0.3, std::abs(p.x)) *
          smooth_step(6.0, 7.0, p.z);
 }
 
