@@ -47,12 +47,12 @@ std::vector<Crease> creases() {
         {{{0.3, 5.41}, {1.2, 5.56}, {2.0, 5.84}, {2.8, 5.81}, {3.4, 5.54}}, 0.34, 0.80, 0.5, 0.75},
         {{{0.4, 5.97}, {0.9, 6.06}, {1.6, 6.23}, {2.3, 6.24}, {2.9, 6.08}}, 0.29, 0.48, 0.5, 0.7}}},
       {"crease_glabella",
-       {{{{0.56, 3.42}, {0.47, 3.84}, {0.46, 4.38}, {0.58, 4.98}}, 0.34, 1.08, 0.45, 0.65},
-        {{{0.08, 3.70}, {0.06, 4.00}, {0.10, 4.35}}, 0.20, 0.18, 0.5, 0.5}}},
+       {{{{0.56, 3.42}, {0.47, 3.84}, {0.46, 4.38}, {0.58, 4.98}}, 0.34, 1.4, 0.45, 0.6},
+        {{{0.08, 3.70}, {0.06, 4.00}, {0.10, 4.35}}, 0.20, 0.40, 0.5, 0.5}}},
       {"crease_crows_feet",
-       {{{{3.42, 2.92}, {3.76, 3.14}, {4.02, 3.44}, {4.18, 3.80}}, 0.20, 0.95, 0.35, 0.7},
-        {{{3.46, 2.68}, {3.80, 2.74}, {4.12, 2.86}, {4.40, 3.04}}, 0.20, 1.05, 0.35, 0.7},
-        {{{3.40, 2.44}, {3.74, 2.32}, {4.06, 2.14}, {4.30, 1.90}}, 0.20, 0.90, 0.35, 0.7}}},
+       {{{{3.42, 2.92}, {3.76, 3.14}, {4.02, 3.44}, {4.18, 3.80}}, 0.20, 0.62, 0.35, 0.7},
+        {{{3.46, 2.68}, {3.80, 2.74}, {4.12, 2.86}, {4.40, 3.04}}, 0.20, 0.78, 0.35, 0.7},
+        {{{3.40, 2.44}, {3.74, 2.32}, {4.06, 2.14}, {4.30, 1.90}}, 0.20, 0.72, 0.35, 0.7}}},
       {"crease_lower_lid",
        {{{{1.20, 2.12}, {1.70, 1.80}, {2.30, 1.70}, {2.95, 1.86}, {3.45, 2.20}},
          0.22,
@@ -67,16 +67,16 @@ std::vector<Crease> creases() {
         {{{0.22, 2.36}, {0.54, 2.12}, {0.92, 1.72}, {1.18, 1.30}}, 0.18, 1.16, 0.6, 0.7},
         {{{0.40, 1.96}, {0.66, 1.70}, {0.90, 1.36}, {1.06, 1.00}}, 0.17, 1.00, 0.6, 0.7}}},
       {"crease_nasolabial",
-       {{{std::vector<glm::dvec2>(kFurrow.rbegin(), kFurrow.rend()), 0.36, 0.98, 0.42, 0.62}}}},
+       {{{std::vector<glm::dvec2>(kFurrow.rbegin(), kFurrow.rend()), 0.36, 1.1, 0.42, 0.34}}}},
       {"crease_mouth_corner",
        {{{{1.98, -2.84}, {2.11, -2.56}, {2.11, -2.24}, {1.97, -1.94}}, 0.22, 1.0, 0.5, 0.5}}},
       // Across the skin round the red, where the tightened ring of muscle gathers it.
       {"crease_lips",
-       {{{{0.44, -1.16}, {0.41, -1.44}, {0.36, -1.74}}, 0.17, 0.18, 0.7, 0.3},
-        {{{0.90, -1.24}, {0.83, -1.52}, {0.74, -1.84}}, 0.19, 0.23, 0.7, 0.3},
-        {{{1.40, -1.50}, {1.29, -1.74}, {1.16, -2.00}}, 0.18, 0.21, 0.7, 0.3},
-        {{{0.50, -3.74}, {0.47, -3.46}, {0.42, -3.16}}, 0.18, 0.18, 0.7, 0.3},
-        {{{1.14, -3.44}, {1.04, -3.18}, {0.94, -2.92}}, 0.18, 0.21, 0.7, 0.3}}},
+       {{{{0.44, -1.16}, {0.41, -1.44}, {0.36, -1.74}}, 0.17, 0.34, 0.7, 0.3},
+        {{{0.90, -1.24}, {0.83, -1.52}, {0.74, -1.84}}, 0.19, 0.42, 0.7, 0.3},
+        {{{1.40, -1.50}, {1.29, -1.74}, {1.16, -2.00}}, 0.18, 0.38, 0.7, 0.3},
+        {{{0.50, -3.74}, {0.47, -3.46}, {0.42, -3.16}}, 0.18, 0.34, 0.7, 0.3},
+        {{{1.14, -3.44}, {1.04, -3.18}, {0.94, -2.92}}, 0.18, 0.38, 0.7, 0.3}}},
       {"crease_chin",
        {{{{-0.45, -3.42}, {0.45, -3.40}, {1.00, -3.58}, {1.32, -3.95}}, 0.26, 0.95, 0.4, 0.6},
         {{{0.30, -4.10}, {0.42, -4.25}, {0.40, -4.45}}, 0.17, 0.40, 0.5, 0.5},
@@ -120,21 +120,22 @@ class Hand {
   int key_;
 };
 
-/// One row across a line: where, how dark and how light; -1 is the side of the bulge. A soft core
-/// in a wide shade: a fold, not a stroke.
+/// One row across a line: where in half widths, and how dark; -1 is the side of the bulge. A soft
+/// core in a wide shade: a fold, not a stroke. Its relief is the renderer's.
 struct Across {
   double at = 0;
   double dark = 0;
-  double light = 0;
 };
-constexpr std::array<Across, 8> kCreaseAcross{{{-2.1, 0, 0},
-                                               {-1.15, 0.03, 0.55},
-                                               {-0.65, 0.22, 0.25},
-                                               {-0.25, 0.70, 0},
-                                               {0, 1, 0},
-                                               {0.4, 0.62, 0},
-                                               {1.0, 0.24, 0},
-                                               {1.9, 0, 0}}};
+constexpr std::array<Across, 8> kCreaseAcross{{{-2.1, 0},
+                                               {-1.15, 0.03},
+                                               {-0.65, 0.22},
+                                               {-0.25, 0.70},
+                                               {0, 1},
+                                               {0.4, 0.62},
+                                               {1.0, 0.24},
+                                               {1.9, 0}}};
+/// How much darker the ground of a fold is than its relief makes it.
+constexpr double kShade = 0.55;
 /// Above the skin: the skin between its vertices is flat, a ribbon is finer.
 constexpr double kLift = 0.012;
 
@@ -234,9 +235,11 @@ void add_line(Part& part, const Line& drawn, const Hand& hand, const Draper& dra
       const Vec3 p = on.position + on.normal * kLift;
       // The light on a forehead ends the range of red: what loses red there looks green.
       const Vec3 colour = mix(kCrease, kForeheadCrease, smooth_step(4.6, 5.2, middle.y));
-      row.push_back(part.add({p.x * side, p.y, p.z}, colour, across.dark * depth));
+      row.push_back(part.add({p.x * side, p.y, p.z}, colour, kShade * across.dark * depth));
       Vertex& vertex = part.vertices.back();
-      vertex.gloss = across.light * depth;
+      vertex.occlusion = (across.at - kCreaseAcross.front().at) /
+                         (kCreaseAcross.back().at - kCreaseAcross.front().at);
+      vertex.gloss = depth;
       vertex.maps = on.maps;
     }
     if (i > 0 && side > 0) part.add_band(before, row, false);

@@ -1,5 +1,38 @@
-// For blending source x destination twice: half is no change. The square root as in to_screen().
+// Lines multiply what is there, so that they suit every skin: by how much more or less light the
+// slopes of the fold get than the smooth skin, and by what is lost in its ground.
 
-in vec3 v_factor;
+in vec3 v_position;
+in vec3 v_lost;
+in vec2 v_relief;
 out vec4 o_colour;
-void main() { o_colour = vec4(0.5 * sqrt(v_factor), 0.5); }
+
+const float kSteep = 0.62;      // how far a slope tilts
+const float kHalfWidths = 4.0;  // across a ribbon
+const float kBulgeEnd = -2.1;   // where it begins
+const vec3 kSkinWrap = vec3(0.43, 0.26, 0.20);  // how far the key reaches round, per colour
+
+// Slope of the fold at `s` half widths from its ground: a groove, and beside it a bulge.
+float slope_at(float s) {
+  float groove = s / 0.50;
+  float bulge = (s + 1.05) / 0.62;
+  return 1.55 * groove * exp(-groove * groove) - 0.75 * bulge * exp(-bulge * bulge);
+}
+
+vec3 light_on(vec3 normal) {
+  float fill = max(dot(normal, kFillDirection) * (1.0 - kFillWrap) + kFillWrap, 0.0);
+  vec3 key = clamp((dot(normal, u_key_direction) + kSkinWrap) / (1.0 + kSkinWrap), 0.0, 1.0);
+  return key * kKeyColour * u_key_strength + mix(kGround, kSky, 0.5 + 0.5 * normal.y) +
+         kFillColour * fill;
+}
+
+void main() {
+  vec3 right = dFdx(v_position);
+  vec3 up = dFdy(v_position);
+  vec3 normal = normalize(cross(right, up));
+  vec3 uphill = dFdx(v_relief.x) * cross(up, normal) + dFdy(v_relief.x) * cross(normal, right);
+  uphill *= inversesqrt(max(dot(uphill, uphill), 1e-20));
+  float slope = kSteep * v_relief.y * slope_at(kHalfWidths * v_relief.x + kBulgeEnd);
+  vec3 factor = light_on(normalize(normal - slope * uphill)) / light_on(normal) - v_lost;
+  // For blending source x destination twice: half is no change. The square root as in to_screen().
+  o_colour = vec4(0.5 * sqrt(clamp(factor, 0.0, 4.0)), 0.5);
+}
