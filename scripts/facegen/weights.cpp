@@ -132,7 +132,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   // which the septum holds, less than beside it, or it becomes a beak.
   const double from_middle = upper ? v.spoke : 24 - v.spoke;
   const double lift =
-      (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.07 * bell(from_middle, 2.6));
+      (1 - 0.9 * smooth_step(3.5, 11.8, from_middle)) * (1 - 0.07 * bell(from_middle, 2.6));
   vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
   const double red = smooth_step(kLipBorderRing - 5, kLipBorderRing, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
