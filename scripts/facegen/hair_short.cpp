@@ -66,13 +66,16 @@ class Sides {
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
     const double light = 0.02 + 0.22 * temple + 0.05 * tuft + 0.05 * (1 - grown);
-    HairPoint point{root + direction * (0.03 + thick), shade_of(who, light)};
+    HairPoint point{root + direction * (mix(0.012, 0.03, grown) + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.
     const double astray = 0.8 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
     point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.25 * low);
     // In front the top's own line is the hairline: here strands fork, and would be a notch in it.
-    point.alpha *= 1 - forehead * smooth_step(2.0, 0.9, from_edge + astray);
+    // Over the temples it must not thin so far back, or one looks through under it from below.
+    const double front = smooth_step(4.2, 2.6, std::abs(round));
+    point.alpha *= 1 - forehead * smooth_step(mix(0.9, 2.0, front), mix(0.3, 0.9, front),
+                                              from_edge + front * astray);
     point.strand = number(direction, s, t);
     point.gloss = mix(0.2, 0.6, grown);
     return point;

@@ -16,11 +16,11 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
              0.24 * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
-    f += 0.50 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
+    f += 0.62 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
     f += 0.16 * bell(Vec3{(p.x - 0.95) / 0.5, (p.y + 0.25) / 0.5, 0});
     f += 0.22 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
-  if (v.patch == Patch::Ear) f += 0.26 * smooth_step(0, 4, v.ring);
+  if (v.patch == Patch::Ear) f += 0.36 * smooth_step(0, 4, v.ring);
   return saturate(f);
 }
 
