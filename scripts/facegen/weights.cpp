@@ -98,11 +98,11 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
   // Both margins meet a fifth of the way above where the lower one rests, half-way near the
   // corners, which else would fold, and press by a trace.
-  const double meet = mix(0.5, 0.78, smooth_step(0.1, 0.95, middle));
+  const double meet = mix(0.5, 0.74, smooth_step(0.0, 0.95, middle));
   const double press = std::min(1.0, 5 * middle) * (upper ? -0.028 : 0.004);
   const double target = mix(own, opposite, upper ? meet : 1 - meet) + press;
   // What lies above the fold stays, so that the lid unrolls from under it.
-  const double turning = upper ? 1 - smooth_step(0.02, 0.42, from_margin) : share;
+  const double turning = upper ? 1 - smooth_step(0.02, 0.39, from_margin) : share;
   vertex[Map::LidAngle] = turning * (own - target);
 }
 
@@ -132,7 +132,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   // which the septum holds, less than beside it, or it becomes a beak.
   const double from_middle = upper ? v.spoke : 24 - v.spoke;
   const double lift =
-      (1 - 0.9 * smooth_step(3.5, 11.8, from_middle)) * (1 - 0.07 * bell(from_middle, 2.6));
+      (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.07 * bell(from_middle, 2.6));
   vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
   const double red = smooth_step(kLipBorderRing - 5, kLipBorderRing, v.ring);
   vertex[Map::UpperRed] = red * (1 - lower);
