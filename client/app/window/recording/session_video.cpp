@@ -1,11 +1,6 @@
 #include "client/app/window/recording/session_video.h"
 
-#include <atomic>
-#include <cstddef>
-#include <memory>
 #include <utility>
-
-#include "client/view/video_encoder.h"
 
 namespace aucast::app {
 
@@ -17,15 +12,10 @@ std::uint64_t pictures_due(Duration elapsed, int fps, std::uint64_t written) {
 
 Result<std::unique_ptr<SessionVideo>> SessionVideo::open(const std::filesystem::path& file,
                                                          int width, int height, Instant begin) {
-  auto over = std::make_shared<std::atomic<bool>>(false);
-  auto encoder =
-      view::VideoEncoder::open(file, width, height, kFps, [over] { return over->load(); });
-  if (!encoder) return encoder.error();
+  auto feed = VideoFeed::start(file, width, height, kFps);
+  if (!feed) return feed.error();
   auto sound = VideoSound::open(file, begin);
   if (!sound) return sound.error();
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  auto feed = VideoFeed::start(std::move(*encoder), pixels * 4, std::move(over));
-  if (!feed) return feed.error();
   std::unique_ptr<SessionVideo> video(new SessionVideo(begin));
   video->width_ = width;
   video->height_ = height;

@@ -6,11 +6,18 @@
 
 namespace aucast::app {
 
-Result<std::unique_ptr<VideoFeed>> VideoFeed::start(std::unique_ptr<view::VideoEncoder> encoder,
-                                                    std::size_t picture_bytes, Over over) {
+Result<std::unique_ptr<VideoFeed>> VideoFeed::start(const std::filesystem::path& file, int width,
+                                                    int height, int fps, Milliseconds patience) {
+  const std::size_t picture_bytes =
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
   const std::size_t fit = kWaitingBytesMax / std::max<std::size_t>(picture_bytes, 1);
-  std::unique_ptr<VideoFeed> feed(new VideoFeed(
-      std::move(encoder), std::clamp<std::size_t>(fit, 1, kWaitingMax), std::move(over)));
+  std::unique_ptr<VideoFeed> feed(new VideoFeed(std::clamp<std::size_t>(fit, 1, kWaitingMax)));
+  const auto over = [&course = feed->course_] {
+    return course.with([](const Course& now) { return now.ending; });
+  };
+  auto encoder = view::VideoEncoder::open(file, width, height, fps, over, patience);
+  if (!encoder) return encoder.error();
+  feed->encoder_ = *std::move(encoder);
   auto started = start_thread([&feed = *feed] { feed.run(); });
   if (!started) return started.error();
   feed->thread_ = std::move(*started);
@@ -18,7 +25,6 @@ Result<std::unique_ptr<VideoFeed>> VideoFeed::start(std::unique_ptr<view::VideoE
 }
 
 VideoFeed::~VideoFeed() {
-  *over_ = true;
   course_.change([](Course& course) {
     course.ending = true;
     course.abandoned = true;
@@ -66,7 +72,6 @@ Result<void> VideoFeed::add(view::Image picture, std::uint64_t times) {
 }
 
 Result<void> VideoFeed::finish(const std::filesystem::path& sound) {
-  *over_ = true;
   course_.change([](Course& course) { course.ending = true; });
   thread_.join();
   // An encoder that has failed says again why.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -14,6 +13,7 @@
 #include "client/view/video_encoder.h"
 #include "common/result.h"
 #include "common/shared.h"
+#include "common/time.h"
 
 namespace aucast::app {
 
@@ -26,12 +26,11 @@ class VideoFeed {
   static constexpr std::size_t kWaitingMax = 8;
   static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 27;
 
-  using Over = std::shared_ptr<std::atomic<bool>>;
-
-  /// `picture_bytes`: the size of each picture. `over`: becomes true when the video is over; the
-  /// encoder's `stop` has to look at it, or one that hangs is waited for without end.
+  /// See VideoEncoder::open(). Once the video is over, an ffmpeg that does not take a picture
+  /// within `patience` is killed.
   [[nodiscard]] static Result<std::unique_ptr<VideoFeed>> start(
-      std::unique_ptr<view::VideoEncoder> encoder, std::size_t picture_bytes, Over over);
+      const std::filesystem::path& file, int width, int height, int fps,
+      Milliseconds patience = view::VideoEncoder::kPatience);
   /// Without finish(), what waits is dropped and the video is abandoned.
   ~VideoFeed();
   VideoFeed(const VideoFeed&) = delete;
@@ -58,16 +57,14 @@ class VideoFeed {
     std::optional<Error> failure;
   };
 
-  VideoFeed(std::unique_ptr<view::VideoEncoder> encoder, std::size_t waiting_max, Over over)
-      : encoder_(std::move(encoder)), waiting_max_(waiting_max), over_(std::move(over)) {}
+  explicit VideoFeed(std::size_t waiting_max) : waiting_max_(waiting_max) {}
   void run();
   [[nodiscard]] Result<void> feed(const Waiting& next);
 
-  std::unique_ptr<view::VideoEncoder> encoder_;  ///< the thread's until that has ended
   std::size_t waiting_max_;
-  Over over_;
-  Shared<Course> course_;
-  std::jthread thread_;  ///< last: it ends before anything it uses is gone
+  Shared<Course> course_;                        ///< before the encoder, which looks at it
+  std::unique_ptr<view::VideoEncoder> encoder_;  ///< the thread's until that has ended
+  std::jthread thread_;                          ///< last: it ends before anything it uses is gone
 };
 
 }  // namespace aucast::app

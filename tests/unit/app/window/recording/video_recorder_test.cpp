@@ -1,12 +1,9 @@
 #include "client/app/window/recording/video_recorder.h"
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -111,13 +108,8 @@ TEST_F(VideoRecorderTest, ASlowFfmpegDoesNotHoldTheWindowUp) {
 
 TEST_F(VideoRecorderTest, AnAbandonedVideoDoesNotWaitForAFfmpegThatHangs) {
   const test::FakeFfmpeg hanging("while :; do sleep 0.01; done");
-  const auto over = std::make_shared<std::atomic<bool>>(false);
   constexpr int kSide = 512;  // more than fits into the pipe
-  auto encoder = view::VideoEncoder::open(
-      folder_.path() / "video.mp4", kSide, kSide, 25, [over] { return over->load(); },
-      Milliseconds(50));
-  ASSERT_TRUE(encoder);
-  auto feed = VideoFeed::start(std::move(*encoder), std::size_t{kSide} * kSide * 4, over);
+  auto feed = VideoFeed::start(folder_.path() / "video.mp4", kSide, kSide, 25, Milliseconds(50));
   ASSERT_TRUE(feed);
   ASSERT_TRUE((*feed)->add(view::make_image(kSide, kSide), 1));
   feed->reset();
