@@ -79,6 +79,14 @@ int spawn(const std::vector<std::string>& arguments, Child::Flow flow, int their
   return error;
 }
 
+/// Who starts us may have ignored SIGCHLD, which we inherit: the system would reap our children by
+/// itself, and nobody could wait for them. A handler stays.
+void let_children_be_waited_for() {
+  struct sigaction present {};
+  if (::sigaction(SIGCHLD, nullptr, &present) != 0 || present.sa_handler != SIG_IGN) return;
+  std::signal(SIGCHLD, SIG_DFL);
+}
+
 Error cannot_start(const std::string& program, int error_number) {
   return {error_number == ENOENT ? ErrorKind::Unreadable : ErrorKind::Failed,
           program + " cannot be started: " + system_reason(error_number)};
@@ -88,6 +96,7 @@ Error cannot_start(const std::string& program, int error_number) {
 
 Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& arguments, Flow flow,
                                             GivenUp given_up) {
+  let_children_be_waited_for();
   std::array<int, 2> ends{-1, -1};  // ours, theirs
   std::array<int, 2> errors{-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {

@@ -23,7 +23,8 @@ namespace aucast {
 /// end of what it writes to stderr is kept. It runs in a process group of its own, so that Ctrl-C
 /// in a terminal does not end it before it has finished its file. What it has started itself and
 /// left behind with our pipes open is killed soon after its end. Never raises SIGPIPE and
-/// leaves no zombie. Thread: one at a time, except for stop(), tell() and end_input().
+/// leaves no zombie; where SIGCHLD is ignored, start() sets it to its default. Thread: one at a
+/// time, except for stop(), tell() and end_input().
 class Child {
  public:
   enum class Flow : std::uint8_t { Fed, Read, Both };

@@ -173,6 +173,22 @@ TEST(Child, BeginsWithNoSignalIgnored) {
     EXPECT_FALSE(std::bitset<64>(ignored).test(static_cast<std::size_t>(number - 1))) << number;
 }
 
+TEST(Child, IsWaitedForWhereWeWereStartedWithTheEndsOfChildrenIgnored) {
+  auto* const before = std::signal(SIGCHLD, SIG_IGN);
+  const auto child = shell("exit 7");
+  const bool ended = child->ends_within(std::chrono::seconds(20));
+  std::signal(SIGCHLD, before);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(child->wait(), 7);
+}
+
+TEST(Child, LeavesTheHandlerOfTheEndsOfChildrenThatIsThere) {
+  const auto handler = [](int) {};
+  auto* const before = std::signal(SIGCHLD, handler);
+  EXPECT_EQ(shell("exit 7")->wait(), 7);
+  EXPECT_EQ(std::signal(SIGCHLD, before), +handler);
+}
+
 /// Whether so much time has passed that somebody must have waited for the sleepers of these tests.
 class Waited {
  public:
