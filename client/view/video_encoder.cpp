@@ -9,6 +9,7 @@
 
 #include "common/check.h"
 #include "common/child.h"
+#include "common/ffmpeg.h"
 #include "common/temporary_file.h"
 #include "common/text.h"
 
@@ -57,23 +58,19 @@ std::vector<std::string> format_arguments(Format format, int fps) {
   return arguments;
 }
 
-/// What ffmpeg calls a file. Without "file:" a name with a colon would be a network address.
-std::string name_of(const std::filesystem::path& file) {
-  return "file:" + file.string();
-}
-
 /// The file to write, the same bytes each time. `flags`: the option with the flags of what is
 /// encoded.
 void add_output(const std::string& flags, const std::filesystem::path& file,
                 std::vector<std::string>& arguments) {
-  arguments.insert(arguments.end(), {"-fflags", "+bitexact", flags, "+bitexact", name_of(file)});
+  arguments.insert(arguments.end(),
+                   {"-fflags", "+bitexact", flags, "+bitexact", ffmpeg_name(file)});
 }
 
 std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, int fps,
                                           const std::filesystem::path& file) {
   // Without -xerror, ffmpeg reports success even if the disk is full at the end.
   std::vector<std::string> arguments{
-      "ffmpeg",       "-nostdin",
+      kFfmpeg,        "-nostdin",
       "-hide_banner", "-loglevel",
       "error",        "-y",
       "-f",           "rawvideo",
@@ -92,10 +89,14 @@ std::vector<std::string> ffmpeg_arguments(Format format, int width, int height, 
 std::vector<std::string> muxing_arguments(Format format, const std::filesystem::path& pictures,
                                           const std::filesystem::path& sound,
                                           const std::filesystem::path& file) {
-  std::vector<std::string> arguments{"ffmpeg", "-nostdin",     "-hide_banner", "-loglevel",
-                                     "error",  "-y",           "-i",           name_of(pictures),
-                                     "-i",     name_of(sound), "-map",         "0:v",
-                                     "-map",   "1:a",          "-c:v",         "copy",
+  std::vector<std::string> arguments{kFfmpeg,        "-nostdin",
+                                     "-hide_banner", "-loglevel",
+                                     "error",        "-y",
+                                     "-i",           ffmpeg_name(pictures),
+                                     "-i",           ffmpeg_name(sound),
+                                     "-map",         "0:v",
+                                     "-map",         "1:a",
+                                     "-c:v",         "copy",
                                      "-xerror"};
   const std::vector<std::string> coding =
       format == Format::Mp4
@@ -149,10 +150,7 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
 }
 
 Error not_started(const std::filesystem::path& path, const Error& error) {
-  if (error.kind != ErrorKind::Unreadable) return error;
-  return {ErrorKind::Failed,
-          at_place(path.string(),
-                   "ffmpeg, which writes the video, is not installed: apt install ffmpeg")};
+  return ffmpeg_not_started(error, path.string(), "writes the video");
 }
 
 }  // namespace

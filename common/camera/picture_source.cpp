@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "common/ffmpeg.h"
 #include "common/files.h"
 #include "common/film_name.h"
 #include "common/number_of.h"
@@ -22,7 +23,7 @@ constexpr const char* kFilters =
     ":out_color_matrix=bt601:out_range=tv,setsar=1";
 
 std::vector<std::string> arguments_of(std::vector<std::string> input, const std::string& filters) {
-  std::vector<std::string> arguments{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error"};
+  std::vector<std::string> arguments{kFfmpeg, "-nostdin", "-hide_banner", "-loglevel", "error"};
   for (std::string& word : input) arguments.push_back(std::move(word));
   for (const char* word : {"-map", "0:V:0", "-an", "-sn", "-dn", "-vf"})
     arguments.emplace_back(word);
@@ -32,11 +33,6 @@ std::vector<std::string> arguments_of(std::vector<std::string> input, const std:
     arguments.emplace_back(word);
   }
   return arguments;
-}
-
-/// "file:" keeps a name with a colon from being taken for a network address.
-std::string file_url(const std::filesystem::path& path) {
-  return "file:" + path.string();
 }
 
 /// A message of ffmpeg without the "[NAME @ ADDRESS] " of the component that wrote it.
@@ -60,9 +56,8 @@ bool await_picture(Child& ffmpeg, Milliseconds patience, const GivenUp& given_up
 Result<std::unique_ptr<Child>> start_ffmpeg(const std::vector<std::string>& arguments,
                                             const std::string& name, GivenUp given_up = {}) {
   auto child = Child::start(arguments, Child::Flow::Read, std::move(given_up));
-  if (child || child.error().kind != ErrorKind::Unreadable) return child;
-  return Error{ErrorKind::Failed,
-               at_place(name, "ffmpeg, which decodes it, is not installed: apt install ffmpeg")};
+  if (child) return child;
+  return ffmpeg_not_started(child.error(), name, "decodes it");
 }
 
 }  // namespace
@@ -84,9 +79,9 @@ Result<PictureSource> PictureSource::open(std::unique_ptr<Child> ffmpeg, const s
 Result<PictureSource> PictureSource::open_film(const std::filesystem::path& path,
                                                const GivenUp& given_up) {
   if (const auto file = open_file(path); !file) return file.error();
-  auto ffmpeg = start_ffmpeg(
-      arguments_of({"-i", file_url(path)}, "fps=fps='min(source_fps,30)'," + std::string(kFilters)),
-      path.string(), given_up);
+  auto ffmpeg = start_ffmpeg(arguments_of({"-i", ffmpeg_name(path)},
+                                          "fps=fps='min(source_fps,30)'," + std::string(kFilters)),
+                             path.string(), given_up);
   if (!ffmpeg) return ffmpeg.error();
   return open(*std::move(ffmpeg), path.string(), ErrorKind::BadData);
 }
@@ -115,9 +110,9 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
   std::error_code ignored;
   const auto status = std::filesystem::status(options.device, ignored);
   if (std::filesystem::is_regular_file(status)) {
-    input = {"-re", "-i", file_url(options.device)};
+    input = {"-re", "-i", ffmpeg_name(options.device)};
   } else if (std::filesystem::is_fifo(status)) {
-    input = {"-fflags", "nobuffer", "-i", file_url(options.device)};
+    input = {"-fflags", "nobuffer", "-i", ffmpeg_name(options.device)};
   }
   // Nothing is buffered that can be shown: a late face is worth nothing.
   auto opened = open_device(arguments_of(std::move(input), kFilters), options, given_up);
@@ -151,7 +146,7 @@ Error no_pictures(ErrorKind kind, const std::string& name, const std::string& co
 
 std::optional<double> film_seconds(const std::filesystem::path& path, const GivenUp& given_up) {
   auto probe = Child::start({"ffprobe", "-v", "error", "-show_entries", "format=duration", "-of",
-                             "csv=p=0", file_url(path)},
+                             "csv=p=0", ffmpeg_name(path)},
                             Child::Flow::Read, given_up);
   if (!probe) return std::nullopt;
   std::string text;

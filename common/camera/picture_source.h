@@ -36,7 +36,8 @@ class PictureSource {
   [[nodiscard]] static Result<PictureSource> open_film(const std::filesystem::path& path,
                                                        const GivenUp& given_up = {});
   /// The device may also be a film, which then plays at its own speed, or a FIFO. Fails with
-  /// ErrorKind::Failed and ffmpeg's own words if no picture comes in time or the caller gives up.
+  /// ErrorKind::Failed if ffmpeg is missing, if it finds no pictures (the message has its words),
+  /// if none comes in time or the caller gives up; if there is no such film, as open_film() does.
   [[nodiscard]] static Result<PictureSource> open_camera(const CameraOptions& options,
                                                          const GivenUp& given_up = {});
 

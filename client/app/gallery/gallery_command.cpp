@@ -21,6 +21,7 @@
 #include "client/gallery/gallery_plan.h"
 #include "client/pipeline/expression_muscles.h"
 #include "client/view/video_encoder.h"
+#include "common/ffmpeg.h"
 #include "common/files.h"
 
 namespace aucast::app {
@@ -57,7 +58,7 @@ bool ffmpeg_is_there() {
   std::istringstream folders(path == nullptr ? "" : path);
   std::string folder;
   while (std::getline(folders, folder, ':')) {
-    if (::access((std::filesystem::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
+    if (::access((std::filesystem::path(folder) / kFfmpeg).c_str(), X_OK) == 0) return true;
   }
   return false;
 }
