@@ -202,12 +202,10 @@ std::optional<Instant> Follower::deadline() const {
   return first;
 }
 
-void Follower::complain(Complaint& complaint, const std::string& text, Instant now) {
-  ++complaint.times;
-  if (now < complaint.next) return;
-  complaint.next = now + kSayEvery;
-  const std::string more =
-      complaint.times > 1 ? " (" + std::to_string(complaint.times) + " so far)" : "";
+void Follower::complain(RecurringComplaint& complaint, const std::string& text, Instant now) {
+  const auto times = complaint.happened(now);
+  if (!times) return;
+  const std::string more = *times > 1 ? " (" + std::to_string(*times) + " so far)" : "";
   events_.emplace_back(Say{escaped(text, 200) + more});
 }
 

@@ -11,6 +11,7 @@
 
 #include "common/time.h"
 #include "protocol/engine_message.h"
+#include "server/engine/recurring_complaint.h"
 
 namespace aucast::server {
 
@@ -24,7 +25,7 @@ class Follower {
   static constexpr Milliseconds kSilence{2'000};  ///< after this silence, an origin counts as lost
   static constexpr Milliseconds kAskFirst{250};   ///< wait before a request is repeated, ...
   static constexpr Milliseconds kAskMax{4'000};   ///< ... which doubles each time, up to this
-  static constexpr Milliseconds kSayEvery{60'000};
+  static constexpr Milliseconds kSayEvery{60'000};  ///< how often a warning is repeated at most
   /// The most batches that wait for an answer. When more come, the oldest are dropped and counted.
   static constexpr std::size_t kWaitingMax = 128;
   static constexpr std::size_t kWaitingBytesMax = std::size_t{1} << 20U;
@@ -72,12 +73,6 @@ class Follower {
  private:
   using Message = protocol::EngineMessage;
 
-  /// Limits how often a warning is repeated.
-  struct Complaint {
-    Instant next{};
-    std::uint64_t times = 0;
-  };
-
   [[nodiscard]] std::vector<Event> take_events();
   void take_batch(Message message, Instant now);
   void take_state(const Message& message, Instant now);
@@ -89,7 +84,7 @@ class Follower {
   void forget();
   void want(Instant now);
   void answered(Instant now);
-  void complain(Complaint& complaint, const std::string& text, Instant now);
+  void complain(RecurringComplaint& complaint, const std::string& text, Instant now);
 
   std::string id_;
   std::optional<std::string> origin_;
@@ -105,9 +100,9 @@ class Follower {
   std::deque<Message> waiting_;  ///< batches that came while an answer was awaited
   std::size_t waiting_bytes_ = 0;
   std::uint64_t left_out_ = 0;
-  Complaint garbage_;
-  Complaint other_origin_;
-  Complaint refused_;
+  RecurringComplaint garbage_{kSayEvery};
+  RecurringComplaint other_origin_{kSayEvery};
+  RecurringComplaint refused_{kSayEvery};
   std::vector<Event> events_;
 };
 

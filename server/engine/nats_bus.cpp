@@ -17,6 +17,7 @@
 #include "common/thread.h"
 #include "common/time.h"
 #include "server/engine/nats_loader.h"
+#include "server/engine/recurring_complaint.h"
 
 namespace aucast::server {
 namespace {
@@ -144,8 +145,7 @@ class NatsBus final : public Bus {
   std::unique_ptr<NatsConnection> connection_;  ///< null: one was closed, and the next is not open
   std::string connected_early_;  ///< the server that was reported before connection_ was set
   bool owner_knows_ = false;     ///< that there is a connection
-  std::uint64_t errors_ = 0;     ///< of the library
-  Instant next_said_{};          ///< when the next of them may be logged
+  RecurringComplaint errors_{kSayEvery};  ///< of the library
   std::vector<std::string> subjects_;
   std::string own_subject_;
 };
@@ -192,11 +192,9 @@ void NatsBus::on_disconnected() {
 }
 
 void NatsBus::on_error(const std::string& text) {
-  ++errors_;
-  const Instant now = std::chrono::steady_clock::now();
-  if (now < next_said_) return;
-  next_said_ = now + kSayEvery;
-  const std::string more = errors_ > 1 ? " (" + std::to_string(errors_) + " errors so far)" : "";
+  const auto errors = errors_.happened(std::chrono::steady_clock::now());
+  if (!errors) return;
+  const std::string more = *errors > 1 ? " (" + std::to_string(*errors) + " errors so far)" : "";
   spdlog::warn("NATS says: {}{}", escaped(text, kSaidMax), more);
 }
 
