@@ -49,6 +49,8 @@ class LiveClock {
   [[nodiscard]] const std::optional<Moment>& newest() const { return newest_; }
   /// Whether the last keyframe's time has passed and the stream does not start again.
   [[nodiscard]] bool ended() const { return ended_; }
+  /// The length of a turn, or of the stream that has only one.
+  [[nodiscard]] Milliseconds turn() const { return turn_; }
   /// When to call advance() next; nullopt after the end.
   [[nodiscard]] std::optional<Instant> next_at() const;
 
@@ -57,7 +59,7 @@ class LiveClock {
   void skip_turns(Instant now);
 
   std::span<const KeyframeTime> times_;
-  Milliseconds turn_{0};  ///< the length of a turn
+  Milliseconds turn_{0};
   bool loop_;
   Instant next_at_;
   std::size_t next_keyframe_ = 0;

@@ -3,13 +3,6 @@
 #include <utility>
 
 namespace aucast::protocol {
-namespace {
-
-double mean_ms(const EncodedStream& stream) {
-  return static_cast<double>(length_of(stream).count()) / static_cast<double>(stream.times.size());
-}
-
-}  // namespace
 
 LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, Instant begin,
                        std::shared_ptr<const SpokenTrack> spoken)
@@ -18,8 +11,9 @@ LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, I
       stream_(std::move(stream)),
       spoken_(std::move(spoken)),
       clock_(stream_->times, loop, begin) {
-  limit_window(mean_ms(*stream_));
-  if (loop) turn_time_ = length_of(*stream_);
+  limit_window(static_cast<double>(clock_.turn().count()) /
+               static_cast<double>(stream_->times.size()));
+  if (loop) turn_time_ = clock_.turn();
 }
 
 bool LiveReplay::advance(Instant now) {

@@ -21,6 +21,7 @@ std::vector<KeyframeTime> times_of(const std::vector<Milliseconds>& times) {
 TEST(LiveClock, BeginsEachMomentWhenTheFaceSetsOut) {
   const auto clock_times = times_of({100ms, 50ms, 200ms});
   LiveClock clock(clock_times, false, kBegin);
+  EXPECT_EQ(clock.turn(), 350ms);
   EXPECT_FALSE(clock.newest().has_value());
   EXPECT_EQ(clock.next_at(), kBegin);
   EXPECT_FALSE(clock.advance(kBegin - 1ms));
