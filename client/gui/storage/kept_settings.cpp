@@ -102,7 +102,10 @@ void read_remote(Fields fields, KeptSettings& settings) {
   if (settings.recent.size() > kRecentMax) settings.recent.resize(kRecentMax);
   const RemoteSettings usual;
   if (remote.playout > remote.buffer) {
-    fields.leave_out("playout", *problem(remote));
+    RemoteSettings buffers = usual;  // the address may be wrong as well
+    buffers.buffer = remote.buffer;
+    buffers.playout = remote.playout;
+    fields.leave_out("playout", *problem(buffers));
     remote.buffer = usual.buffer;
     remote.playout = usual.playout;
   }

@@ -107,6 +107,15 @@ TEST(KeptSettings, EachThatIsWrongIsSaid) {
   EXPECT_EQ(read->left_out.size(), 4U);
 }
 
+TEST(KeptSettings, EachThatIsWrongIsSaidWithItsOwnReason) {
+  const auto read =
+      parse_settings("[remote]\naddress = \"a b\"\nbuffer = 10\nplayout = 20\n", "s.toml");
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->left_out.size(), 2U);
+  EXPECT_NE(read->left_out[0].find("must not be larger"), std::string::npos) << read->left_out[0];
+  EXPECT_NE(read->left_out[1].find("address"), std::string::npos) << read->left_out[1];
+}
+
 TEST(KeptSettings, WhatIsNotTomlIsNotRead) {
   const auto read = parse_settings("[remote\n", "s.toml");
   ASSERT_FALSE(read);
