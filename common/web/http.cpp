@@ -36,8 +36,10 @@ std::string_view phrase(int status) {
       return "Request Header Fields Too Large";
     case 503:
       return "Service Unavailable";
-    default:
+    case 505:
       return "HTTP Version Not Supported";
+    default:
+      return {};  // a phrase is optional (RFC 9112 4)
   }
 }
 

@@ -136,6 +136,13 @@ TEST(HttpReply, SaysItsLengthAndThatItIsTheLast) {
   EXPECT_TRUE(format_http_reply({200, "text/plain", "ok\n"}, true).ends_with("\r\n\r\n"));
 }
 
+TEST(HttpReply, NoStatusHasThePhraseOfAnother) {
+  EXPECT_TRUE(format_http_reply({505, "text/plain", "no\n"}, false)
+                  .starts_with("HTTP/1.1 505 HTTP Version Not Supported\r\n"));
+  EXPECT_TRUE(
+      format_http_reply({500, "text/plain", "no\n"}, false).starts_with("HTTP/1.1 500 \r\n"));
+}
+
 TEST(HttpReply, OneWithoutABodyHasNoLength) {
   const std::string reply = format_http_reply(
       {.status = 304, .type = "", .cache = "no-cache", .fields = {"ETag: \"a\""}}, false);
