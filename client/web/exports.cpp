@@ -222,7 +222,7 @@ EMSCRIPTEN_KEEPALIVE double aucast_reconnects() {
   return playback != nullptr ? static_cast<double>(playback->status().reconnects) : 0;
 }
 
-/// Shows AUs, written as on the command line: `6,12:80`.
+/// The AUs that the face shows, before the rules, written as on the command line: `6,12:80`.
 EMSCRIPTEN_KEEPALIVE const char* aucast_aus() {
   static std::string text;
   return kept(text, aucast::protocol::format_au_set(page()->aus()));

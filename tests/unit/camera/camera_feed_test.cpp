@@ -18,10 +18,33 @@
 namespace aucast::camera {
 namespace {
 
-TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
-  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
-  OtherFfmpeg ffmpeg(
-      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; printf 'FRAME\\n'; head -c 768 /dev/zero");
+// Of the script of an ffmpeg: pictures of 16 x 16 pixels.
+const std::string kHeader = "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; ";
+const std::string kPicture = "printf 'FRAME\\n'; head -c 768 /dev/zero; ";
+
+/// Reads rows to their end.
+std::string read_all(const Descriptor& rows) {
+  std::string text;
+  std::vector<char> chunk(4096);
+  for (;;) {
+    pollfd wait{rows.get(), POLLIN, 0};
+    const int ready = ::poll(&wait, 1, 30'000);
+    EXPECT_EQ(ready, 1);
+    const ssize_t got = ready == 1 ? ::read(rows.get(), chunk.data(), chunk.size()) : 0;
+    if (got <= 0) return text;
+    text.append(chunk.data(), static_cast<std::size_t>(got));
+  }
+}
+
+class CameraFeedTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
+  }
+};
+
+TEST_F(CameraFeedTest, PicturesWithoutAFaceAreRowsWithoutSuccess) {
+  const OtherFfmpeg ffmpeg(kHeader + kPicture);
   std::vector<std::size_t> widths;  // by the other thread, as long as it lives
   auto feed = CameraFeed::start({.device = kDevice}, {}, [&widths](const Sight& sight) {
     EXPECT_EQ(sight.landmarks, nullptr);
@@ -29,16 +52,7 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
     widths.push_back(sight.picture.width);
   });
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
-  const Descriptor rows = (*feed)->take_rows();
-  std::string text;
-  std::vector<char> chunk(4096);
-  for (;;) {
-    pollfd wait{rows.get(), POLLIN, 0};
-    ASSERT_EQ(::poll(&wait, 1, 30'000), 1);
-    const ssize_t got = ::read(rows.get(), chunk.data(), chunk.size());
-    if (got <= 0) break;
-    text.append(chunk.data(), static_cast<std::size_t>(got));
-  }
+  const std::string text = read_all((*feed)->take_rows());
   EXPECT_TRUE(text.starts_with("aucast_seconds,"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
   EXPECT_NE(text.find(",0.000,0,"), std::string::npos);
@@ -47,44 +61,25 @@ TEST(CameraFeed, PicturesWithoutAFaceAreRowsWithoutSuccess) {
   EXPECT_EQ(widths, std::vector<std::size_t>{16});
 }
 
-TEST(CameraFeed, EndsAtOnceWhileItsCameraGoesOn) {
-  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
-  OtherFfmpeg ffmpeg(
-      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
-      "/dev/zero; done");
+TEST_F(CameraFeedTest, EndsAtOnceWhileItsCameraGoesOn) {
+  const OtherFfmpeg ffmpeg(kHeader + "while :; do " + kPicture + "done");
   auto feed = CameraFeed::start({.device = kDevice}, {});
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
   feed->reset();
 }
 
-/// Reads rows to their end.
-void read_all(const Descriptor& rows) {
-  std::vector<char> chunk(4096);
-  for (;;) {
-    pollfd wait{rows.get(), POLLIN, 0};
-    ASSERT_EQ(::poll(&wait, 1, 30'000), 1);
-    if (::read(rows.get(), chunk.data(), chunk.size()) <= 0) return;
-  }
-}
-
-TEST(CameraFeed, SaysAtOnceWhyItsCameraWentAlsoWhenFfmpegHangs) {
-  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
-  OtherFfmpeg ffmpeg(
-      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\nFRAME\\n'; head -c 768 /dev/zero; "
-      "echo unplugged >&2; exec >&-; sleep 60");
+TEST_F(CameraFeedTest, SaysAtOnceWhyItsCameraWentAlsoWhenFfmpegHangs) {
+  const OtherFfmpeg ffmpeg(kHeader + kPicture + "echo unplugged >&2; exec >&-; sleep 60");
   auto feed = CameraFeed::start({.device = kDevice}, {});
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
-  read_all((*feed)->take_rows());
+  EXPECT_NE(read_all((*feed)->take_rows()), "");
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ((*feed)->complaint(), "unplugged");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
-TEST(CameraFeed, TakesNoMorePicturesWhenNobodyReadsItsRows) {
-  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
-  OtherFfmpeg ffmpeg(
-      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
-      "/dev/zero; echo on >> \"${0%/*}/pictures\"; done");
+TEST_F(CameraFeedTest, TakesNoMorePicturesWhenNobodyReadsItsRows) {
+  OtherFfmpeg ffmpeg(kHeader + "while :; do " + kPicture + "echo on >> \"${0%/*}/pictures\"; done");
   const std::filesystem::path pictures = ffmpeg.file("pictures", "");
   auto feed = CameraFeed::start({.device = kDevice}, {});
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
@@ -96,11 +91,8 @@ TEST(CameraFeed, TakesNoMorePicturesWhenNobodyReadsItsRows) {
   }));
 }
 
-TEST(CameraFeed, CountsTheRowsThatFindNoRoom) {
-  if (!load_face_models()) GTEST_SKIP() << "NOT RUN: the models are not installed";
-  OtherFfmpeg ffmpeg(
-      "printf 'YUV4MPEG2 W16 H16 F25:1 C444\\n'; while :; do printf 'FRAME\\n'; head -c 768 "
-      "/dev/zero; done");
+TEST_F(CameraFeedTest, CountsTheRowsThatFindNoRoom) {
+  const OtherFfmpeg ffmpeg(kHeader + "while :; do " + kPicture + "done");
   auto feed = CameraFeed::start({.device = kDevice}, {});
   ASSERT_TRUE(feed.has_value()) << feed.error().message;
   const Descriptor rows = (*feed)->take_rows();
