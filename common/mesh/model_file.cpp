@@ -177,8 +177,7 @@ class ModelReader {
     if (table == FlatBuffer::kNone) return true;
     switch (step.kind) {
       case Operator::Conv2d:
-        return read_window(table, step) && read_activation(table, 3, step) &&
-               !dilated(table, 4);
+        return read_window(table, step) && read_activation(table, 3, step) && !dilated(table, 4);
       case Operator::DepthwiseConv2d:
         return read_window(table, step) && read_size(table, 3, step.depth_multiplier) &&
                read_activation(table, 4, step) && !dilated(table, 5);
