@@ -133,6 +133,7 @@ void FaceRenderer::State::draw_creases(std::span<const float> strengths) {
   for (const Run& run : mesh.creases()) {
     const auto at = static_cast<std::size_t>(run.index);
     if (run.index < 0 || at >= strengths.size() || !(strengths[at] > 0)) continue;
+    mesh.materials().use(run.block);
     glUniform1f(strength, strengths[at]);
     run.draw();
   }

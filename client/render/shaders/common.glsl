@@ -41,6 +41,18 @@ layout(std140) uniform Material {
   float u_enclosed;    // 1: what takes the key takes the ambient light, too, as lips do
 };
 
+// How much of the key a surface takes that nothing shades, per colour.
+vec3 key_share(vec3 normal) {
+  vec3 lit = max((dot(normal, u_key_direction) + u_wrap) / (1.0 + u_wrap), 0.0);
+  return lit * lit;  // it ends softly, or a red ring lies round the shade
+}
+
+// What sky, ground and fill give a surface that nothing shades.
+vec3 ambient_light(vec3 normal) {
+  float fill = max(dot(normal, kFillDirection) * (1.0 - kFillWrap) + kFillWrap, 0.0);
+  return mix(kGround, kSky, 0.5 + 0.5 * normal.y) + kFillColour * fill;
+}
+
 // A shoulder that keeps highlights from burning out, then gamma 2.0 (a square root).
 vec3 to_screen(vec3 light) {
   light = max(light, vec3(0.0));

@@ -9,7 +9,6 @@ out vec4 o_colour;
 const float kSteep = 0.62;      // how far a slope tilts
 const float kHalfWidths = 4.0;  // across a ribbon
 const float kBulgeEnd = -2.1;   // where it begins
-const vec3 kSkinWrap = vec3(0.43, 0.26, 0.20);  // how far the key reaches round, per colour
 
 // Slope of the fold at `s` half widths from its ground: a groove, and beside it a bulge.
 float slope_at(float s) {
@@ -19,10 +18,7 @@ float slope_at(float s) {
 }
 
 vec3 light_on(vec3 normal) {
-  float fill = max(dot(normal, kFillDirection) * (1.0 - kFillWrap) + kFillWrap, 0.0);
-  vec3 key = clamp((dot(normal, u_key_direction) + kSkinWrap) / (1.0 + kSkinWrap), 0.0, 1.0);
-  return key * kKeyColour * u_key_strength + mix(kGround, kSky, 0.5 + 0.5 * normal.y) +
-         kFillColour * fill;
+  return key_share(normal) * kKeyColour * u_key_strength + ambient_light(normal);
 }
 
 void main() {

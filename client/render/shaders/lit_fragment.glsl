@@ -138,13 +138,11 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
 // What the key gives a surface; `arriving` is how much of it no shadow takes.
 vec3 key_light(vec3 normal, float occlusion, out float arriving) {
   float towards_key = dot(normal, u_key_direction);
-  vec3 lit = max((towards_key + u_wrap) / (1.0 + u_wrap), 0.0);
-  lit *= lit;  // it ends softly, or a red ring lies round the shade
   // Where the surface turns away from the key it is its own shadow; the map would only draw its
   // texels there.
   arriving = mix(1.0, v_key, smoothstep(-0.36, 0.0, towards_key));
   vec3 through = mix(u_shadow_kept, vec3(1.0), arriving);
-  return lit * through * kKeyColour * (u_key_strength * (0.55 + 0.45 * occlusion));
+  return key_share(normal) * through * kKeyColour * (u_key_strength * (0.55 + 0.45 * occlusion));
 }
 
 #ifdef SURFACE

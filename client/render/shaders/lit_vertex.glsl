@@ -86,8 +86,7 @@ void main() {
 #endif
   // Light that bounces about in skin comes out red: less of the red is lost in the creases.
   vec3 arriving = vec3(pow(max(occlusion, 1e-4), 0.75), occlusion, occlusion);
-  float fill = max(dot(a_normal, kFillDirection) * (1.0 - kFillWrap) + kFillWrap, 0.0);
-  v_ambient = arriving * (mix(kGround, kSky, 0.5 + 0.5 * a_normal.y) + kFillColour * fill);
+  v_ambient = arriving * ambient_light(a_normal);
 #ifdef EYE
   v_position = place;
 #else
