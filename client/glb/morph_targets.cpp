@@ -14,7 +14,7 @@ namespace aucast::glb {
 namespace {
 
 constexpr float kLeastWay = 0.0059F;  ///< mesh units: 0.083 mm
-constexpr float kLeastTurn = 0.055F;  ///< of a normal: three degrees, which no light shows
+constexpr float kLeastTurn = 0.055F;  ///< of a normal: 3.2 degrees, which no light shows
 constexpr float kLeastArc = 0.015F;   ///< mesh units: what a target of its own is worth, 0.2 mm
 
 std::vector<Target> of_channels(const face::Face& face, const FaceRig& rig) {
