@@ -12,6 +12,15 @@ void LoopGate::post(Work work) {
   });
 }
 
+void LoopGate::post_and_wait(Work work) {
+  const auto done = std::make_shared<bool>(false);  // behind the lock of the state
+  post([self = shared_from_this(), done, work = std::move(work)] {
+    work();
+    self->state_.change([&done](State&) { *done = true; });
+  });
+  state_.wait([&done](const State& state) { return *done || state.io == nullptr; }, [](State&) {});
+}
+
 void LoopGate::post_if_room(Work work, std::size_t bytes) {
   const std::size_t cost = bytes + kBytesEach;
   state_.with([&](State& state) {
@@ -36,7 +45,7 @@ void LoopGate::pass(State& state, Work work, std::size_t bytes) {
 }
 
 void LoopGate::close() {
-  state_.with([](State& state) { state.io = nullptr; });
+  state_.change([](State& state) { state.io = nullptr; });
 }
 
 bool LoopGate::is_open() const {

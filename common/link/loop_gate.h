@@ -33,10 +33,13 @@ class LoopGate : public std::enable_shared_from_this<LoopGate> {
   /// Posts work that is never left out, because there is little of it, such as the answer to a
   /// question.
   void post(Work work);
+  /// The same, but waits until the loop has done the work, or the gate is closed: a thread that
+  /// makes much work so has one piece of it waiting. Not for the loop's own thread.
+  void post_and_wait(Work work);
   /// Posts work of which any amount may come; leaves it out if kBytesMax would be exceeded.
   /// `bytes`: the size of the data from outside that the work owns.
   void post_if_room(Work work, std::size_t bytes);
-  /// From now on no work runs, and the loop is not touched.
+  /// From now on no work runs, the loop is not touched, and nobody waits in post_and_wait().
   void close();
   [[nodiscard]] bool is_open() const;
   [[nodiscard]] std::uint64_t left_out() const;

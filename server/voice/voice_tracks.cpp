@@ -102,8 +102,9 @@ void VoiceTracks::deliver(const Job& job, std::vector<protocol::VoicePacket> pac
   const Milliseconds known =
       job.reader ? std::max(job.reader->end() - settings_.frame, Milliseconds::zero())
                  : Milliseconds::zero();
-  gate_->post([this, held = job.track, known, last, read = job.reader.has_value(),
-               path = job.file.path.string(), packets = std::move(packets)] {
+  // Waits, so that a fast encoder does not fill the memory with packets while the loop is busy.
+  gate_->post_and_wait([this, held = job.track, known, last, read = job.reader.has_value(),
+                        path = job.file.path.string(), packets = std::move(packets)] {
     const auto track = held.lock();
     if (!track) return;
     for (const protocol::VoicePacket& packet : packets) track->add(packet);

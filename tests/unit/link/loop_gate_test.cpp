@@ -1,11 +1,16 @@
 #include "common/link/loop_gate.h"
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <asio/executor_work_guard.hpp>
+
+#include "tests/support/run_until.h"
 
 namespace aucast::link {
 namespace {
@@ -60,6 +65,28 @@ TEST_F(LoopGateTest, WorksWithoutAByteHaveTheirLimitToo) {
   EXPECT_EQ(gate->left_out(), kPosted - kFit);
   EXPECT_EQ(run(), "full ");
   EXPECT_EQ(carried_out, kFit);
+}
+
+TEST_F(LoopGateTest, AThreadThatWaitsHasOneWorkInTheQueue) {
+  constexpr int kPieces = 200;
+  std::atomic<int> posted{0};
+  int carried_out = 0;
+  const auto piece = [&] { EXPECT_EQ(posted, ++carried_out) << "it goes on before this is done"; };
+  const std::jthread worker([&] {
+    for (int i = 0; i < kPieces; ++i) {
+      ++posted;
+      gate->post_and_wait(piece);
+    }
+  });
+  const auto work = asio::make_work_guard(io);
+  EXPECT_TRUE(aucast::test::run_until(io, [&] { return carried_out == kPieces; }));
+}
+
+TEST_F(LoopGateTest, NobodyWaitsAtAClosedGate) {
+  const std::jthread worker([&] { gate->post_and_wait([this] { done += "never "; }); });
+  gate->close();
+  gate->post_and_wait([this] { done += "never "; });
+  EXPECT_EQ(run(), "");
 }
 
 TEST_F(LoopGateTest, CarriesOutNothingOnceItIsClosed) {

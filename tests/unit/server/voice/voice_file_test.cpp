@@ -71,6 +71,22 @@ TEST_F(VoiceTracksTest, EncodesAFileOnceInTheBackground) {
   EXPECT_EQ(tracks_.track_of(file), track) << "not encoded again";
 }
 
+TEST_F(VoiceTracksTest, TheEncoderWaitsForALoopThatIsBusy) {
+  const auto talk = *find_voice_file(write_wav("talk.wav", voice::test::speech_like(20)), 0ms);
+  const auto other = *find_voice_file(write_wav("other.wav", voice::test::speech_like(20)), 0ms);
+  int pieces = 0;
+  std::size_t waiting = 0;
+  VoiceTracks busy(io_, {}, [&] {
+    if (++pieces > 1) return;
+    static_cast<void>(encoded(other));  // so long as another thread needs for all of its pieces
+    waiting = io_.poll();
+  });
+  const auto track = busy.track_of(talk);
+  run_until_complete(*track);
+  EXPECT_EQ(waiting, 0U) << "pieces were encoded that nobody had taken yet";
+  EXPECT_GT(pieces, 2);
+}
+
 TEST_F(VoiceTracksTest, AFileThatChangedIsAnotherVoice) {
   const auto path = write_wav("talk.wav", voice::test::speech_like(1));
   const auto before = tracks_.track_of(*find_voice_file(path, 0ms));
