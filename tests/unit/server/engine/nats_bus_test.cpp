@@ -116,7 +116,7 @@ class RefusedConnection final : public NatsConnection {
 };
 
 TEST(NatsBus, TheLoopGoesRoundWhileAConnectionEndsThatGotNoSubscription) {
-  const test::QuietLog quiet;
+  const test::KeptLog log;
   const NatsModule module{"",
                           [](const NatsServers&, const std::shared_ptr<NatsListener>&) {
                             return Result<std::unique_ptr<NatsConnection>>(
@@ -133,6 +133,9 @@ TEST(NatsBus, TheLoopGoesRoundWhileAConnectionEndsThatGotNoSubscription) {
   asio::post(io, [] { may_end.release(); });
   EXPECT_TRUE(test::run_until(io, [] { return opened == 2; }));
   EXPECT_TRUE(went_on);
+  EXPECT_NE(log.said().find("no subscription to talk: not this; it is asked again in"),
+            std::string::npos)
+      << log.said();
 }
 
 TEST(NatsBus, TheEndOfAConnectionThatIsToldLateIsNotTheEndOfTheNext) {
