@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "client/face/face_folder.h"
 #include "client/gui/model/face_names.h"
@@ -143,6 +145,27 @@ std::string origin_for_copy(const fs::path& from, const FaceFolders& faces) {
   return whole.string();
 }
 
+/// A copy has this name until it is complete, and behind it the number of the process.
+constexpr const char* kUnfinished = ".unfinished ";
+/// No copy takes this long: a program that did not complete one by then has died at it. Whether its
+/// process is there would say nothing where several computers have the same home.
+constexpr std::chrono::hours kInterruptedAfter{1};
+
+/// Removes what interrupted copies have left behind.
+void remove_interrupted(const fs::path& own_faces) {
+  const auto now = fs::file_time_type::clock::now();
+  std::error_code failed;
+  std::vector<fs::path> left;
+  for (fs::directory_iterator at(own_faces, failed), end; !failed && at != end;
+       at.increment(failed)) {
+    std::error_code vanished;
+    const auto begun = at->last_write_time(vanished);
+    const bool copying = at->path().filename().string().starts_with(kUnfinished);
+    if (copying && !vanished && now - begun >= kInterruptedAfter) left.push_back(at->path());
+  }
+  for (const fs::path& copy : left) fs::remove_all(copy, failed);
+}
+
 /// Makes the copy in `unfinished`, a folder in that of the user's own faces.
 Result<void> make_copy(const fs::path& from, const FaceFolders& faces, const std::string& name,
                        const fs::path& unfinished) {
@@ -196,8 +219,9 @@ Result<fs::path> copy_face(const fs::path& face_folder, const FaceFolders& faces
   const fs::path from = without_slash(face_folder);
   const fs::path copy = faces.own / name;
   if (is_there(copy)) return there_already(copy);
+  remove_interrupted(faces.own);
   // Another program may be copying at the same time.
-  const fs::path unfinished = faces.own / (".unfinished " + std::to_string(::getpid()));
+  const fs::path unfinished = faces.own / (kUnfinished + std::to_string(::getpid()));
   Result<void> made = make_copy(from, faces, name, unfinished);
   std::error_code cause;
   if (made) fs::rename(unfinished, copy, cause);

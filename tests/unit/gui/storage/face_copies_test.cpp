@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -300,6 +301,17 @@ TEST_F(FaceCopies, WhatAnotherProgramIsCopyingIsLeftAlone) {
   EXPECT_EQ(folder_.read("home/aucast/faces/.anna.unfinished/face.toml"), "half");
   EXPECT_EQ(folder_.read("home/aucast/faces/.unfinished 1/face.toml"), "half");
   EXPECT_EQ(std::distance(fs::directory_iterator(mine_), {}), 3);
+}
+
+TEST_F(FaceCopies, WhatAnInterruptedCopyLeftIsRemovedByALaterOne) {
+  folder_.write("home/aucast/faces/.unfinished 1/face.toml", "half");
+  folder_.write("home/aucast/faces/mine/face.toml", "whole");
+  const auto yesterday = fs::file_time_type::clock::now() - std::chrono::hours(24);
+  for (const char* name : {".unfinished 1", "mine"}) fs::last_write_time(mine_ / name, yesterday);
+  const auto copy = copy_face(shipped_, faces_, "anna");
+  ASSERT_TRUE(copy) << copy.error().message;
+  EXPECT_FALSE(fs::exists(mine_ / ".unfinished 1"));
+  EXPECT_EQ(folder_.read("home/aucast/faces/mine/face.toml"), "whole");
 }
 
 TEST_F(FaceCopies, WhatCannotBeDeletedOfOneFaceIsNotInTheWayOfTheNext) {
