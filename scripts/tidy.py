@@ -5,7 +5,7 @@
 
 It checks which folder includes and links what, what pure folders touch, that view models know no file, that a file's
 own header comes first, the lengths of lines, functions and files, leftovers, names that only a unity build would find
-twice, texts that are translated but never said, and that READMEs name every file and the thread of their folder. It
+twice, texts that are translated but never said, what shaders leave undefined, and that READMEs name every file and the thread of their folder. It
 reads what git tracks; outside a git repository, everything below ROOT but build/.
 """
 
@@ -17,6 +17,7 @@ import sys
 import library_links
 import readmes
 import said_texts
+import shader_texts
 import unity_names
 
 LINE_MAX = 100
@@ -123,6 +124,30 @@ MAY_TOUCH = {
     "common/web/origin.cpp": "<arpa/",
     "client/sound/openal_out.cpp": "<dlfcn|setenv",  # the device itself
 }
+
+# What tests may include of the project, besides their own folder, tests/support and the tests of what
+# they may include. Those in tests/unit/ROOM may include what they test, and what that may include; this is more.
+TESTS_MAY_INCLUDE = {
+    # Tools of several tests, of no program's own parts.
+    "tests/support": {"common", "common/link", "common/sources", "common/tls", "client/face", "client/gui/editing",
+                      "client/view"},
+    # Programs run as processes: they are met in files, pictures and bytes alone.
+    "tests/integration": {"common", "common/preview", "common/voice", "protocol", "client/view"},
+    "tests/golden": APP - SERVER | {"common", "client/app", "client/app/video", "client/app/window",
+                                    "client/app/window/settings", "scripts/facegen"},
+    # What reads bytes from elsewhere, which is pure.
+    "tests/fuzz": PURE | {"common", "common/expressions"},
+    "tests/bench": {"common", "common/web", "protocol", "client/face", "client/render", "tests/golden"},
+    "tests/unit/protocol": {"server/settings"},  # PROTOCOL.md says its limits, too
+    "tests/unit/gui/model": {"client/gui/storage"},  # which reads the files of the languages
+    "tests/unit/gui/texts": {"client/gui/model", "client/gui/storage"},
+    "tests/unit/gui/panels": {"client/gui", "client/render", "client/view"},  # drawn as in the window
+    "tests/unit/gui/widgets": {"client/gui"},
+    "tests/unit/app/window/playing": {"client/app/window/settings"},  # its options, as they are read
+}
+# Whose tests have another name than the folder.
+TESTED = {"tests/unit/page": "client/web", "tests/unit/support": "tests/support"}
+
 LEFTOVERS = re.compile(r"\b(TODO|FIXME|XXX)\b|^\s*#\s*if 0\b")
 COMMENTED_OUT = re.compile(r"^\s*//\s*[\w:.<>*&\s-]+(\(.*\)|=.*);\s*$")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]')
@@ -138,6 +163,34 @@ NO_FUNCTION = re.compile(
 def folder_of(path: str) -> str:
     """The folder of MAY_INCLUDE that a file belongs to, or ''."""
     return max((f for f in MAY_INCLUDE if path.startswith(f + "/")), key=len, default="")
+
+
+def tested_by(folder):
+    """The folder of MAY_INCLUDE whose tests are in `folder`, below tests/unit; '' if it is none."""
+    if folder in TESTED:
+        return TESTED[folder]
+    room = folder.removeprefix("tests/unit/")
+    return next((root + room for root in ("", "common/", "client/") if root + room in MAY_INCLUDE), "")
+
+
+def test_folder_of(path):
+    """The folder of tests that a file belongs to: tests/support, tests/unit/ROOM and the like; or ''."""
+    folder = path.rpartition("/")[0]
+    if folder.startswith("tests/unit/"):
+        return folder
+    return "/".join(folder.split("/")[:2]) if folder.startswith("tests/") else ""
+
+
+def test_may_include(folder, other):
+    """Whether the tests in a folder may include a file."""
+    tested = tested_by(folder)
+    allowed = TESTS_MAY_INCLUDE.get(folder, set()) | MAY_INCLUDE.get(tested, set()) | {tested}
+    theirs = test_folder_of(other)
+    if theirs:
+        if folder == "tests/support":
+            return theirs == folder
+        return theirs in allowed | {folder, "tests/support"} or tested_by(theirs) in allowed - {""}
+    return folder_of(other) in allowed - {""}
 
 
 def cycles(may_include):
@@ -157,14 +210,18 @@ def cycles(may_include):
 
 
 def check_includes(path, lines):
-    folder = folder_of(path)
+    folder = folder_of(path) or test_folder_of(path)
     if not folder:
         return
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)
         if match and match.group(1) == '"':
             other = folder_of(match.group(2))
-            if other != folder and other not in MAY_INCLUDE[folder]:
+            if folder in MAY_INCLUDE:
+                may = other == folder or other in MAY_INCLUDE[folder]
+            else:
+                may = test_may_include(folder, match.group(2))
+            if not may:
                 yield number, f"{folder} may not include {match.group(2)}"
 
 
@@ -296,6 +353,7 @@ def findings(root: pathlib.Path):
     yield from library_links.findings(root, lists, folder_of, MAY_INCLUDE)
     yield from unity_names.collisions(root, all_paths)
     yield from said_texts.findings(root, all_paths)
+    yield from shader_texts.findings(root, tracked_files(root, (".glsl",)))
     yield from readmes.findings(root, all_paths, tracked_files(root, (".md",)), words_of(root))
     for path in all_paths:
         lines = (root / path).read_text(encoding="utf-8").splitlines()

@@ -80,13 +80,63 @@ class TidyTest(unittest.TestCase):
         ):
             self.assertNotIn(other, tidy.MAY_INCLUDE[folder])
 
+    def test_tests_include_what_they_test_and_what_that_may_include(self):
+        for path, other, may in (
+            ("tests/unit/link/a.cpp", "common/link/x.h", True), ("tests/unit/link/a.cpp", "common/tls/x.h", True),
+            ("tests/unit/link/a.cpp", "tests/support/x.h", True), ("tests/unit/link/a.cpp", "tests/unit/web/x.h", True),
+            ("tests/unit/link/a.cpp", "server/live/x.h", False), ("tests/unit/link/a.cpp", "tests/unit/face/x.h", False),
+            ("tests/unit/page/a.cpp", "client/web/x.h", True), ("tests/unit/web/a.cpp", "client/web/x.h", False),
+            ("tests/unit/protocol/a.cpp", "server/settings/x.h", True),
+            ("tests/unit/protocol/a.cpp", "server/live/x.h", False), ("tests/unit/new/a.cpp", "common/x.h", False),
+            ("tests/integration/a.cpp", "protocol/x.h", True), ("tests/integration/a.cpp", "server/x.h", False),
+            ("tests/support/linkemu/a.cpp", "common/x.h", True), ("tests/support/a.h", "tests/unit/face/x.h", False),
+            ("tests/fuzz/a.cpp", "protocol/x.h", True), ("tests/fuzz/a.cpp", "common/link/x.h", False),
+            ("server/live/a.cpp", "tests/support/x.h", False), ("tests/unit/link/a.cpp", "elsewhere/x.h", False),
+        ):
+            files = {path: ("#pragma once\n" if path.endswith(".h") else "") + f'#include "{other}"\n'}
+            if may:
+                self.assert_clean(files)
+            else:
+                self.assert_found(files, f"may not include {other}")
+
+    def test_every_folder_that_tests_may_include_more_than_theirs_is_known(self):
+        root = pathlib.Path(tidy.__file__).parent.parent
+        for folder, more in tidy.TESTS_MAY_INCLUDE.items():
+            self.assertTrue((root / folder).is_dir(), folder)
+            for other in more | {tidy.tested_by(folder)} - {""}:
+                self.assertTrue((root / other).is_dir(), other)
+
+    def test_shaders(self):
+        def shader(line, name="a_fragment.glsl"):
+            return {"a.cpp": "int x;\n", f"render/shaders/{name}": f"// smoothstep(1.0, 0.0, x)\n{line}\n"}
+
+        for line in ("smoothstep(0.5, 0.1, x)", "smoothstep( 1 , -1, x)", "smoothstep(.5,\n  0.5, x)"):
+            self.assert_found(shader(line), "render/shaders/a_fragment.glsl:2: smoothstep() is undefined")
+        for line in ("smoothstep(-0.36, 0.0, x)", "smoothstep(cut, 0.1, x)", "/* smoothstep(1.0, 0.0, x) */",
+                     "1.0 - smoothstep(0.0, 1.0, x)"):
+            self.assert_clean(shader(line))
+
+    def test_passes_of_one_picture_that_may_disagree_in_depth(self):
+        text = "invariant gl_Position;  // why\nvoid main() { gl_Position = f(); }\n"
+        both = {"a.cpp": "int x;\n", "render/shaders/depth_vertex.glsl": text, "render/shaders/lit_vertex.glsl": text}
+        self.assert_clean(both)
+        for name in ("depth", "lit"):
+            place = f"render/shaders/{name}_vertex.glsl"
+            for fault in (text.replace("invariant", "// invariant"), "void main() { gl_Position = f(); }\n"):
+                self.assert_found(both | {place: fault}, f"{place}:1: does not declare `invariant gl_Position`")
+            self.assert_found({path: text for path, text in both.items() if path != place}, f"{place}:1: does not")
+
     def test_a_folder_that_is_not_known_is_included_by_nobody(self):
         self.assert_found({"server/a.cpp": '#include "vendor/x.h"\n'}, "may not include vendor/x.h")
 
     def test_every_folder_with_sources_is_known(self):
         root = pathlib.Path(tidy.__file__).parent.parent
         for path in tidy.tracked_files(root):
-            if not path.startswith(("tests/", "scripts/cmake/")):
+            if path.startswith("tests/unit/"):
+                self.assertTrue(tidy.tested_by(tidy.test_folder_of(path)), path)
+            elif path.startswith("tests/"):
+                self.assertIn(tidy.test_folder_of(path), tidy.TESTS_MAY_INCLUDE, path)
+            elif not path.startswith("scripts/cmake/"):
                 self.assertTrue(tidy.folder_of(path), path)
 
     def test_folders_that_are_new_are_walked(self):
