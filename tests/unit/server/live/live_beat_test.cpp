@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
 #include "tests/support/raw_client.h"
 #include "tests/support/run_until.h"
 
@@ -66,6 +71,25 @@ TEST(LiveBeat, IsSilentWhenItHasStopped) {
   while (std::chrono::steady_clock::now() < until) beat.catch_up();
   io.run();
   EXPECT_EQ(told, 0);
+}
+
+TEST(LiveBeat, MayEndWhileItsHandlerIsQueued) {
+  asio::io_context io;
+  asio::steady_timer first(io);
+  std::vector<std::string> done;
+  auto beat = std::make_unique<LiveBeat>(io, [&done] { done.emplace_back("beat"); });
+  const auto live = beat->play("a", two_moments(1ms), false);
+  first.expires_at(std::chrono::steady_clock::now() -
+                   1h);  // its handler is queued before the beat's
+  first.async_wait([&](const std::error_code& /*error*/) {
+    done.emplace_back("ended");
+    beat.reset();
+  });
+  // Both are due: the loop queues both handlers at once.
+  const auto until = std::chrono::steady_clock::now() + 5ms;
+  while (std::chrono::steady_clock::now() < until) std::this_thread::yield();
+  io.run();
+  EXPECT_EQ(done, std::vector<std::string>{"ended"});
 }
 
 TEST(LiveBeat, AStreamReadAgainGoesOnWhereItIs) {
