@@ -52,7 +52,6 @@ struct ServerSession::State {
     AwaitingStream,  ///< the stream comes from another server, which has not described it yet
     Streaming,
     HeldBack,  ///< the refusal, until the deadline
-    Draining,  ///< the last byte was sent; reads until the peer ends
     Closed,
   };
 
@@ -67,8 +66,6 @@ struct ServerSession::State {
   ErrorReply held_back;
   char first_byte = '\0';  ///< the very first byte that came
   SpareCodes spare_codes;
-  CloseConnection farewell;  ///< the event at the end of the drain
-  std::size_t drained_bytes = 0;
 
   // Of the call that is being worked on.
   Instant now;
@@ -126,18 +123,10 @@ void ServerSession::State::close(Why why, std::string reason) {
   events.emplace_back(CloseConnection{why, std::move(reason)});
 }
 
-/// Closes as level 1 does: sends the last bytes, shuts the sending side, then reads until the peer
-/// ends.
+/// Closes after the last bytes.
 void ServerSession::State::say_last(std::string_view bytes, Why why, std::string reason) {
   send(bytes);
-  events.emplace_back(ShutdownSending{});
-  if (peer_ended) {
-    close(why, std::move(reason));
-    return;
-  }
-  farewell = {why, std::move(reason)};
-  phase = Phase::Draining;
-  deadline = now + kDrainTimeMax;
+  close(why, std::move(reason));
 }
 
 void ServerSession::State::refuse(int code, const std::string& text) {
@@ -213,9 +202,7 @@ std::optional<ErrorReply> ServerSession::State::comes_round() const {
 
 void ServerSession::State::read(std::string_view bytes) {
   if (!bytes.empty() && first_byte == '\0') first_byte = bytes.front();
-  const auto listens = [this] {
-    return phase != Phase::HeldBack && phase != Phase::Draining && phase != Phase::Closed;
-  };
+  const auto listens = [this] { return phase != Phase::HeldBack && phase != Phase::Closed; };
   while (!bytes.empty() && listens()) {
     note_first_byte(bytes);
     if (const auto packet = decoder.next(bytes)) {
@@ -223,10 +210,6 @@ void ServerSession::State::read(std::string_view bytes) {
     } else if (decoder.error()) {
       handle_fault(*decoder.error());
     }
-  }
-  if (phase == Phase::Draining) {
-    drained_bytes += bytes.size();
-    if (drained_bytes > kDrainBytesMax) close(farewell.why, farewell.reason);
   }
 }
 
@@ -336,9 +319,6 @@ void ServerSession::State::settle_peer_end() {
     case Phase::Hello:
       close(Why::PeerGone, "the client ended within its hello");
       break;
-    case Phase::Draining:
-      close(farewell.why, farewell.reason);
-      break;
     default:
       break;
   }
@@ -382,9 +362,7 @@ std::vector<ServerEvent> ServerSession::on_peer_end(Instant now) {
 
 std::vector<ServerEvent> ServerSession::on_lost(Instant now) {
   state_->begin_call(now);
-  if (state_->phase == State::Phase::Draining) {
-    state_->close(state_->farewell.why, state_->farewell.reason);
-  } else if (state_->phase != State::Phase::Closed) {
+  if (state_->phase != State::Phase::Closed) {
     state_->close(Why::PeerGone, "the connection was lost");
   }
   return state_->take_events();
@@ -406,9 +384,6 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
       break;
     case State::Phase::HeldBack:
       state_->refuse(state_->held_back.code, state_->held_back.text);
-      break;
-    case State::Phase::Draining:
-      state_->close(state_->farewell.why, state_->farewell.reason);
       break;
     default:
       break;
@@ -453,7 +428,7 @@ std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
 
 std::vector<ServerEvent> ServerSession::stop(Instant now) {
   state_->begin_call(now);
-  if (state_->phase != State::Phase::Draining && state_->phase != State::Phase::Closed) {
+  if (state_->phase != State::Phase::Closed) {
     state_->say_last(encode(End{}), Why::Stopped, "the server stops");
   }
   return state_->take_events();

@@ -47,12 +47,11 @@ struct ServerCatalogue {
 struct SendBytes {
   std::string bytes;
 };
-/// Shut the sending side as soon as everything before this is sent; go on reading.
-struct ShutdownSending {};
+/// Nothing more is to be sent: close the connection as PROTOCOL.md, section 8, says. Its owner
+/// drains it (link::Link::finish()); what the peer still sends does not concern the session.
 struct CloseConnection {
   enum class Why : std::uint8_t {
-    Finished,       ///< everything was sent; then the peer closed its side, or the drain reached a
-                    ///< limit
+    Finished,       ///< everything was sent
     Stopped,        ///< the client's -4, or stop() of the server
     SentAway,       ///< send_away() of the server: the stream goes on elsewhere
     PeerGone,       ///< the peer closed or was lost before the end
@@ -69,7 +68,7 @@ struct CloseConnection {
 struct HandOver {
   HelloAsked hello;
 };
-using ServerEvent = std::variant<SendBytes, ShutdownSending, CloseConnection, HandOver>;
+using ServerEvent = std::variant<SendBytes, CloseConnection, HandOver>;
 
 [[nodiscard]] std::string_view name(CloseConnection::Why why);
 
@@ -88,7 +87,7 @@ enum class Silence : std::uint8_t {
 };
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
-/// windowed sending, pause, stop, end, drain. Whenever a client of a live stream may be sent
+/// windowed sending, pause, stop, end. Whenever a client of a live stream may be sent
 /// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
 /// and no clock: bytes and the current time go in, events come out. After CloseConnection or
 /// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of

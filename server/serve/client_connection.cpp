@@ -137,15 +137,23 @@ void ClientConnection::carry_out(std::vector<protocol::ServerEvent> events) {
   for (protocol::ServerEvent& event : events) {
     if (auto* bytes = std::get_if<protocol::SendBytes>(&event)) {
       send(bytes->bytes);
-    } else if (std::holds_alternative<protocol::ShutdownSending>(event)) {
-      finish_sending();
     } else if (const auto* end = std::get_if<protocol::CloseConnection>(&event)) {
-      const bool in_order = end->why != Why::ProtocolError && end->why != Why::Refused;
       finish_sending();
-      note_end(end->why, end->reason, in_order);
+      end_with(*end);
     } else if (const auto* brings = std::get_if<protocol::HandOver>(&event)) {
       hand_over(brings->hello);
     }
+  }
+}
+
+/// Of a client that was told the end, the log says that it is closed when the link has drained; of
+/// any other at once.
+void ClientConnection::end_with(const protocol::CloseConnection& end) {
+  const bool told = end.why == Why::Finished || end.why == Why::Stopped || end.why == Why::Refused;
+  if (told) {
+    farewell_ = end;
+  } else {
+    note_end(end.why, end.reason, end.why != Why::ProtocolError && end.why != Why::Refused);
   }
 }
 
@@ -209,7 +217,7 @@ bool ClientConnection::gathers() {
   return false;
 }
 
-/// The last byte was sent. What the peer still sends does not matter to the session.
+/// The last byte was written: from here on the link drains.
 void ClientConnection::finish_sending() {
   if (std::exchange(finishing_, true)) return;
   if (sending_since_) record_.send_time = link_->now() - *sending_since_;
@@ -231,7 +239,11 @@ void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, b
 
 /// Nothing can be sent any more.
 void ClientConnection::lose() {
-  if (!end_noted_ && session_) carry_out(session_->on_lost(link_->now()));
+  if (farewell_) {
+    note_end(farewell_->why, farewell_->reason, farewell_->why != Why::Refused);
+  } else if (!end_noted_ && session_) {
+    carry_out(session_->on_lost(link_->now()));
+  }
   if (!end_noted_) note_end(Why::PeerGone, "the connection was lost", true);
   close();
 }

@@ -102,6 +102,7 @@ class ClientConnection final : public link::LinkUser,
       settings_.log->say(link_->now(), level, format, std::forward<Args>(args)...);
   }
   void carry_out(std::vector<protocol::ServerEvent> events);
+  void end_with(const protocol::CloseConnection& end);
   void hand_over(const protocol::HelloAsked& hello);
   void note_pace();
   void send(std::string_view bytes);
@@ -118,6 +119,7 @@ class ClientConnection final : public link::LinkUser,
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
   std::optional<protocol::ServerSession> session_;              ///< nullopt: the link is not open
   bool finishing_ = false;
+  std::optional<protocol::CloseConnection> farewell_;  ///< what is noted when the link has drained
   bool end_noted_ = false;
   bool closed_ = false;
   std::optional<Instant> gathered_until_;

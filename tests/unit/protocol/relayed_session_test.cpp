@@ -21,12 +21,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What comes out: bytes, "|" for the end of sending, "!WHY" for the close.
+/// What comes out: bytes, "!WHY" for the close.
 std::string sent_of(const std::vector<ServerEvent>& events) {
   std::string text;
   for (const ServerEvent& event : events) {
     if (const auto* bytes = std::get_if<SendBytes>(&event)) text += bytes->bytes;
-    if (std::holds_alternative<ShutdownSending>(event)) text += "|";
     if (const auto* close = std::get_if<CloseConnection>(&event))
       text += "!" + std::string(name(close->why));
   }
@@ -109,7 +108,7 @@ TEST_F(RelayedSession, WhoEndsWhilePausedDoesNotWaitForTheStream) {
 }
 
 TEST_F(RelayedSession, StopWhileWaitingIsTheEnd) {
-  EXPECT_EQ(hear("{hello v=2}-4"), "{-2}|");
+  EXPECT_EQ(hear("{hello v=2}-4"), "{-2}!stopped");
 }
 
 TEST_F(RelayedSession, WhoWaitsIsSentAwayToo) {
@@ -135,7 +134,7 @@ TEST_F(RelayedSession, AGrowingStreamIsSentAsItGrows) {
   append(*stream, "{0;40}", 40);
   stream->extent = Extent::Whole;
   EXPECT_EQ(wake(), "{0;40}");
-  EXPECT_EQ(hear("11"), "{-2}|");
+  EXPECT_EQ(hear("11"), "{-2}!finished");
 }
 
 TEST_F(RelayedSession, AHalfClosedClientGetsWhatStillComesWhileItHasAnswersLeft) {
@@ -146,7 +145,7 @@ TEST_F(RelayedSession, AHalfClosedClientGetsWhatStillComesWhileItHasAnswersLeft)
   EXPECT_EQ(wake(), "{1}");
   append(*stream, "{0;40}", 40);
   stream->extent = Extent::Whole;
-  EXPECT_EQ(wake(), "{1}{-2}|!finished");
+  EXPECT_EQ(wake(), "{1}{-2}!finished");
 }
 
 TEST_F(RelayedSession, AHalfClosedClientMayWaitForItsStreamToo) {
@@ -154,7 +153,7 @@ TEST_F(RelayedSession, AHalfClosedClientMayWaitForItsStreamToo) {
   EXPECT_EQ(half_close(), "") << "nothing is known yet";
   auto stream = grow();
   stream->extent = Extent::Whole;
-  EXPECT_EQ(wake(), "{1}{-2}|!finished");
+  EXPECT_EQ(wake(), "{1}{-2}!finished");
 }
 
 TEST_F(RelayedSession, AHalfClosedClientIsGoneWhenWhatCameCannotBeAnswered) {
@@ -214,7 +213,7 @@ TEST_F(RelayedSession, ARelayOfARelayGetsOneTurnOfALoop) {
   append(*stream, "{0;40}", 40);
   stream->extent = Extent::Whole;
   EXPECT_EQ(wake(), "{2;40}{0;40}");
-  EXPECT_EQ(hear("111"), "{-2}|");
+  EXPECT_EQ(hear("111"), "{-2}!finished");
 }
 
 TEST_F(RelayedSession, FromInALoopWaitsForItsPlaceInTheTurn) {
@@ -230,7 +229,7 @@ TEST_F(RelayedSession, AStreamWithoutANameYetMayBeTheOneThatIsAskedFor) {
   catalogue_.streams.front().name.clear();
   EXPECT_EQ(hear("{hello v=2 stream=talk}"), "");
   upstream_->name = "smile";
-  EXPECT_EQ(wake(), "{error 404 there is no stream 'talk' here}|");
+  EXPECT_EQ(wake(), "{error 404 there is no stream 'talk' here}!refused");
 }
 
 TEST_F(RelayedSession, ARelayIsToldWhereTheStreamComesFrom) {
@@ -259,7 +258,7 @@ TEST_F(RelayedSession, ARelayIsRefusedAsSoonAsTheStreamComesThroughIt) {
   EXPECT_EQ(wake(), "{2;40}") << "by another way";
   upstream_->servers = "o,b";
   feed->add({"{3}", "{3;40}", "{3;40}", false}, milliseconds(40));
-  EXPECT_EQ(wake(), "{error 508 the stream would come back to the relay that asks for it}|");
+  EXPECT_EQ(wake(), "{error 508 the stream would come back to the relay that asks for it}!refused");
 }
 
 TEST_F(RelayedSession, ARelayThatDialsItselfIsRefusedAtOnce) {

@@ -103,8 +103,7 @@ TEST_F(LiveServer, SendsOfSeveralMomentsWhatTheWindowTakes) {
 TEST_F(LiveServer, EndsWhenTheTimeOfTheLastIsOver) {
   get("{hello v=2 window=0}");
   for (int i = 0; i < 4; ++i) beat();
-  EXPECT_EQ(beat(), "send {-2} | shutdown");
-  EXPECT_EQ(peer_end(), "close finished");
+  EXPECT_EQ(beat(), "send {-2} | close finished");
 }
 
 TEST_F(LiveServer, EndsAfterTheLastAnswerAndAfterAPause) {
@@ -114,15 +113,15 @@ TEST_F(LiveServer, EndsAfterTheLastAnswerAndAfterAPause) {
   EXPECT_EQ(get("-1"), "");
   EXPECT_EQ(get("1111"), "") << "the last moment has not been sent yet";
   EXPECT_EQ(get("-3"), "send {5:30}");
-  EXPECT_EQ(get("1"), "send {-2} | shutdown");
+  EXPECT_EQ(get("1"), "send {-2} | close finished");
 }
 
 TEST_F(LiveServer, EndsAtOnceForWhoComesAfterTheEnd) {
   while (live_->next_at()) live_->advance(now_ = *live_->next_at());
   connect();
-  EXPECT_EQ(get("{hello v=2 window=4}"), "send " + kHello + "{-2} | shutdown");
+  EXPECT_EQ(get("{hello v=2 window=4}"), "send " + kHello + "{-2} | close finished");
   connect();
-  EXPECT_EQ(grace(), "send {-2} | shutdown");
+  EXPECT_EQ(grace(), "send {-2} | close finished");
 }
 
 TEST_F(LiveServer, StartsAgainWithoutEnd) {
@@ -214,7 +213,7 @@ TEST_F(LiveServer, HandsNothingOutWhileTheSocketIsFull) {
   beat();
   beat();
   EXPECT_EQ(beat(), "") << "the end waits for the last state";
-  EXPECT_EQ(hold(false), "send {5:30}{-2} | shutdown");
+  EXPECT_EQ(hold(false), "send {5:30}{-2} | close finished");
 }
 
 TEST_F(LiveServer, UsesUpTheAnswersOfWhoHasShutItsSide) {
@@ -274,8 +273,7 @@ class FullHouse : public LiveServer {
 
 TEST_F(FullHouse, RefusesAHelloByItsNumber) {
   const auto events = session_->on_bytes("{hello v=2 window=4}", now_);
-  EXPECT_EQ(text_of(events), "send {error 503 the server is full} | shutdown");
-  EXPECT_EQ(peer_end(), "close refused");
+  EXPECT_EQ(text_of(events), "send {error 503 the server is full} | close refused");
 }
 
 TEST_F(FullHouse, ClosesOnOthersWithoutAWord) {

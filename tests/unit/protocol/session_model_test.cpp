@@ -287,13 +287,9 @@ class Model {
     for (const ServerEvent& event : events) {
       ASSERT_FALSE(server_over_) << "an event after the close";
       if (const auto* send = std::get_if<SendBytes>(&event)) {
-        ASSERT_FALSE(shut_) << "bytes after the shutdown";
         to_client_.write(send->bytes, now_);
       } else if (const auto* close = std::get_if<CloseConnection>(&event)) {
         server_gone(std::string(name(close->why)) + ": " + close->reason);
-      } else {
-        shut_ = true;
-        to_client_.end();
       }
     }
   }
@@ -313,7 +309,7 @@ class Model {
   }
 
   void server_gone(const std::string& how) {
-    server_over_ = shut_ = true;
+    server_over_ = true;
     server_end = how;
     to_client_.end();
   }
@@ -339,7 +335,6 @@ class Model {
   bool struck_ = false;
   bool garbage_ = false;
   bool garbage_to_client_ = false;
-  bool shut_ = false;
   bool server_over_ = false;
   bool client_over_ = false;
 };

@@ -27,9 +27,6 @@ namespace {
 std::string text_of_event(const SendBytes& send) {
   return "send " + send.bytes;
 }
-std::string text_of_event(const ShutdownSending&) {
-  return "shutdown";
-}
 std::string text_of_event(const CloseConnection& close) {
   return "close " + std::string(name(close.why));
 }

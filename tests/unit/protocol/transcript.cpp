@@ -12,6 +12,7 @@
 #include "protocol/base64.h"
 #include "protocol/client_session.h"
 #include "protocol/codec.h"
+#include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "protocol/publish_session.h"
 #include "protocol/publishers.h"
@@ -187,6 +188,10 @@ class ServerReplay {
     std::string fault = left_over();
     if (!fault.empty()) return fault;
     if (line.verb == "C>") take(session_.on_bytes(unescaped(line.rest), now_));
+    if (line.verb == "C end" || line.verb == "C breaks") {
+      client_ended_ = true;
+      if (!draining_.empty()) end_drain();
+    }
     if (line.verb == "C end") take(session_.on_peer_end(now_));
     if (line.verb == "C breaks") take(session_.on_lost(now_));
     if (line.verb == "S stops") take(session_.stop(now_));
@@ -217,6 +222,7 @@ class ServerReplay {
     }
     now_ = until;
     take(session_.on_time(now_));
+    if (!draining_.empty() && now_ >= drained_at_) end_drain();
   }
 
   static std::string expect(bool holds, const std::string& otherwise) {
@@ -242,14 +248,26 @@ class ServerReplay {
       if (const auto* send = std::get_if<SendBytes>(&event)) {
         said_.add(send->bytes);
       } else if (const auto* close = std::get_if<CloseConnection>(&event)) {
-        closed_ = name(close->why);
-      } else if (std::holds_alternative<HandOver>(event)) {
-        handed_over_ = true;
+        drain(*close);
       } else {
-        shut_ = true;
+        handed_over_ = true;
       }
     }
   }
+
+  /// What the link does: after the last packet it reads on (section 8).
+  void drain(const CloseConnection& close) {
+    using Why = CloseConnection::Why;
+    shut_ = close.why == Why::Finished || close.why == Why::Stopped || close.why == Why::Refused;
+    if (shut_ && !client_ended_) {
+      draining_ = name(close.why);
+      drained_at_ = now_ + kDrainTimeMax;
+    } else {
+      closed_ = name(close.why);
+    }
+  }
+
+  void end_drain() { closed_ = std::exchange(draining_, {}); }
 
   const std::vector<Line>& lines_;
   ServerCatalogue catalogue_;
@@ -258,6 +276,9 @@ class ServerReplay {
   ServerSession session_;
   Said said_;
   bool shut_ = false;
+  bool client_ended_ = false;
+  std::string draining_;  ///< why it will be closed at the end of the drain
+  Instant drained_at_{};
   std::string closed_;
   bool handed_over_ = false;
 };
