@@ -1,18 +1,44 @@
 #include "common/sources/source_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/files.h"
+#include "common/memory.h"
 #include "common/sources/content.h"
 #include "common/sources/resample.h"
 
 namespace aucast::sources {
+namespace {
+
+/// The most bytes that a keyframe of a few AUs takes while a stream file is read: three times its
+/// struct of 56 bytes when the list of them has just doubled, and the smallest block of memory for
+/// its AUs.
+constexpr std::uint64_t kReadKeyframeBytes = 200;
+/// What the AUs of a long line take beyond that, for each byte of its text: two bytes at least name
+/// an AU of three bytes, and lists have up to twice the room that they need.
+constexpr std::uint64_t kReadByteBytes = 3;
+
+}  // namespace
+
+std::uint64_t lines_of(std::string_view text) {
+  return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+Result<void> check_room(std::string_view text, const std::filesystem::path& path) {
+  const std::uint64_t bytes =
+      content_kind(text) == ContentKind::StreamFile
+          ? lines_of(text) * kReadKeyframeBytes + text.size() * kReadByteBytes
+          : lines_of(text) * kWholeKeyframeBytes;
+  return check_memory(name_of(path), bytes, "choose a shorter stream");
+}
 
 Result<SourceContent> read_source(const std::filesystem::path& path, const ReadOptions& options) {
   RecordingOptions of_one = options.recording;
   of_one.all_faces = false;
   const auto text = read_text(path);
   if (!text) return text.error();
+  if (auto fits = check_room(*text, path); !fits) return fits.error();
   auto streams = parse_streams(*text, name_of(path), of_one, options.conditioning);
   if (!streams) return streams.error();
   SourceContent& content = streams->front();

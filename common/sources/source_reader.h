@@ -15,6 +15,18 @@
 
 namespace aucast::sources {
 
+/// The most bytes that a keyframe takes while a whole stream is thinned, resampled or read from a
+/// table.
+inline constexpr std::uint64_t kWholeKeyframeBytes = 400;
+
+/// How many lines a text has, the last one without a line end left out: the most keyframes that can
+/// be read from it.
+[[nodiscard]] std::uint64_t lines_of(std::string_view text);
+
+/// Fails if parse_streams() would leave too little memory for everything else (check_memory());
+/// the message names `path`, the text's file.
+[[nodiscard]] Result<void> check_room(std::string_view text, const std::filesystem::path& path);
+
 /// How a file is read as keyframes.
 struct ReadOptions {
   RecordingOptions recording;
@@ -30,7 +42,8 @@ struct SourceContent {
 };
 
 /// Reads a stream file or a recogniser's recording; the content shows which it is. Of several
-/// faces, one is taken. The path "-" is stdin, which is read to its end.
+/// faces, one is taken. The path "-" is stdin, which is read to its end. Fails with Unreadable if
+/// the keyframes do not fit into memory.
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const ReadOptions& options = {});
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/memory.h"
 #include "protocol/limits.h"
 #include "server/settings/limits.h"
-#include "server/streams/memory.h"
 
 namespace aucast::server {
 

@@ -7,6 +7,7 @@
 
 #include "common/files.h"
 #include "common/film_name.h"
+#include "common/memory.h"
 #include "common/sources/found_report.h"
 #include "common/sources/openface_table.h"
 #include "common/sources/source_reader.h"
@@ -15,7 +16,6 @@
 #include "protocol/stream_file.h"
 #include "server/settings/source_options.h"
 #include "server/streams/film_source.h"
-#include "server/streams/memory.h"
 #include "server/streams/resampling.h"
 
 namespace aucast::server {
@@ -98,6 +98,7 @@ Result<void> validate(const ConvertOptions& options) {
 Result<sources::SourceContent> read_cut_off(const ConvertOptions& options, std::string& said) {
   const auto text = sources::read_text(options.in);
   if (!text) return text.error();
+  if (auto fits = sources::check_room(*text, options.in); !fits) return fits.error();
   const auto mended = protocol::mend_stream_text(*text);
   auto stream = protocol::parse_stream_file(mended.text, sources::name_of(options.in));
   if (!stream) return stream.error();
@@ -129,6 +130,7 @@ Result<sources::SourceContent> read_seen(const ConvertOptions& options,
       film_text(options.in, options.source,
                 say ? on_progress : std::function<void(const camera::FilmProgress&)>());
   if (!text) return text.error();
+  if (auto fits = sources::check_room(*text, options.in); !fits) return fits.error();
   auto contents = sources::parse_streams(*text, options.in.string(), options.source.recording,
                                          conditioning_for(options.in, conditioning));
   if (!contents) return contents.error();
@@ -162,7 +164,7 @@ Result<Converted> write_out(const ConvertOptions& options, const protocol::Strea
   std::string text;
   if (file_ending(options.out) == ".csv") {
     const std::uint64_t ms = protocol::media_ms(stream, options.keyframe_ms);
-    auto can = check_memory(options.out, ms / sources::kRowMsMax * kWholeKeyframeBytes,
+    auto can = check_memory(options.out, ms / sources::kRowMsMax * sources::kWholeKeyframeBytes,
                             "convert a shorter stream");
     if (!can) return can.error();
     auto table = sources::write_openface_table(stream, options.keyframe_ms);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/film_name.h"
+#include "common/memory.h"
 #include "common/sources/content.h"
 #include "common/sources/dead_band.h"
 #include "common/sources/source_reader.h"
@@ -17,7 +18,6 @@
 #include "protocol/stream_file.h"
 #include "protocol/voiced_stream.h"
 #include "server/streams/film_source.h"
-#include "server/streams/memory.h"
 #include "server/streams/resampling.h"
 #include "server/streams/source_path.h"
 #include "server/streams/thinning.h"
@@ -186,8 +186,8 @@ Result<std::vector<Source>> load_source(const std::filesystem::path& path, const
     if (auto done = complete(reading.encoding, streams.front()); !done) return done.error();
     return streams;
   }
-  const auto lines = static_cast<std::uint64_t>(std::count(text->begin(), text->end(), '\n'));
-  auto fits = check_memory(path, lines * kWholeKeyframeBytes, kServeLess);
+  const std::uint64_t lines = sources::lines_of(*text);
+  auto fits = check_memory(path, lines * sources::kWholeKeyframeBytes, kServeLess);
   if (!fits) return fits.error();
   auto contents =
       sources::parse_streams(*text, sources::name_of(path), reading.source.recording,

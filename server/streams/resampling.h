@@ -9,10 +9,6 @@
 
 namespace aucast::server {
 
-/// The most bytes that a keyframe takes while a whole stream is thinned, resampled or read from a
-/// table.
-inline constexpr std::uint64_t kWholeKeyframeBytes = 400;
-
 /// Gives the stream `rate` keyframes a second (sources::resample()). `keyframe_ms`: of an untimed
 /// keyframe. Fails, and leaves the stream as it is, when the new keyframes do not fit into memory;
 /// the message names `path`, the stream's file.

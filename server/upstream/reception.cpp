@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "common/log.h"
+#include "common/memory.h"
 #include "protocol/limits.h"
-#include "server/streams/memory.h"
 
 namespace aucast::server {
 namespace {

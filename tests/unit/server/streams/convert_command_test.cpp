@@ -8,6 +8,7 @@
 
 #include "common/files.h"
 #include "common/text.h"
+#include "tests/support/memory_limit.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -39,6 +40,25 @@ TEST(Convert, KeepsAStreamFileWhole) {
   EXPECT_EQ(gain->text, text);
   EXPECT_NE(gain->said.find("a stream file, not changed by --gain; "), std::string::npos)
       << gain->said;
+}
+
+TEST(Convert, WhatDoesNotFitIntoMemoryIsRefusedBeforeItIsRead) {
+  const TempFolder folder;
+  constexpr std::size_t kKeyframes = 1'000'000;
+  const std::string stream = folder.write("in.txt", test::short_lines(kKeyframes)).string();
+  std::string rows = "frame,face_id,timestamp,confidence,success,AU01_r\n";
+  for (std::size_t i = 0; i < kKeyframes; ++i) rows += "1,0,0,1,1,0\n";
+  const std::string table = folder.write("in.csv", rows).string();
+  // Enough for the text and what check_memory() keeps free, and not for the keyframes.
+  const test::MemoryLimit limit(std::uint64_t{160} << 20U);
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {stream, "-"}, {"--mend", stream, "-"}, {table, "-"}}) {
+    const auto refused = run_convert(arguments);
+    ASSERT_FALSE(refused) << arguments.front();
+    EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
+    EXPECT_NE(refused.error().message.find(": too large to hold: it needs "), std::string::npos)
+        << refused.error().message;
+  }
 }
 
 TEST(Convert, ANameInCsvIsWrittenAsATableThatSaysTheSame) {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "server/streams/check_report.h"
-#include "server/streams/memory.h"
 #include "server/streams/resampling.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
@@ -235,17 +234,6 @@ TEST(LoadSources, ARateThatTakesTooMuchMemoryIsNamedInTheRemedy) {
   ASSERT_FALSE(refused);
   EXPECT_TRUE(refused.error().message.ends_with("; lower --rate or choose a shorter stream"));
   EXPECT_EQ(stream.keyframes.size(), 100U);
-}
-
-TEST(CheckMemory, RefusesWhatWouldLeaveTooLittle) {
-  const auto available = available_memory();
-  ASSERT_TRUE(available.has_value());
-  EXPECT_TRUE(check_memory("a.txt", 0, ""));
-  const auto refused = check_memory("a.txt", std::uint64_t{1} << 60U, "buy more");
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
-  EXPECT_TRUE(has(refused.error(), "a.txt: too large to hold: it needs ")) << "the file";
-  EXPECT_TRUE(refused.error().message.ends_with("; buy more")) << "the caller's remedy";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "common/result.h"
 
-namespace aucast::server {
+namespace aucast {
 
 /// How many bytes of memory are left free for everything else when a stream is read.
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{64} << 20U;
@@ -30,4 +30,4 @@ inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{64} << 20U;
 [[nodiscard]] Result<void> check_memory(const std::filesystem::path& path, std::uint64_t bytes,
                                         std::string_view remedy);
 
-}  // namespace aucast::server
+}  // namespace aucast

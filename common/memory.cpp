@@ -1,4 +1,4 @@
-#include "server/streams/memory.h"
+#include "common/memory.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 #include "common/text.h"
 
-namespace aucast::server {
+namespace aucast {
 namespace {
 
 /// The number after `key` in a file of lines such as "MemAvailable:  123 kB".
@@ -96,4 +96,4 @@ Result<void> check_memory(const std::filesystem::path& path, std::uint64_t bytes
                                            " are kept free; " + std::string(remedy))};
 }
 
-}  // namespace aucast::server
+}  // namespace aucast

@@ -1,4 +1,4 @@
-#include "server/streams/memory.h"
+#include "common/memory.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 #include "tests/support/temp_folder.h"
 
-namespace aucast::server {
+namespace aucast {
 namespace {
 
 class GroupMemoryTest : public ::testing::Test {
@@ -58,5 +58,17 @@ TEST_F(GroupMemoryTest, WithoutALimitNothingIsKnown) {
   EXPECT_EQ(left("no/such"), std::nullopt);
 }
 
+TEST(CheckMemory, RefusesWhatWouldLeaveTooLittle) {
+  const auto available = available_memory();
+  ASSERT_TRUE(available.has_value());
+  EXPECT_TRUE(check_memory("a.txt", 0, ""));
+  const auto refused = check_memory("a.txt", std::uint64_t{1} << 60U, "buy more");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Unreadable);
+  EXPECT_TRUE(refused.error().message.starts_with("a.txt: too large to hold: it needs "))
+      << refused.error().message;
+  EXPECT_TRUE(refused.error().message.ends_with("; buy more")) << refused.error().message;
+}
+
 }  // namespace
-}  // namespace aucast::server
+}  // namespace aucast
