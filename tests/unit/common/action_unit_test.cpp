@@ -1,5 +1,7 @@
 #include "common/action_unit.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace aucast {
@@ -82,6 +84,67 @@ TEST(FacsNumber, IsFoundByEveryNameAndByNothingElse) {
   for (const char* other : {"smile", "", "12", "Inner Brow"}) {
     EXPECT_FALSE(facs_number(other).has_value()) << other;
   }
+}
+
+TEST(FacsNumber, KnowsEveryNameOfTheThesis) {
+  // Appendix C, both tables.
+  const std::pair<int, const char*> names[] = {
+      {1, "Inner Brow Raiser"},
+      {2, "Outer Brow Raiser"},
+      {4, "Brow Lowerer"},
+      {5, "Upper Lid Raiser"},
+      {6, "Cheek Raiser"},
+      {7, "Lid Tightener"},
+      {9, "Nose Wrinkler"},
+      {10, "Upper Lip Raiser"},
+      {11, "Nasolabial Fold Deepener"},
+      {12, "Lip Corner Puller"},
+      {13, "Cheek Puffer"},
+      {14, "Dimpler"},
+      {15, "Lip Corner Depressor"},
+      {16, "Lower Lip Depressor"},
+      {17, "Chin Raiser"},
+      {18, "Lip Puckerer"},
+      {20, "Lip Stretcher"},
+      {21, "Neck Tightner"},
+      {22, "Lip Funneler"},
+      {23, "Lip Tightener"},
+      {24, "Lip Pressor"},
+      {25, "Lips Part"},
+      {26, "Jaw Drop"},
+      {27, "Mouth Stretch"},
+      {28, "Lip Suck"},
+      {31, "Jaw Clencher"},
+      {38, "Nostril Dilator"},
+      {39, "Nostril Compressor"},
+      {43, "Eyes Closed"},
+      {45, "Blink"},
+      {46, "Wink"},
+      {19, "Tongue out"},
+      {29, "Jaw Thrust"},
+      {30, "Jaw Sideways"},
+      {32, "Lip Bite"},
+      {33, "Cheek Blow"},
+      {34, "Cheek Puff"},
+      {35, "Cheek Suck"},
+      {36, "Tongue Bulge"},
+      {37, "Lip Wipe"},
+      {51, "Head Turn Left"},
+      {52, "Head Turn Right"},
+      {53, "Head Up"},
+      {54, "Head Down"},
+      {55, "Head Tilt Left"},
+      {56, "Head Tilt Right"},
+      {57, "Head Forward"},
+      {58, "Head Back"},
+      {61, "Eyes Turn Left"},
+      {62, "Eyes Turn Right"},
+      {63, "Eyes Up"},
+      {64, "Eyes Down"},
+      {65, "Walleye"},
+      {66, "Cross-eye"},
+  };
+  for (const auto& [number, name] : names) EXPECT_EQ(facs_number(name), number) << name;
 }
 
 TEST(Between, EndsAtBothFramesAndKeepsSidesApart) {
