@@ -73,7 +73,7 @@ class Writer {
   [[nodiscard]] OpenFaceTable finish() && { return std::move(table_); }
 
  private:
-  /// Signs as OpenFaceColumns reads them.
+  /// Signs as openface.cpp reads them.
   void write_turns(const AuIntensities& face) {
     const double left = (face[kHeadLeft] - face[kHeadRight]) * kYawDegrees * kRadPerDegree;
     const double up = (face[kHeadUp] - face[kHeadDown]) * kPitchDegrees * kRadPerDegree;
