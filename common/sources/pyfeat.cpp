@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "common/sources/au_columns.h"
 #include "common/sources/format.h"
@@ -40,13 +41,16 @@ class Correlation {
   double count_ = 0, x_ = 0, y_ = 0, xx_ = 0, yy_ = 0, xy_ = 0;
 };
 
-/// How far down the bridge of the nose its tip is seen, of the 68 landmarks 27, 30 and 33: the
-/// more, the further the head is down. The face's size, place, roll and expression do not matter.
+/// How far down the bridge of the nose its tip is seen: the more, the further the head is down. The
+/// face's size, place, roll and expression do not matter. The points are those of MediaPipe's mesh
+/// between the eyes (168), at the tip (4) and where the nose ends (2), or of the 68 landmarks 27,
+/// 30 and 33. The mesh comes first: version 2 takes its landmark 33 from the mesh's point 1, which
+/// is so near the tip that a nod hardly shows.
 class NoseColumns {
  public:
-  explicit NoseColumns(const CsvReader& table)
-      : x_{table.column("x_27"), table.column("x_30"), table.column("x_33")},
-        y_{table.column("y_27"), table.column("y_30"), table.column("y_33")} {}
+  explicit NoseColumns(const CsvReader& table) {
+    if (!find(table, "mesh_", {"168", "4", "2"})) find(table, "", {"27", "30", "33"});
+  }
 
   [[nodiscard]] std::optional<double> read(CsvReader& row) const {
     std::array<double, 6> at{};
@@ -65,6 +69,18 @@ class NoseColumns {
   }
 
  private:
+  /// False when the table does not have all three points.
+  bool find(const CsvReader& table, const std::string& prefix,
+            const std::array<std::string, 3>& points) {
+    bool all = true;
+    for (std::size_t index = 0; index < points.size(); ++index) {
+      x_[index] = table.column(prefix + "x_" + points[index]);
+      y_[index] = table.column(prefix + "y_" + points[index]);
+      all = all && x_[index] && y_[index];
+    }
+    return all;
+  }
+
   std::array<std::optional<std::size_t>, 3> x_;
   std::array<std::optional<std::size_t>, 3> y_;
 };

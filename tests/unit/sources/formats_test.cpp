@@ -138,11 +138,13 @@ TEST(OpenFace2, GazeWithoutTheHeadsPoseIsNoData) {
       << "a table that never has a pose is of a straight head";
 }
 
-/// Rows of Py-Feat with landmarks of a nose: its tip is the lower, the more the head is down.
+constexpr const char* kNoseLandmarks = "x_27,x_30,x_33,y_27,y_30,y_33";
+constexpr const char* kNoseOfMesh = "mesh_x_168,mesh_x_4,mesh_x_2,mesh_y_168,mesh_y_4,mesh_y_2";
+
+/// Rows of Py-Feat with points of a nose: its tip is the lower, the more the head is down.
 std::string nodding(const std::string& more_columns, const std::string& more_cells,
-                    double pitch_of_down) {
-  std::string text =
-      "frame,FaceScore,x_27,x_30,x_33,y_27,y_30,y_33,Pitch,Roll,Yaw,AU01" + more_columns + "\n";
+                    double pitch_of_down, const std::string& nose = kNoseLandmarks) {
+  std::string text = "frame,FaceScore," + nose + ",Pitch,Roll,Yaw,AU01" + more_columns + "\n";
   for (int frame = 0; frame < 20; ++frame) {
     const double down = 0.01 * frame;
     text += std::to_string(frame) + ",0.9,100,100,100,100," + std::to_string(135 + 40 * down) +
@@ -162,6 +164,22 @@ TEST(PyFeat2, TheLandmarksTellWhichWayANodGoes) {
             std::string::npos);
   EXPECT_EQ(read(kPyFeat2, at_fps(25)).found.note,
             "pose in radians, positive pitch up as documented");
+}
+
+TEST(PyFeat2, AMeshAloneTellsWhichWayANodGoes) {
+  const auto older = read(nodding(",valence", ",0", 1, kNoseOfMesh), at_fps(25));
+  EXPECT_EQ(older.found.note, "pose in radians, positive pitch down as the landmarks say");
+  EXPECT_EQ(packet(older, 19), "{54:49;40}");
+  const auto as_documented = read(nodding(",valence", ",0", -1, kNoseOfMesh), at_fps(25));
+  EXPECT_EQ(as_documented.found.note, "pose in radians, positive pitch up as the landmarks say");
+  EXPECT_EQ(packet(as_documented, 19), "{54:49;40}");
+}
+
+TEST(PyFeat2, TheMeshComesBeforeLandmarksThatStandStill) {
+  const auto both = read(nodding(",valence,x_27,x_30,x_33,y_27,y_30,y_33",
+                                 ",0,100,100,100,100,135,150", 1, kNoseOfMesh),
+                         at_fps(25));
+  EXPECT_EQ(both.found.note, "pose in radians, positive pitch down as the landmarks say");
 }
 
 TEST(PyFeat1, TodaysPoseIsInRadiansWithGaze) {
