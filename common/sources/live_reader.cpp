@@ -259,7 +259,7 @@ void LiveReader::read_row(const LineSplitter::Line& line, SteadyTime now) {
 /// False when the row was left out, with a message.
 bool LiveReader::take_row(const std::string& line, SteadyTime now) {
   if (std::string note = table_->format->note(); note != table_->note) {
-    say(at_place(file_, table_->csv.line(), 0, note + " from now on"));
+    say_of_run(false, at_place(file_, table_->csv.line(), 0, note + " from now on"));
     table_->note = std::move(note);
   }
   const bool sure = is_sure(table_->row, options_.recording.confidence_min);
@@ -295,7 +295,7 @@ void LiveReader::note_face(std::int64_t id, const std::string& line) {
 bool LiveReader::is_chosen(std::int64_t id, bool sure, SteadyTime now) {
   if (options_.recording.face) return id == *face_;
   if (!face_ || (id != *face_ && sure && seconds(now - face_seen_) > kHoldSeconds + kEaseSeconds)) {
-    if (face_) say(file_ + ": face " + std::to_string(id) + " from now on");
+    if (face_) say_of_run(false, file_ + ": face " + std::to_string(id) + " from now on");
     face_ = id;
   }
   if (id != *face_) return false;
@@ -314,9 +314,9 @@ void LiveReader::settle_scale() {
   if (scale == table_->scale) return;
   table_->scale = scale;
   timeline_.forget_neutral();
-  say(at_place(file_, table_->csv.line(), 0,
-               "AU scale 0-" + std::to_string(static_cast<int>(scale)) +
-                   " from now on; --au-scale says so from the beginning"));
+  say_of_run(false, at_place(file_, table_->csv.line(), 0,
+                             "AU scale 0-" + std::to_string(static_cast<int>(scale)) +
+                                 " from now on; --au-scale says so from the beginning"));
 }
 
 std::optional<double> LiveReader::seconds_of_row(SteadyTime now) {

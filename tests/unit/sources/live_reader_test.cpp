@@ -1,6 +1,7 @@
 // Live sources byte by byte, with damage of every kind.
 #include "common/sources/live_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -429,6 +430,41 @@ TEST_F(LiveReaderTest, AClockThatStandsStillDoesNotFillTheLog) {
   std::string rows = kOpenFace2Header + smile(1, "0.000", "1");
   for (int frame = 2; frame < 1000; ++frame) rows += smile(frame, "0.000", "1");
   static_cast<void>(fed(rows));
+  EXPECT_EQ(reader_->take_messages().size(), LiveReader::kSaidMax + 2)
+      << "with the table and an end";
+}
+
+TEST_F(LiveReaderTest, HeadersInTurnDoNotFillTheLog) {
+  start();
+  const std::string table = tables::kFacsvatar;
+  const std::string header = table.substr(0, table.find('\n') + 1);
+  std::string other = header;
+  other.replace(other.find("AU45"), 4, "AU12");
+  std::string rows;
+  for (int turn = 0; turn < 1000; ++turn) {
+    // Either is of 0 to 1 until a value says otherwise.
+    const std::string row = std::to_string(turn) + ",0.95,1,0,0,0,0,0,2.5,0\n";
+    rows += header;
+    rows += "1," + row;
+    rows += other;
+    rows += "1," + row;
+  }
+  static_cast<void>(fed(rows));
+  const std::string said = messages();
+  EXPECT_NE(said.find("AU scale 0-5 from now on"), std::string::npos);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), LiveReader::kSaidMax + 2)
+      << "with the first table and an end";
+}
+
+TEST_F(LiveReaderTest, FacesInTurnDoNotFillTheLog) {
+  start();
+  static_cast<void>(fed(kOpenFace2Header));
+  for (int face = 0; face < 1000; ++face) {
+    const int seconds = 10 * face;
+    static_cast<void>(fed(openface2_row(face, std::to_string(seconds) + ".000", "0,1,0,0,0,0,0",
+                                        std::to_string(face)),
+                          seconds));
+  }
   EXPECT_EQ(reader_->take_messages().size(), LiveReader::kSaidMax + 2)
       << "with the table and an end";
 }
