@@ -21,6 +21,11 @@ constexpr Seconds kAtOnce(0.005);
 /// The time of a row that came at once with the one before and has no clock.
 constexpr Seconds kRow(0.04);
 
+/// How many lines tell labels of a database from lines of a stream file.
+constexpr std::size_t kBeginningLines = 3;
+/// What of each of them is kept: a longer line is no label file's.
+constexpr std::size_t kBeginningBytesMax = 1024;
+
 /// Rows of a table are numbers; names of columns are not. Saves opening a table at every row.
 bool may_be_header(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t\"");
@@ -62,7 +67,25 @@ LiveReader& LiveReader::operator=(LiveReader&&) noexcept = default;
 
 void LiveReader::feed(std::string_view bytes, SteadyTime now) {
   splitter_.feed(bytes);
+  for (LineSplitter::Line& line : look_ahead()) read_line(line, now);
   while (auto line = splitter_.next()) read_line(*line, now);
+}
+
+/// The first lines, as many as have come at once. Labels such as "1,0" are AUs as well: the first
+/// two would be played before the third tells what they are, as they are where lines come one by
+/// one. A line that is alone is not kept waiting: it may be all that a live stream has to say.
+std::vector<LineSplitter::Line> LiveReader::look_ahead() {
+  std::vector<LineSplitter::Line> lines;
+  if (table_ || text_ || labels_ || beginning_lines_ > 0) return lines;
+  std::string text;
+  while (lines.size() < kBeginningLines) {
+    auto line = splitter_.next();
+    if (!line) break;
+    text += line->text.substr(0, kBeginningBytesMax) + '\n';
+    lines.push_back(std::move(*line));
+  }
+  labels_ = label_file(text);
+  return lines;
 }
 
 void LiveReader::end_input(SteadyTime now) {
@@ -181,10 +204,9 @@ bool LiveReader::begin_table(const LineSplitter::Line& line) {
 
 /// True when the lines so far are labels of a database, which look like lines of a stream file.
 bool LiveReader::is_no_text(const LineSplitter::Line& line) {
-  constexpr std::size_t kLines = 3;
-  if (beginning_lines_ < kLines) {
+  if (!labels_ && beginning_lines_ < kBeginningLines) {
     ++beginning_lines_;
-    beginning_ += line.text.substr(0, 1024) + '\n';
+    beginning_ += line.text.substr(0, kBeginningBytesMax) + '\n';
     labels_ = label_file(beginning_);
   }
   return labels_.has_value();

@@ -40,8 +40,9 @@ struct NewFace {
 };
 
 /// Reads a live source byte by byte: a table of any known recogniser, or lines of a stream file;
-/// the first line shows which. Pure: bytes and times of arrival go in, keyframes and messages come
-/// out.
+/// the first line shows which. Labels of a database are told from AUs by the first three lines: if
+/// they come one by one, the first two are played. Pure: bytes and times of arrival go in,
+/// keyframes and messages come out.
 ///
 /// No input makes the reader fail. A line that is not understood is left out with a message. After
 /// kSaidMax messages there are no more until kRunEnds good lines have come in a row. The beginning
@@ -93,6 +94,7 @@ class LiveReader {
  private:
   struct Table;
 
+  [[nodiscard]] std::vector<LineSplitter::Line> look_ahead();
   void read_line(LineSplitter::Line& line, SteadyTime now);
   [[nodiscard]] bool begin_table(const LineSplitter::Line& line);
   [[nodiscard]] bool read_text(const LineSplitter::Line& line, SteadyTime now);

@@ -489,10 +489,20 @@ TEST_F(LiveReaderTest, AGoodRowBetweenBadOnesEndsNoRunOfComplaints) {
 
 TEST_F(LiveReaderTest, LabelsOfDatabasesAreNamed) {
   start();
-  static_cast<void>(fed("1,0\n2,0\n3,5\n"));
+  EXPECT_EQ(fed("1,0\n2,0\n3,5\n"), Texts{}) << "as in a recording, none of them is an AU";
+  EXPECT_TRUE(
+      messages().starts_with("face.csv:1:1: this seems to be a label file of DISFA or BP4D"));
+  EXPECT_EQ(fed("4,5\n"), Texts{});
+}
+
+TEST_F(LiveReaderTest, LabelsThatComeOneByOneAreNamedAtTheThird) {
+  start();
+  EXPECT_EQ(fed("1,0\n"), Texts{"{1;250}"}) << "an AU that somebody sends is not kept waiting";
+  EXPECT_EQ(fed("2,0\n", 0.1), Texts{"{2;100}"});
+  EXPECT_EQ(fed("3,5\n", 0.2), Texts{});
   EXPECT_NE(messages().find("face.csv:3:1: this seems to be a label file of DISFA or BP4D"),
             std::string::npos);
-  EXPECT_EQ(fed("4,5\n"), Texts{});
+  EXPECT_EQ(fed("4,5\n", 0.3), Texts{});
 }
 
 TEST_F(LiveReaderTest, WhichWayANodGoesIsSaidWhenTheLandmarksTell) {
