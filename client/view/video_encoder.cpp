@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <optional>
 #include <string>
 #include <utility>
@@ -149,6 +150,18 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
   return {};
 }
 
+/// `code`: of Child::wait(), where 128 and more is the signal that killed it.
+std::string how_it_ended(int code, const std::string& words) {
+  constexpr int kSignal = 128;
+  // The limit leaves it no time for words of its own.
+  if (code == kSignal + SIGXFSZ) {
+    return "was killed: the video is larger than a file may be here (ulimit -f)";
+  }
+  const std::string how = code >= kSignal ? "was killed by signal " + std::to_string(code - kSignal)
+                                          : "ended with code " + std::to_string(code);
+  return how + (words.empty() ? " and said nothing" : ": " + words);
+}
+
 Error not_started(const std::filesystem::path& path, const Error& error) {
   return ffmpeg_not_started(error, path.string(), "writes the video");
 }
@@ -182,12 +195,8 @@ bool VideoEncoder::State::stuck() const {
 /// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
   const int code = ffmpeg->wait(patience);
-  const std::string words = ffmpeg->last_words();
-  const std::string how = code >= 128 ? "was killed by signal " + std::to_string(code - 128)
-                                      : "ended with code " + std::to_string(code);
   failure = Error{ErrorKind::Failed,
-                  at_place(path.string(),
-                           "ffmpeg " + how + (words.empty() ? " and said nothing" : ": " + words))};
+                  at_place(path.string(), "ffmpeg " + how_it_ended(code, ffmpeg->last_words()))};
   ffmpeg.reset();
   temporary.remove();
   return *failure;

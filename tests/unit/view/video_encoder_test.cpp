@@ -240,6 +240,17 @@ TEST(VideoEncoder, ReportsAnFfmpegThatFailsAtTheEnd) {
   EXPECT_EQ(files_in(folder), 1U);
 }
 
+TEST(VideoEncoder, NamesTheLimitForTheSizeOfFilesThatEndedFfmpeg) {
+  const test::TempFolder folder;
+  const test::FakeFfmpeg fake("cat > /dev/null; kill -XFSZ $$");
+  const auto done = write_video(folder.path() / "a.gif", 64, 48, 25, 2);
+  ASSERT_FALSE(done.has_value());
+  EXPECT_TRUE(done.error().message.ends_with(
+      "a.gif: ffmpeg was killed: the video is larger than a file may be here (ulimit -f)"))
+      << done.error().message;
+  EXPECT_EQ(files_in(folder), 0U);
+}
+
 TEST(VideoEncoder, LeavesNothingBehindWhenTheSoundCannotBeAdded) {
   const test::TempFolder folder;
   const test::FakeFfmpeg fake(
