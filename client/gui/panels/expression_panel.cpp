@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "client/gui/model/expression_search.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/widgets/keyboard_focus.h"
@@ -15,12 +16,6 @@ namespace aucast::gui {
 namespace {
 
 constexpr int kColumns = 4;
-
-std::string in_words(const ExpressionButton& button) {
-  const std::string& aus = button.kind == ExpressionKind::Macro ? std::string() : button.aus;
-  if (button.source.empty() || aus.empty()) return aus + button.source;
-  return aus + "\n" + button.source;
-}
 
 /// How many fit side by side, in equal columns with room for the longest.
 int columns_of(const ExpressionsView& expressions) {
@@ -52,16 +47,6 @@ int expression_buttons(const ExpressionsView& expressions, ExpressionKind kind,
     ImGui::PopID();
   }
   return place;
-}
-
-/// Whether the label, an AU's packet or the source have the words; case does not matter. Numbers of
-/// AUs may be typed with spaces between them.
-bool is_meant(const ExpressionButton& button, const std::string& words) {
-  std::string numbers = words;
-  std::replace(numbers.begin(), numbers.end(), ' ', ',');
-  const std::string text = lowered(button.label + "\n" + data_word(button.label) + "\n" +
-                                   button.name + "\n" + in_words(button));
-  return text.find(words) != std::string::npos || text.find(numbers) != std::string::npos;
 }
 
 /// Tells an expression from others of its label.
