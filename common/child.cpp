@@ -20,8 +20,8 @@
 namespace aucast {
 namespace {
 
-constexpr std::size_t kLastWordsBytesMax = 2048;  ///< kept; the last line may have all of it
-constexpr std::size_t kLastWordsShown = 300;
+constexpr std::size_t kErrorBytesKept = 2048;  ///< kept; the last line may have all of it
+constexpr std::size_t kErrorBytesShown = 300;
 constexpr int kSendBufferBytes = 1 << 20;
 /// How often a function that waits looks whether it is to wait on.
 constexpr Milliseconds kLookEvery{50};
@@ -130,9 +130,9 @@ void Child::read_errors() {
     errors_ = Descriptor();
     return;
   }
-  last_words_.append(chunk.data(), static_cast<std::size_t>(got));
-  if (last_words_.size() > kLastWordsBytesMax) {
-    last_words_.erase(0, last_words_.size() - kLastWordsBytesMax);
+  error_tail_.append(chunk.data(), static_cast<std::size_t>(got));
+  if (error_tail_.size() > kErrorBytesKept) {
+    error_tail_.erase(0, error_tail_.size() - kErrorBytesKept);
   }
 }
 
@@ -270,16 +270,16 @@ int Child::wait(Milliseconds patience) {
   });
 }
 
-std::string Child::last_words() const {
-  std::string words = last_words_;
+std::string Child::error_tail() const {
+  std::string words = error_tail_;
   while (!words.empty() && words.back() == '\n') words.pop_back();
-  if (words.size() > kLastWordsShown) words.erase(0, words.size() - kLastWordsShown);
+  if (words.size() > kErrorBytesShown) words.erase(0, words.size() - kErrorBytesShown);
   std::replace(words.begin(), words.end(), '\n', ' ');
-  return escaped(words, 4 * kLastWordsShown);
+  return escaped(words, 4 * kErrorBytesShown);
 }
 
 std::string Child::last_line() const {
-  std::string_view words = last_words_;
+  std::string_view words = error_tail_;
   while (words.ends_with('\n')) words.remove_suffix(1);
   return printable(words.substr(words.rfind('\n') + 1));
 }

@@ -64,7 +64,7 @@ class Child {
   [[nodiscard]] int wait(Milliseconds patience = Milliseconds::max());
   /// The last 300 bytes that the child wrote to stderr, or fewer, joined into one line and safe to
   /// print.
-  [[nodiscard]] std::string last_words() const;
+  [[nodiscard]] std::string error_tail() const;
   /// The last line that the child wrote to stderr, of at most 2048 bytes. Only what is not safe to
   /// print is escaped, so that callers can recognise its words and users can read file names.
   [[nodiscard]] std::string last_line() const;
@@ -84,7 +84,7 @@ class Child {
   pid_t pid_;
   Descriptor flow_;    ///< a socket: send() can be told not to raise SIGPIPE
   Descriptor errors_;  ///< closed once its end was seen
-  std::string last_words_;
+  std::string error_tail_;
   GivenUp given_up_;
   std::optional<Instant> left_open_since_;  ///< the child has ended, and its pipes are open
   /// Set when the child is reaped: from then on its number may be that of another process.

@@ -102,7 +102,7 @@ std::size_t Delivery::window_for(int asked) const {
 }
 
 bool Delivery::may_send() const {
-  return !paused_ && !held_ && (window_ == 0 || in_flight_ < window_);
+  return !paused_ && !blocked_ && (window_ == 0 || in_flight_ < window_);
 }
 
 /// Whether there is another keyframe of a recorded stream.
@@ -125,7 +125,7 @@ bool Delivery::at_end() const {
 
 bool Delivery::complete() const {
   const bool all_there = !voice_ || stream_.live() || spoken()->voice->complete();
-  return !paused_ && !held_ && in_flight_ == 0 && at_end() && all_there;
+  return !paused_ && !blocked_ && in_flight_ == 0 && at_end() && all_there;
 }
 
 void Delivery::send_keyframe(std::string_view packet, std::string& out) {
@@ -161,7 +161,7 @@ void Delivery::pump_new_moments(std::string& out) {
 void Delivery::send_recorded(std::string& out) {
   while (may_send() && has_next()) {
     if (out.size() >= kOutputBytesMax) {
-      held_ = true;
+      blocked_ = true;
       return;
     }
     if (next_packet_ == packets().size()) begin_turn();
@@ -254,7 +254,7 @@ void Delivery::skip_spoken_before(Milliseconds place) {
 }
 
 void Delivery::send_live_spoken(std::string& out) {
-  if (!sends_spoken() || paused_ || held_ || !last_moment_) return;
+  if (!sends_spoken() || paused_ || blocked_ || !last_moment_) return;
   const LiveChannel& channel = *stream_.live();
   next_caption_ = std::max(next_caption_, channel.captions().first_number());
   while (const CaptionData* const caption = channel.captions().find(next_caption_)) {

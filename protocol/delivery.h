@@ -43,8 +43,9 @@ class Delivery {
   /// into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
-  /// Appends everything that may be sent now. With a recorded stream it calls hold(true) as soon as
-  /// `out` has kOutputBytesMax bytes; to send more, call hold(false) and then pump() again.
+  /// Appends everything that may be sent now. With a recorded stream it calls set_blocked(true) as
+  /// soon as `out` has kOutputBytesMax bytes; to send more, call set_blocked(false) and then pump()
+  /// again.
   void pump(std::string& out);
   /// Call it in place of pump() when a live channel has new moments. It sends all of them to a
   /// client that keeps up. pump() alone would send only the newest.
@@ -63,7 +64,7 @@ class Delivery {
   void pause() { paused_ = true; }
   void resume();
   /// With true, no keyframe is sent until a call with false.
-  void hold(bool held) { held_ = held; }
+  void set_blocked(bool blocked) { blocked_ = blocked; }
 
   /// Whether keyframes may have to wait for the voice: the stream is recorded, and this client gets
   /// its voice.
@@ -73,7 +74,7 @@ class Delivery {
   [[nodiscard]] Level level() const { return level_; }
   [[nodiscard]] bool answers() const { return window_ > 0; }
   [[nodiscard]] bool paused() const { return paused_; }
-  [[nodiscard]] bool held() const { return held_; }
+  [[nodiscard]] bool blocked() const { return blocked_; }
   [[nodiscard]] std::size_t in_flight() const { return in_flight_; }
   [[nodiscard]] std::size_t banked() const { return banked_; }
   [[nodiscard]] const SentCounts& sent() const { return sent_; }
@@ -117,7 +118,7 @@ class Delivery {
   std::size_t in_flight_ = 0;  ///< sent and not answered
   std::size_t banked_ = 0;     ///< answers that came while there was nothing to answer
   bool paused_ = false;
-  bool held_ = false;
+  bool blocked_ = false;
   SentCounts sent_;
 
   /// The client's clock: where the stream began, plus the times of the keyframes sent.

@@ -416,10 +416,10 @@ std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
   return state_->take_events();
 }
 
-std::vector<ServerEvent> ServerSession::hold(bool held, Instant now) {
-  if (state_->phase != State::Phase::Streaming || held == state_->delivery.held()) return {};
-  state_->delivery.hold(held);
-  if (held) return {};
+std::vector<ServerEvent> ServerSession::set_blocked(bool blocked, Instant now) {
+  if (state_->phase != State::Phase::Streaming || blocked == state_->delivery.blocked()) return {};
+  state_->delivery.set_blocked(blocked);
+  if (blocked) return {};
   state_->begin_call(now);
   state_->send_due(&Delivery::pump);
   state_->settle_peer_end();
@@ -461,8 +461,8 @@ bool ServerSession::awaiting_answer() const {
   return state_->phase == State::Phase::Streaming && state_->delivery.in_flight() > 0 && !paused();
 }
 
-bool ServerSession::held() const {
-  return state_->phase == State::Phase::Streaming && state_->delivery.held();
+bool ServerSession::blocked() const {
+  return state_->phase == State::Phase::Streaming && state_->delivery.blocked();
 }
 
 bool ServerSession::live() const {

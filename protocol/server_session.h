@@ -91,10 +91,10 @@ enum class Silence : std::uint8_t {
 /// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
 /// and no clock: bytes and the current time go in, events come out. After CloseConnection or
 /// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
-/// keyframes; if more is left, the session is held() until hold(false) is called. Whoever has the
-/// connection must not read on while much of what has come out is still unsent: a peer that answers
-/// without reading would fill the memory. Follows the table in PROTOCOL.md, section "Server".
-/// Thread: none of its own; one session per connection.
+/// keyframes; if more is left, the session is blocked() until set_blocked(false) is called. Whoever
+/// has the connection must not read on while much of what has come out is still unsent: a peer that
+/// answers without reading would fill the memory. Follows the table in PROTOCOL.md, section
+/// "Server". Thread: none of its own; one session per connection.
 class ServerSession {
  public:
   /// `round_trip`: measured on the connection, zero if unknown; sets the grace for a first byte.
@@ -119,8 +119,8 @@ class ServerSession {
   [[nodiscard]] std::vector<ServerEvent> on_voice(Instant now);
   /// Call it with true when the socket takes no more: no keyframe is handed out until a call with
   /// false. After that a live stream goes on with its newest moment. A session that sends a
-  /// recorded stream also holds itself when a call has handed out kOutputBytesMax.
-  [[nodiscard]] std::vector<ServerEvent> hold(bool held, Instant now);
+  /// recorded stream also becomes blocked() when a call has handed out kOutputBytesMax.
+  [[nodiscard]] std::vector<ServerEvent> set_blocked(bool blocked, Instant now);
   /// The server itself stops: {-2} at once, then the closing of PROTOCOL.md section 8.
   [[nodiscard]] std::vector<ServerEvent> stop(Instant now);
   /// The server itself stops and another one takes over: a client that is sent a stream in level 2,
@@ -137,8 +137,8 @@ class ServerSession {
   [[nodiscard]] bool paused() const;
   /// True while the peer owes an answer and has not paused: --client-timeout limits this time.
   [[nodiscard]] bool awaiting_answer() const;
-  /// Whether keyframes wait for hold(false).
-  [[nodiscard]] bool held() const;
+  /// Whether keyframes wait for set_blocked(false).
+  [[nodiscard]] bool blocked() const;
   /// True while this session sends keyframes of a live stream.
   [[nodiscard]] bool live() const;
   [[nodiscard]] std::string_view stream_name() const;

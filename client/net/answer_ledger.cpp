@@ -44,12 +44,12 @@ std::string AnswerLedger::speak_classic(protocol::ClientSession& session, const 
 
 std::string AnswerLedger::speak_negotiated(protocol::ClientSession& session, const Wishes& wishes) {
   std::string words;
-  const bool hold = wishes.user_paused || wishes.full;
+  const bool must_pause = wishes.user_paused || wishes.full;
   // First the pause, then the answers: the other way round each answer would let one more packet
   // go than there is room for.
-  if (hold && !session.paused()) words += pause(session);
+  if (must_pause && !session.paused()) words += pause(session);
   for (; owed_ > 0; --owed_) words += session.answer_received();
-  if (!hold && session.paused()) words += resume(session);
+  if (!must_pause && session.paused()) words += resume(session);
   return words;
 }
 
@@ -63,8 +63,8 @@ bool AnswerLedger::gathers(const protocol::ClientSession& session, const Wishes&
          now < owed_since_ + kAnswersLate;
 }
 
-bool AnswerLedger::has_words(const protocol::ClientSession& session, const Wishes& wishes,
-                             Instant now) const {
+bool AnswerLedger::has_output(const protocol::ClientSession& session, const Wishes& wishes,
+                              Instant now) const {
   if (gathers(session, wishes, now)) return false;
   if (negotiated(session)) {
     return owed_ > 0 || session.paused() != (wishes.user_paused || wishes.full);

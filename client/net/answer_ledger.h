@@ -33,8 +33,8 @@ class AnswerLedger {
   [[nodiscard]] std::string speak(protocol::ClientSession& session, const Wishes& wishes,
                                   Instant now);
   /// Whether speak() would return anything.
-  [[nodiscard]] bool has_words(const protocol::ClientSession& session, const Wishes& wishes,
-                               Instant now) const;
+  [[nodiscard]] bool has_output(const protocol::ClientSession& session, const Wishes& wishes,
+                                Instant now) const;
   /// When answers that wait to be sent together must be sent; nullopt: none wait.
   [[nodiscard]] std::optional<Instant> deadline(const protocol::ClientSession& session,
                                                 const Wishes& wishes, Instant now) const;

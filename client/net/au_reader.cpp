@@ -93,7 +93,7 @@ Reaction AuReader::connected(Instant now, Duration round_trip) {
 Reaction AuReader::received(std::string_view bytes, Instant now) {
   waiting_ += bytes;
   Reaction reaction;
-  digest(reaction, now);
+  decode_waiting(reaction, now);
   return reaction;
 }
 
@@ -172,7 +172,7 @@ Reaction AuReader::speak(Instant now) {
   Reaction reaction;
   answer(reaction.send);
   reaction.changed = !reaction.send.empty();
-  digest(reaction, now);
+  decode_waiting(reaction, now);
   return reaction;
 }
 
@@ -184,14 +184,14 @@ bool AuReader::wants_bytes() const {
   return waiting_.empty();
 }
 
-bool AuReader::digests() const {
+bool AuReader::may_decode() const {
   return status_.end == EndReason::NotEnded && kept_.size() < kept_max() && ledger_.has_room();
 }
 
 /// Keyframe by keyframe, so that each is answered before the session counts the next as sent ahead.
-void AuReader::digest(Reaction& reaction, Instant now) {
+void AuReader::decode_waiting(Reaction& reaction, Instant now) {
   std::string_view rest = waiting_;
-  while (!rest.empty() && digests() && reaction.next == Reaction::Next::GoOn) {
+  while (!rest.empty() && may_decode() && reaction.next == Reaction::Next::GoOn) {
     react(session_.on_bytes(rest), reaction, now);
   }
   waiting_.erase(0, waiting_.size() - rest.size());
@@ -386,13 +386,13 @@ bool AuReader::ready() const {
   return left() || buffers_.has_next() || buffers_.finished();
 }
 
-bool AuReader::has_words() const {
+bool AuReader::has_output() const {
   if (status_.end != EndReason::NotEnded || !status_.connected) return false;
-  return (!waiting_.empty() && digests()) || ledger_.has_words(session_, wishes(), now_);
+  return (!waiting_.empty() && may_decode()) || ledger_.has_output(session_, wishes(), now_);
 }
 
 bool AuReader::calls_for_speak() {
-  if (called_for_speak_ || !has_words()) return false;
+  if (called_for_speak_ || !has_output()) return false;
   called_for_speak_ = true;
   return true;
 }

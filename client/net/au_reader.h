@@ -112,9 +112,9 @@ class AuReader {
   /// True when take() would return a keyframe, or no more will ever come.
   [[nodiscard]] bool ready() const;
   /// True when speak() would do something.
-  [[nodiscard]] bool has_words() const;
+  [[nodiscard]] bool has_output() const;
   /// Whether to call speak(); the player asks this after it has taken something. The same as
-  /// has_words(), but true only once: then false until speak() has been called.
+  /// has_output(), but true only once: then false until speak() has been called.
   [[nodiscard]] bool calls_for_speak();
   void set_paused(bool paused);
   /// The user leaves: take() returns nullopt from now on.
@@ -135,8 +135,8 @@ class AuReader {
 
   [[nodiscard]] static protocol::ClientSessionOptions session_options(
       const AuReaderOptions& options, const Manner& manner);
-  void digest(Reaction& reaction, Instant now);
-  [[nodiscard]] bool digests() const;
+  void decode_waiting(Reaction& reaction, Instant now);
+  [[nodiscard]] bool may_decode() const;
   void react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction, Instant now);
   void handle(const protocol::SendBytes& event, Reaction& reaction);
   void handle(const protocol::DeliverKeyframe& event, Reaction& reaction);

@@ -145,10 +145,10 @@ void MeshBuffers::round_off(std::span<const glm::vec3> rest, Triangles& triangle
   std::size_t given = 0;
   for (Run& run : solid_) {
     if (!run.rounded || rest.empty()) continue;
-    const std::size_t before = rounded_.became(given);
+    const std::size_t before = rounded_.rounded_count(given);
     given += static_cast<std::size_t>(run.index_count / 3);
     run.first_index = 3 * (triangles.size() + before);
-    run.index_count = static_cast<GLsizei>(3 * (rounded_.became(given) - before));
+    run.index_count = static_cast<GLsizei>(3 * (rounded_.rounded_count(given) - before));
   }
   triangles.insert(triangles.end(), rounded_.triangles().begin(), rounded_.triangles().end());
 }

@@ -61,7 +61,7 @@ RoundedMesh::RoundedMesh(std::span<const glm::vec3> rest, std::span<const Triang
   };
   for (const Triangle& t : triangles) {
     add(t, {middle(t[0], t[1]), middle(t[1], t[2]), middle(t[2], t[0])});
-    became_.push_back(triangles_.size());
+    rounded_counts_.push_back(triangles_.size());
   }
 }
 

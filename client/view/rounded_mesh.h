@@ -26,8 +26,10 @@ class RoundedMesh {
               float least_bend);
 
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
-  /// How many triangles the first `count` of the given ones have become.
-  [[nodiscard]] std::size_t became(std::size_t count) const { return became_[count]; }
+  /// How many of triangles() the first `count` of the given ones were cut into.
+  [[nodiscard]] std::size_t rounded_count(std::size_t count) const {
+    return rounded_counts_[count];
+  }
   /// The number of vertices: the mesh's own and those of the edges.
   [[nodiscard]] std::size_t vertex_count() const { return own_count_ + edges_.size(); }
 
@@ -54,7 +56,7 @@ class RoundedMesh {
   std::size_t own_count_ = 0;
   std::vector<std::array<std::uint32_t, 2>> edges_;
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> became_{0};
+  std::vector<std::size_t> rounded_counts_{0};
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
 };

@@ -196,7 +196,7 @@ bool VideoEncoder::State::stuck() const {
 Result<void> VideoEncoder::State::give_up() {
   const int code = ffmpeg->wait(patience);
   failure = Error{ErrorKind::Failed,
-                  at_place(path.string(), "ffmpeg " + how_it_ended(code, ffmpeg->last_words()))};
+                  at_place(path.string(), "ffmpeg " + how_it_ended(code, ffmpeg->error_tail()))};
   ffmpeg.reset();
   temporary.remove();
   return *failure;

@@ -129,7 +129,7 @@ Result<PictureSource> PictureSource::open_camera(const CameraOptions& options,
 
 std::string PictureSource::complaint() {
   const int code = ffmpeg_->wait(kEndTakes);
-  return code == 0 ? std::string() : without_component(ffmpeg_->last_words());
+  return code == 0 ? std::string() : without_component(ffmpeg_->error_tail());
 }
 
 std::string PictureSource::film_complaint() {

@@ -56,8 +56,8 @@ void FileReader::watch_file() {
   watch_ = ::inotify_add_watch(notify_.native_handle(), path_.c_str(), IN_MODIFY);
 }
 
-void FileReader::hold(bool held) {
-  if (std::exchange(held_, held) && !held) await();
+void FileReader::set_reading(bool reading) {
+  if (!std::exchange(reading_, reading) && reading) await();
 }
 
 void FileReader::stop() {
@@ -70,7 +70,7 @@ void FileReader::stop() {
 
 /// Reads on as soon as the event loop has time.
 void FileReader::await() {
-  if (held_ || stopped_ || waiting_) return;
+  if (!reading_ || stopped_ || waiting_) return;
   waiting_ = true;
   asio::post(io_, [this, wait = waits_.begin()] {
     if (!wait.current()) return;
@@ -87,7 +87,7 @@ void FileReader::pass_on(std::string_view bytes) {
 }
 
 void FileReader::read() {
-  if (held_) return;
+  if (!reading_) return;
   // What changes from here on is noticed again.
   while (notify_.is_open() && ::read(notify_.native_handle(), chunk_.data(), chunk_.size()) > 0) {
   }

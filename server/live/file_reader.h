@@ -29,7 +29,7 @@ class FileReader final : public InputReader {
 
   /// Begins to read; watches the file with inotify if possible.
   void start() override;
-  void hold(bool held) override;
+  void set_reading(bool reading) override;
   void stop() override;
   [[nodiscard]] bool has_past() const override { return true; }
 
@@ -57,7 +57,7 @@ class FileReader final : public InputReader {
   std::int64_t position_ = 0;
   std::string tail_;  ///< the last bytes that were read, to notice if they change
   std::vector<char> chunk_;
-  bool held_ = false;
+  bool reading_ = true;
   bool stopped_ = false;  ///< by stop(), or since the input has ended
   bool waiting_ = false;
   Waits waits_;

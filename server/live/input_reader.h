@@ -22,7 +22,7 @@ namespace aucast::server {
 /// Thread: that of the loop.
 class InputReader {
  public:
-  /// Any of these callbacks may stop or hold the reader; on_end may destroy it.
+  /// Any of these callbacks may stop the reader, for now or for good; on_end may destroy it.
   struct Events {
     std::function<void(std::string_view)> on_bytes;
     std::function<void(Error)> on_failure;  ///< a read failed
@@ -38,8 +38,8 @@ class InputReader {
 
   /// Begins to read.
   virtual void start() = 0;
-  /// With true, stops reading for now; with false, goes on.
-  virtual void hold(bool held) = 0;
+  /// With false, stops reading for now; with true, goes on.
+  virtual void set_reading(bool reading) = 0;
   /// Reads no more, and calls no more callbacks.
   virtual void stop() = 0;
   /// Whether the input may hold bytes from before it was opened, as a file does and a pipe does

@@ -61,13 +61,13 @@ void LiveInput::read_from(Descriptor descriptor) {
     reader_ =
         std::make_unique<FileReader>(io_, path_, std::move(descriptor), follow_, reader_events_);
   }
-  reader_->hold(held_);
+  reader_->set_reading(reading_);
   reader_->start();
 }
 
-void LiveInput::hold(bool held) {
-  held_ = held;
-  if (reader_) reader_->hold(held);
+void LiveInput::set_reading(bool reading) {
+  reading_ = reading;
+  if (reader_) reader_->set_reading(reading);
 }
 
 void LiveInput::stop() {

@@ -42,8 +42,8 @@ class LiveInput {
   /// Opens the input and begins to read. Fails as `open` does or, if that is not set, with
   /// ErrorKind::Unreadable and the system's reason.
   [[nodiscard]] Result<void> start();
-  /// With true, stops reading for now; with false, goes on.
-  void hold(bool held);
+  /// With false, stops reading for now; with true, goes on.
+  void set_reading(bool reading);
   void stop();
   /// True for a file, which may already have content; what comes through a pipe is new.
   [[nodiscard]] bool has_past() const { return reader_ && reader_->has_past(); }
@@ -65,7 +65,7 @@ class LiveInput {
   Opener open_;
   InputReader::Events reader_events_;
   std::unique_ptr<InputReader> reader_;
-  bool held_ = false;
+  bool reading_ = true;
   bool ended_ = false;
   std::optional<Error> failure_;
 };

@@ -105,7 +105,7 @@ Result<void> LiveSource::finish() {
 /// Reads on if there is room, and sets the timer for what is due next.
 void LiveSource::go_on() {
   if (stopped_) return;
-  input_.hold(streams_.full());
+  input_.set_reading(!streams_.full());
   const auto next = streams_.next();
   if (!next) {
     timer_.cancel();

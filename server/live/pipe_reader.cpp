@@ -32,8 +32,8 @@ PipeReader::PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::pat
                        const Events& events)
     : pipe_(std::move(pipe)), path_(std::move(path)), events_(events), chunk_(kPipeChunkBytes) {}
 
-void PipeReader::hold(bool held) {
-  if (std::exchange(held_, held) && !held) await();
+void PipeReader::set_reading(bool reading) {
+  if (!std::exchange(reading_, reading) && reading) await();
 }
 
 void PipeReader::stop() {
@@ -44,7 +44,7 @@ void PipeReader::stop() {
 }
 
 void PipeReader::await() {
-  if (held_ || stopped_ || waiting_) return;
+  if (!reading_ || stopped_ || waiting_) return;
   waiting_ = true;
   pipe_.async_wait(asio::posix::stream_descriptor::wait_read,
                    [this, wait = waits_.begin()](const std::error_code& error) {

@@ -27,7 +27,7 @@ class PipeReader final : public InputReader {
   PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path, const Events& events);
 
   void start() override { await(); }
-  void hold(bool held) override;
+  void set_reading(bool reading) override;
   void stop() override;
   [[nodiscard]] bool has_past() const override { return false; }
 
@@ -40,7 +40,7 @@ class PipeReader final : public InputReader {
   std::filesystem::path path_;
   const Events& events_;
   std::vector<char> chunk_;
-  bool held_ = false;
+  bool reading_ = true;
   bool stopped_ = false;
   bool waiting_ = false;
   Waits waits_;

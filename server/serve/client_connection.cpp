@@ -280,10 +280,10 @@ void ClientConnection::go_on() {
   if (finishing_) return;
   flush();
   do {
-    carry_out(session_->hold(link_->blocked(), link_->now()));
+    carry_out(session_->set_blocked(link_->blocked(), link_->now()));
     if (finishing_) return;
     flush();
-  } while (session_->held() && !link_->blocked());
+  } while (session_->blocked() && !link_->blocked());
   const std::optional<Instant> patience = earlier(session_->deadline(), patience_ends());
   link_->wake_at(earlier(patience, gathered_until_));
 }
@@ -295,8 +295,8 @@ std::optional<Instant> ClientConnection::patience_ends() {
   const bool owes = session_->awaiting_answer();
   if (!owes) owed_since_.reset();
   if (owes && !owed_since_) owed_since_ = link_->now();
-  // Who has sent all answers beforehand owes none, and is held when it takes nothing.
-  const bool takes = session_->live() || (session_->held() && !owes && !session_->paused());
+  // Who has sent all answers beforehand owes none, and is blocked when it takes nothing.
+  const bool takes = session_->live() || (session_->blocked() && !owes && !session_->paused());
   const auto stuck = takes ? link_->stuck_since() : std::nullopt;
   if (!owed_since_ && !stuck) return std::nullopt;
   return std::min(owed_since_.value_or(Instant::max()), stuck.value_or(Instant::max())) +

@@ -102,7 +102,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         while (live && live->advance(now)) watch.take(session.on_moment(now));
         break;
       case 'h':
-        watch.take(session.hold(line.size() > 1, now));
+        watch.take(session.set_blocked(line.size() > 1, now));
         break;
       case 'e':
         watch.take(session.on_peer_end(now));

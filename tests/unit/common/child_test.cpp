@@ -61,7 +61,7 @@ TEST(Child, TakesAllBytesAndTellsItsCode) {
   EXPECT_TRUE(child->feed(bytes));
   EXPECT_EQ(child->wait(), 7);
   EXPECT_EQ(child->wait(), 7);
-  EXPECT_EQ(child->last_words(), "done");
+  EXPECT_EQ(child->error_tail(), "done");
   EXPECT_EQ(std::filesystem::file_size(file), bytes.size());
 }
 
@@ -99,7 +99,7 @@ TEST(Child, FlowsBothWaysUntilItsInputEnds) {
   while (read()) {
   }
   EXPECT_EQ(child->wait(), 0);
-  EXPECT_EQ(child->last_words(), "first last");
+  EXPECT_EQ(child->error_tail(), "first last");
   EXPECT_EQ(child->last_line(), "last");
 }
 
@@ -128,7 +128,7 @@ TEST(Child, NoticesWithoutASignalThatNobodyReads) {
   EXPECT_FALSE(child->feed(bytes));
   EXPECT_FALSE(child->feed(bytes));
   EXPECT_EQ(child->wait(), 3);
-  EXPECT_EQ(child->last_words(), "gone");
+  EXPECT_EQ(child->error_tail(), "gone");
 }
 
 TEST(Child, ReadsErrorsMeanwhileAndKeepsTheLast) {
@@ -138,13 +138,13 @@ TEST(Child, ReadsErrorsMeanwhileAndKeepsTheLast) {
       shell("head -c 1000000 /dev/zero | tr '\\0' e >&2; cat > /dev/null; echo the last words >&2");
   EXPECT_TRUE(child->feed(bytes));
   EXPECT_EQ(child->wait(), 0);
-  EXPECT_EQ(child->last_words(), std::string(286, 'e') + "the last words");
+  EXPECT_EQ(child->error_tail(), std::string(286, 'e') + "the last words");
 }
 
 TEST(Child, SaysItsLastWordsInOneLineThatIsSafeToPrint) {
   const auto child = shell("printf 'no \\033[2J room\\non the disk\\n\\n' >&2; exit 1");
   EXPECT_EQ(child->wait(), 1);
-  EXPECT_EQ(child->last_words(), "no \\x1b[2J room on the disk");
+  EXPECT_EQ(child->error_tail(), "no \\x1b[2J room on the disk");
 }
 
 TEST(Child, SaysItsLastLineWholeAndInItsLetters) {
@@ -223,7 +223,7 @@ TEST(Child, IsKilledWhenItTakesTooLongToEnd) {
   const Waited waited;
   const auto child = shell("echo stuck >&2; sleep 60");
   EXPECT_EQ(child->wait(Milliseconds(300)), 128 + SIGKILL);
-  EXPECT_EQ(child->last_words(), "stuck");
+  EXPECT_EQ(child->error_tail(), "stuck");
   EXPECT_FALSE(waited);
 }
 
@@ -231,7 +231,7 @@ TEST(Child, WaitsForNobodyWhoKeepsItsPipesOpenAfterItsEnd) {
   const Waited waited;
   const auto child = shell("echo first >&2; sleep 60 & exit 4");
   EXPECT_EQ(child->wait(), 4);
-  EXPECT_EQ(child->last_words(), "first");
+  EXPECT_EQ(child->error_tail(), "first");
   const auto read = *Child::start({"sh", "-c", "echo it; sleep 60 &"}, Child::Flow::Read);
   std::vector<std::uint8_t> bytes(8);
   EXPECT_EQ(read->read(bytes), 3U);
@@ -297,7 +297,7 @@ TEST(Child, IsReadToItsEnd) {
   }
   EXPECT_EQ(text, "hello you");
   EXPECT_EQ((*child)->wait(), 3);
-  EXPECT_EQ((*child)->last_words(), "why");
+  EXPECT_EQ((*child)->error_tail(), "why");
 }
 
 TEST(Child, IsStoppedWhileItIsRead) {

@@ -38,10 +38,10 @@ class Ledger : public ::testing::Test {
   }
   /// What is said now. That something is said is told before, and that nothing is left after.
   std::string speak() {
-    const bool expected = ledger_.has_words(session_, wishes_, clock_.now());
+    const bool expected = ledger_.has_output(session_, wishes_, clock_.now());
     std::string words = ledger_.speak(session_, wishes_, clock_.now());
     EXPECT_EQ(expected, !words.empty()) << words;
-    EXPECT_FALSE(ledger_.has_words(session_, wishes_, clock_.now())) << "after " << words;
+    EXPECT_FALSE(ledger_.has_output(session_, wishes_, clock_.now())) << "after " << words;
     return words;
   }
 

@@ -139,7 +139,7 @@ TEST_F(LowDelay, SkipsToThePresentWhileTheFaceStands) {
 TEST_F(LowDelay, AsksForALiveStreamWithoutAnswers) {
   EXPECT_EQ(said_, "{hello v=2 window=0 delta=1}");
   EXPECT_EQ(feed(kLow + "{1;40}{2;40}"), "");
-  EXPECT_FALSE(reader_->has_words());
+  EXPECT_FALSE(reader_->has_output());
   reader_->set_paused(true);
   EXPECT_EQ(reader_->speak(clock_.now()).send, "-1");
   reader_->set_paused(false);
@@ -362,7 +362,7 @@ TEST_F(Reconnecting, TakesFullBuffersForNoSilenceOfTheServer) {
   std::string said;
   for (int i = 0; i < 20; ++i) {
     if (reader_->take()) ++taken;
-    if (reader_->has_words()) said += reader_->speak(clock_.now()).send;
+    if (reader_->has_output()) said += reader_->speak(clock_.now()).send;
   }
   EXPECT_EQ(taken, 10);
   EXPECT_EQ(said, "1");

@@ -85,7 +85,7 @@ class Loop {
       if (seeded_.chance(eager)) {
         if (const auto keyframe = reader_.take()) taken.push_back(mark_of(*keyframe));
       }
-      if (reader_.has_words()) carry_out(reader_.speak(clock_.now()));
+      if (reader_.has_output()) carry_out(reader_.speak(clock_.now()));
     }
     return taken;
   }
@@ -214,7 +214,7 @@ TEST(AuReaderSession, BearsDamagedBytes) {
     const auto play = [&] {
       while (reader.take()) {
         ++taken;
-        if (reader.has_words()) static_cast<void>(reader.speak(clock.now()));
+        if (reader.has_output()) static_cast<void>(reader.speak(clock.now()));
       }
     };
     while (!wire.empty()) {

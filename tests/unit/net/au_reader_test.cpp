@@ -38,7 +38,7 @@ class Reading {
     return last.send;
   }
   std::string speak() {
-    return reader.has_words() ? reader.speak(clock.now()).send : "(nothing to say)";
+    return reader.has_output() ? reader.speak(clock.now()).send : "(nothing to say)";
   }
 
   /// The first AU of the next keyframe, 0 when there is none.

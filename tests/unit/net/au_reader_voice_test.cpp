@@ -151,7 +151,7 @@ TEST_F(ReaderVoice, WhatNobodyTakesHasALimit) {
 TEST_F(ReaderVoice, AnswersWaitForEachOtherWhereThereIsAVoice) {
   connect("voice=opus");
   EXPECT_EQ(reader_.received("{12:50;40}{12:60;40}", clock_.now()).send, "");
-  EXPECT_FALSE(reader_.has_words());
+  EXPECT_FALSE(reader_.has_output());
   const Instant since = clock_.now();
   ASSERT_TRUE(reader_.deadline());
   EXPECT_LE(*reader_.deadline() - since, 250ms);

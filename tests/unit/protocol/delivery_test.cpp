@@ -155,14 +155,14 @@ TEST_F(LiveVoice, PlacesCountFromTheClientsFirstKeyframe) {
 TEST_F(LiveVoice, OldVoiceIsLeftOutWhileTheSocketIsFull) {
   join();
   EXPECT_EQ(pump(), "{1;100}");
-  delivery_->hold(true);
+  delivery_->set_blocked(true);
   for (auto at = 100ms; at < 5000ms; at += 100ms) {
     feed_->add(keyframe_);
     say(at);
     EXPECT_EQ(pump(), "");
   }
   EXPECT_LE(feed_->voice().size(), 2 + static_cast<std::size_t>(kLiveWindowTime / 100ms));
-  delivery_->hold(false);
+  delivery_->set_blocked(false);
   EXPECT_EQ(pump(), "{a@100 WAE}{1;100}");
 }
 

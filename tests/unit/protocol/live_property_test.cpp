@@ -71,7 +71,7 @@ class LivePair {
         take(server_->on_bytes(std::exchange(to_server_, {}), now_));
         break;
       case 3:
-        take(server_->hold(seeded_.chance(0.3), now_));
+        take(server_->set_blocked(seeded_.chance(0.3), now_));
         break;
       default:
         speak();

@@ -49,7 +49,7 @@ class LiveServer : public ::testing::Test {
   std::string get(std::string_view bytes) { return text_of(session_->on_bytes(bytes, now_)); }
   std::string peer_end() { return text_of(session_->on_peer_end(now_)); }
   std::string grace() { return text_of(session_->on_time(now_ += 100ms)); }
-  std::string hold(bool held) { return text_of(session_->hold(held, now_)); }
+  std::string set_blocked(bool blocked) { return text_of(session_->set_blocked(blocked, now_)); }
 
   EncodedStream stream_;
   ServerCatalogue catalogue_;
@@ -85,9 +85,9 @@ TEST_F(LiveServer, SendsSeveralMomentsInOnePiece) {
   get("{hello v=2 window=0 delta=1}");
   EXPECT_EQ(late(), "send {~a2}{~a3}");
   EXPECT_EQ(text_of(session_->on_moment(now_)), "") << "told twice";
-  hold(true);
+  set_blocked(true);
   EXPECT_EQ(late(), "");
-  EXPECT_EQ(hold(false), "send {5:30}") << "who was behind gets the newest only";
+  EXPECT_EQ(set_blocked(false), "send {5:30}") << "who was behind gets the newest only";
   EXPECT_EQ(session_->sent().keyframes_merged, 1U);
 }
 
@@ -202,18 +202,18 @@ TEST_F(LiveServer, AsksForNoAnswersWithAWindowOfNone) {
 
 TEST_F(LiveServer, HandsNothingOutWhileTheSocketIsFull) {
   get("{hello v=2 window=0 delta=1}");
-  EXPECT_EQ(hold(true), "");
+  EXPECT_EQ(set_blocked(true), "");
   EXPECT_EQ(beat(), "");
   EXPECT_EQ(beat(), "");
-  EXPECT_EQ(hold(true), "");
-  EXPECT_EQ(hold(false), "send {3:30}");
+  EXPECT_EQ(set_blocked(true), "");
+  EXPECT_EQ(set_blocked(false), "send {3:30}");
   EXPECT_EQ(session_->sent().keyframes_merged, 1U);
-  EXPECT_EQ(hold(false), "");
-  EXPECT_EQ(hold(true), "");
+  EXPECT_EQ(set_blocked(false), "");
+  EXPECT_EQ(set_blocked(true), "");
   beat();
   beat();
   EXPECT_EQ(beat(), "") << "the end waits for the last state";
-  EXPECT_EQ(hold(false), "send {5:30}{-2} | close finished");
+  EXPECT_EQ(set_blocked(false), "send {5:30}{-2} | close finished");
 }
 
 TEST_F(LiveServer, UsesUpTheAnswersOfWhoHasShutItsSide) {
@@ -242,10 +242,10 @@ TEST_F(LiveServer, IsHeldButNotMovedWhenRecorded) {
   start_recorded();
   get("{hello v=2 window=1}");
   EXPECT_FALSE(session_->live());
-  EXPECT_EQ(hold(true), "");
+  EXPECT_EQ(set_blocked(true), "");
   EXPECT_EQ(text_of(session_->on_moment(now_)), "");
   EXPECT_EQ(get("1"), "") << "the socket takes no more";
-  EXPECT_EQ(hold(false), "send {2:30}");
+  EXPECT_EQ(set_blocked(false), "send {2:30}");
 }
 
 class RecordedChanges : public LiveServer {

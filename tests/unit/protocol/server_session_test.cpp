@@ -237,8 +237,8 @@ TEST_F(Server, HandsOutAtMostSixtyFourKibibytesAtOnce) {
   EXPECT_LE(sent, kOutputBytesMax / kLarge + 2);
   EXPECT_EQ(get("-1-3"), "") << "nothing more until there is room";
   int more = 0;
-  for (; session_->held(); ++more) {
-    events = session_->hold(false, now_);
+  for (; session_->blocked(); ++more) {
+    events = session_->set_blocked(false, now_);
     ASSERT_EQ(events.size(), 1U);
     EXPECT_LT(std::get<SendBytes>(events[0]).bytes.size(), kOutputBytesMax + kLarge);
   }
@@ -258,9 +258,9 @@ TEST_F(Server, WhatIsHeldGoesToAClientThatHasEndedItsSide) {
   start_endless();
   get("{hello v=2 window=1}");
   get("-1" + std::string(1000, '1') + "-3");
-  ASSERT_TRUE(session_->held());
+  ASSERT_TRUE(session_->blocked());
   EXPECT_EQ(peer_end(), "");
-  const std::string rest = text_of(session_->hold(false, now_));
+  const std::string rest = text_of(session_->set_blocked(false, now_));
   EXPECT_TRUE(rest.ends_with("} | close peer gone")) << rest.substr(rest.size() - 40);
   EXPECT_EQ(session_->sent().keyframes, 1001U);
 }

@@ -239,7 +239,7 @@ class Model {
         deliver_to_server();
         break;
       case 2:
-        if (live_ && !server_over_) take(server_->hold(seeded_.chance(0.3), now_));
+        if (live_ && !server_over_) take(server_->set_blocked(seeded_.chance(0.3), now_));
         break;
       default:
         act();

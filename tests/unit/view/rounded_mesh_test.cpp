@@ -92,7 +92,7 @@ TEST_F(Octahedron, LeavesTrianglesThatHardlyBend) {
   EXPECT_EQ(coarse.vertex_count(), 6U);
   EXPECT_TRUE(std::equal(triangles_.begin(), triangles_.end(), coarse.triangles().begin(),
                          coarse.triangles().end()));
-  EXPECT_EQ(coarse.became(8), 8U);
+  EXPECT_EQ(coarse.rounded_count(8), 8U);
 }
 
 /// A strip with a fold along one edge: triangles with every number of edges that bend must still
@@ -115,7 +115,7 @@ TEST(RoundedMesh, FitsTogetherWhereOnlySomeEdgesBend) {
   RoundedMesh rounded(positions, triangles, 0.02F);
   std::map<std::size_t, int> became;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    ++became[rounded.became(i + 1) - rounded.became(i)];
+    ++became[rounded.rounded_count(i + 1) - rounded.rounded_count(i)];
   }
   EXPECT_GT(became[1], 0);
   EXPECT_GT(became[2] + became[3], 0);

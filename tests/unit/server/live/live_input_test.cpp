@@ -162,13 +162,13 @@ TEST_F(LiveInputTest, WhatWasOpenedForItEndsOnce) {
 TEST_F(LiveInputTest, WhileItIsHeldNothingIsRead) {
   const auto path = fifo();
   LiveInput& input = make(path, false);
-  input.hold(true);
+  input.set_reading(false);
   ASSERT_TRUE(input.start());
   const Writer writer(path);
   writer.say("a");
   io_.poll();
   EXPECT_EQ(came_, "");
-  input.hold(false);
+  input.set_reading(true);
   EXPECT_TRUE(comes("a"));
 }
 
@@ -279,10 +279,10 @@ TEST_F(LiveInputTest, AFollowedFileMayBeHeldWhileItGrows) {
   ASSERT_TRUE(input.start());
   EXPECT_TRUE(comes("one "));
   EXPECT_TRUE(catches_up());
-  input.hold(true);
+  input.set_reading(false);
   std::ofstream(path, std::ios::app) << "two";
   io_.run_for(std::chrono::milliseconds(1));
-  input.hold(false);
+  input.set_reading(true);
   EXPECT_TRUE(comes("one two"));
 }
 
