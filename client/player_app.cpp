@@ -70,8 +70,8 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
     return std::unique_ptr<playback::Playback>(std::make_unique<playback::SeekablePlayback>(
         *std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime)));
   }
-  playback::set_places(*keyframes, options.playback.speed.value_or(protocol::kDefaultKeyframeTime));
-  auto source = std::make_unique<playback::FileSource>(*std::move(keyframes));
+  auto source = std::make_unique<playback::FileSource>(
+      *std::move(keyframes), options.playback.speed.value_or(protocol::kDefaultKeyframeTime));
   return std::unique_ptr<playback::Playback>(
       std::make_unique<SourcePlayback>(std::move(source), how));
 }

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,7 @@
 #include "client/pipeline/face_pipeline.h"
 #include "client/pipeline/idle_face.h"
 #include "client/playback/interpolator.h"
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 
 namespace aucast::glb {
 
@@ -25,7 +24,7 @@ struct Sampling {
 };
 
 /// How many samples for_each_sample() makes.
-[[nodiscard]] std::size_t sample_count(std::span<const playback::Keyframe> keyframes,
+[[nodiscard]] std::size_t sample_count(const playback::KeyframeList& keyframes,
                                        const Sampling& sampling);
 
 /// Called for each sample; returns whether to go on.
@@ -33,9 +32,8 @@ using AtSample = std::function<bool(double seconds, const pipeline::FaceState& f
 
 /// Calls `at_sample` every 1 / fps seconds, from the neutral face at 0 s to the end of the last
 /// keyframe: the same faces as in a video's pictures.
-void for_each_sample(const pipeline::AuMapping& mapping,
-                     std::span<const playback::Keyframe> keyframes, const Sampling& sampling,
-                     const AtSample& at_sample);
+void for_each_sample(const pipeline::AuMapping& mapping, const playback::KeyframeList& keyframes,
+                     const Sampling& sampling, const AtSample& at_sample);
 
 /// An animation: the weights and joints at each sample.
 struct Motion {

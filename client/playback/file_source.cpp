@@ -4,20 +4,18 @@
 
 namespace aucast::playback {
 
-void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed) {
-  Milliseconds place{0};
-  for (Keyframe& keyframe : keyframes) {
-    keyframe.span = keyframe.time.value_or(untimed);
-    place += keyframe.span;
-    keyframe.place = place;
-  }
-}
-
-FileSource::FileSource(std::vector<Keyframe> keyframes) : keyframes_(std::move(keyframes)) {}
+FileSource::FileSource(KeyframeList keyframes, std::optional<Milliseconds> untimed)
+    : keyframes_(std::move(keyframes)), untimed_(untimed) {}
 
 std::optional<Keyframe> FileSource::take() {
   if (stopped_ || next_ == keyframes_.size()) return std::nullopt;
-  return keyframes_[next_++];
+  Keyframe keyframe = keyframes_[next_++];
+  if (untimed_) {
+    keyframe.span = keyframe.time.value_or(*untimed_);
+    place_ += keyframe.span;
+    keyframe.place = place_;
+  }
+  return keyframe;
 }
 
 bool FileSource::ready() const {

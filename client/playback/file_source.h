@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <optional>
 
+#include "client/playback/keyframe_list.h"
 #include "client/playback/keyframe_source.h"
 
 namespace aucast::playback {
-
-/// Gives each keyframe its place; those without a time of their own take `untimed`.
-void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed);
 
 /// A stream file, played without a server. It is always ready, so nothing ever stalls. Its status
 /// says from the start that the stream has ended, because nothing more will arrive. After stop() it
@@ -16,7 +14,8 @@ void set_places(std::vector<Keyframe>& keyframes, Milliseconds untimed);
 /// Thread: the player's.
 class FileSource final : public KeyframeSource {
  public:
-  explicit FileSource(std::vector<Keyframe> keyframes);
+  /// `untimed`: the time of keyframes without one of their own; the keyframes then have places.
+  explicit FileSource(KeyframeList keyframes, std::optional<Milliseconds> untimed = std::nullopt);
 
   [[nodiscard]] std::optional<Keyframe> take() override;
   [[nodiscard]] bool ready() const override;
@@ -25,8 +24,10 @@ class FileSource final : public KeyframeSource {
   void stop() override;
 
  private:
-  std::vector<Keyframe> keyframes_;
+  KeyframeList keyframes_;
+  std::optional<Milliseconds> untimed_;
   std::size_t next_ = 0;
+  Milliseconds place_{0};  ///< where the last one that was taken is reached
   bool stopped_ = false;
 };
 

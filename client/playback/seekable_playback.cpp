@@ -8,18 +8,18 @@ namespace {
 /// The time between positions: a hundred pictures a second, more than displays show.
 constexpr Milliseconds kLookEvery{10};
 
-std::vector<Milliseconds> times_of(const std::vector<Keyframe>& keyframes, Milliseconds untimed) {
+std::vector<Milliseconds> times_of(const KeyframeList& keyframes, Milliseconds untimed) {
   std::vector<Milliseconds> times;
   times.reserve(keyframes.size());
-  for (const Keyframe& keyframe : keyframes) {
-    times.push_back(keyframe.time.value_or(untimed));
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    times.push_back(keyframes.time(i).value_or(untimed));
   }
   return times;
 }
 
 }  // namespace
 
-SeekablePlayback::SeekablePlayback(std::vector<Keyframe> keyframes, Milliseconds untimed)
+SeekablePlayback::SeekablePlayback(KeyframeList keyframes, Milliseconds untimed)
     : keyframes_(std::move(keyframes)),
       playhead_(times_of(keyframes_, untimed)),
       ends_(std::make_shared<const std::vector<Duration>>(playhead_.ends())),
@@ -40,9 +40,9 @@ std::optional<KeyframeBegun> SeekablePlayback::advance(Instant now) {
 }
 
 KeyframeBegun SeekablePlayback::under_way() const {
-  const Keyframe& target = keyframes_[place_.keyframe];
+  const Keyframe target = keyframes_[place_.keyframe];
   KeyframeBegun begun{target, target.time.value_or(untimed_)};
-  begun.from = place_.keyframe == 0 ? AuFrame{} : keyframes_[place_.keyframe - 1].aus;
+  begun.from = place_.keyframe == 0 ? AuFrame{} : keyframes_.aus(place_.keyframe - 1);
   return begun;
 }
 

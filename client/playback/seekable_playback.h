@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "client/playback/keyframe_list.h"
 #include "client/playback/local_playback.h"
 #include "client/playback/playback.h"
 
@@ -15,7 +16,7 @@ class SeekablePlayback final : public Playback {
  public:
   /// `keyframes`: at least one; those without a time of their own take `untimed`. It plays from the
   /// first advance() on, unless it was paused or sought before.
-  SeekablePlayback(std::vector<Keyframe> keyframes, Milliseconds untimed);
+  SeekablePlayback(KeyframeList keyframes, Milliseconds untimed);
 
   [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override;
   void pause(Instant now) override;
@@ -37,7 +38,7 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] const LocalPlayback& playhead() const { return playhead_; }
   /// As of the last advance().
   [[nodiscard]] Duration position() const { return position_; }
-  [[nodiscard]] const std::vector<Keyframe>& keyframes() const { return keyframes_; }
+  [[nodiscard]] const KeyframeList& keyframes() const { return keyframes_; }
   /// When each keyframe is reached, ascending.
   [[nodiscard]] const std::shared_ptr<const std::vector<Duration>>& ends() const { return ends_; }
   /// The keyframe under way, for a caller that must begin it once more, from the face before it,
@@ -45,7 +46,7 @@ class SeekablePlayback final : public Playback {
   [[nodiscard]] KeyframeBegun under_way() const;
 
  private:
-  std::vector<Keyframe> keyframes_;
+  KeyframeList keyframes_;
   LocalPlayback playhead_;
   std::shared_ptr<const std::vector<Duration>> ends_;
   Milliseconds untimed_;

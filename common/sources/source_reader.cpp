@@ -34,12 +34,17 @@ Result<void> check_room(std::string_view text, const std::filesystem::path& path
 }
 
 Result<SourceContent> read_source(const std::filesystem::path& path, const ReadOptions& options) {
-  RecordingOptions of_one = options.recording;
-  of_one.all_faces = false;
   const auto text = read_text(path);
   if (!text) return text.error();
-  if (auto fits = check_room(*text, path); !fits) return fits.error();
-  auto streams = parse_streams(*text, name_of(path), of_one, options.conditioning);
+  return parse_source(*text, path, options);
+}
+
+Result<SourceContent> parse_source(std::string_view text, const std::filesystem::path& path,
+                                   const ReadOptions& options) {
+  RecordingOptions of_one = options.recording;
+  of_one.all_faces = false;
+  if (auto fits = check_room(text, path); !fits) return fits.error();
+  auto streams = parse_streams(text, name_of(path), of_one, options.conditioning);
   if (!streams) return streams.error();
   SourceContent& content = streams->front();
   if (options.rate) content.stream = resample(content.stream, *options.rate, options.keyframe_ms);

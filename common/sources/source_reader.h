@@ -46,6 +46,10 @@ struct SourceContent {
 /// the keyframes do not fit into memory.
 [[nodiscard]] Result<SourceContent> read_source(const std::filesystem::path& path,
                                                 const ReadOptions& options = {});
+/// The same for the text of the source at `path`.
+[[nodiscard]] Result<SourceContent> parse_source(std::string_view text,
+                                                 const std::filesystem::path& path,
+                                                 const ReadOptions& options);
 
 /// The text of the source at `path`. If asked to stop, reads a file no further and returns
 /// stopped_early().

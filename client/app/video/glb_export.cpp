@@ -32,7 +32,7 @@ glb::Sampling sampling_of(const PlayerOptions& options) {
 }
 
 /// Logs once what the stream asks for and the face cannot show.
-void warn_of_missing(const face::Face& face, const std::vector<playback::Keyframe>& keyframes) {
+void warn_of_missing(const face::Face& face, const playback::KeyframeList& keyframes) {
   AuFrame all;
   for (const playback::Keyframe& keyframe : keyframes) all = stronger(all, keyframe.aus);
   if (const std::string missing = face::not_shown(face, all); !missing.empty()) {
@@ -69,7 +69,7 @@ std::string glb_summary(const ExportOptions& given, std::size_t bytes,
 
 /// The stream as an animation, whose samples are added to the drift; nullopt if it was stopped.
 std::optional<glb::Motion> motion_of(const pipeline::AuMapping& mapping,
-                                     const std::vector<playback::Keyframe>& keyframes,
+                                     const playback::KeyframeList& keyframes,
                                      const glb::Sampling& sampling,
                                      const glb::MorphTargets& targets, const glb::FaceRig& rig,
                                      glb::Drift& drift, const OnSample& on_sample) {
@@ -100,8 +100,8 @@ Result<sources::ArkitTable> read_curves(const std::filesystem::path& file) {
 
 }  // namespace
 
-Result<void> check_length(const std::vector<playback::Keyframe>& keyframes,
-                          const PlayerOptions& options, const std::string& place) {
+Result<void> check_length(const playback::KeyframeList& keyframes, const PlayerOptions& options,
+                          const std::string& place) {
   const std::size_t samples = glb::sample_count(keyframes, sampling_of(options));
   if (samples <= kSamplesMax) return {};
   return Error{ErrorKind::BadData,

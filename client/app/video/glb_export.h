@@ -7,21 +7,21 @@
 
 #include "client/app/assets.h"
 #include "client/app/player_options.h"
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 #include "common/result.h"
 
 namespace aucast::app {
 
 /// An animation to be exported with a face.
 struct ExportedStream {
-  std::vector<playback::Keyframe> keyframes;  ///< empty: the face alone
+  playback::KeyframeList keyframes;  ///< empty: the face alone
   std::string name;
   std::string sound;  ///< name of the sound file that belongs to it; empty: none
 };
 
 /// Fails with BadData if a stream has more samples than can be exported. `place`: where the stream
 /// was read from, for the message.
-[[nodiscard]] Result<void> check_length(const std::vector<playback::Keyframe>& keyframes,
+[[nodiscard]] Result<void> check_length(const playback::KeyframeList& keyframes,
                                         const PlayerOptions& options, const std::string& place);
 
 /// Called for each finished sample of the animation, with the number of finished samples and the

@@ -25,8 +25,7 @@ Result<std::string> gallery_of(const PlayerOptions& options, BackgroundWork::Cou
 }
 
 /// With its own copy of the face, because the window's may be replaced meanwhile.
-Result<std::string> glb_of(const PlayerOptions& options,
-                           const std::vector<playback::Keyframe>& keyframes,
+Result<std::string> glb_of(const PlayerOptions& options, const playback::KeyframeList& keyframes,
                            const std::string& name, BackgroundWork::Course& course) {
   const auto assets = load_assets(options.face);
   if (!assets) return assets.error();

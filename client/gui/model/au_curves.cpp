@@ -4,18 +4,22 @@
 
 namespace aucast::gui {
 
-AuCurves curves_of(std::span<const playback::Keyframe> keyframes) {
-  AuCurves curves;
-  for (std::size_t number = 0; number < AuFrame{}.left.size(); ++number) {
-    AuCurve curve{static_cast<int>(number), {}};
-    curve.values.reserve(keyframes.size());
-    bool occurs = false;
-    for (const playback::Keyframe& keyframe : keyframes) {
-      const float value = std::max(keyframe.aus.left[number], keyframe.aus.right[number]);
-      occurs |= value > 0;
-      curve.values.push_back(value);
+AuCurves curves_of(const playback::KeyframeList& keyframes) {
+  AuCurves all(kAuCount);
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    const AuFrame aus = keyframes.aus(i);
+    for (std::size_t number = 0; number < kAuCount; ++number) {
+      const float value = std::max(aus.left[number], aus.right[number]);
+      if (value <= 0) continue;
+      std::vector<float>& values = all[number].values;
+      if (values.empty()) values.resize(keyframes.size());
+      values[i] = value;
     }
-    if (occurs) curves.push_back(std::move(curve));
+  }
+  AuCurves curves;
+  for (std::size_t number = 0; number < kAuCount; ++number) {
+    if (all[number].values.empty()) continue;
+    curves.push_back({static_cast<int>(number), std::move(all[number].values)});
   }
   return curves;
 }

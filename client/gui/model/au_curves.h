@@ -2,10 +2,9 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 #include "common/time.h"
 
 namespace aucast::gui {
@@ -23,7 +22,7 @@ struct AuCurve {
 using AuCurves = std::vector<AuCurve>;
 
 /// The curves of a stream, sorted by AU number.
-[[nodiscard]] AuCurves curves_of(std::span<const playback::Keyframe> keyframes);
+[[nodiscard]] AuCurves curves_of(const playback::KeyframeList& keyframes);
 
 /// The value at a place of the stream. `ends`: the place at which each keyframe is reached,
 /// ascending.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/memory_limit.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/sources/tables.h"
 
@@ -58,6 +59,30 @@ TEST(StreamFiles, WhatIsOddInATableIsSaidByTheNamesOfTheDialog) {
   EXPECT_TRUE(timeless.message.ends_with("such as Pictures/s 30")) << timeless.message;
   const Error typed = open_stream(file, {}, kOptionNames).error();
   EXPECT_TRUE(typed.message.ends_with("such as --table-fps 30")) << typed.message;
+}
+
+TEST(StreamFiles, ALongStreamTakesLittleMemory) {
+  const test::TempFolder folder;
+  constexpr std::size_t kKeyframes = 1'000'000;
+  const auto file = folder.write("long.txt", test::short_lines(kKeyframes));
+  const test::MemoryLimit limit(std::uint64_t{300} << 20U);
+  const auto opened = open_stream(file, {}, kDialogNames);
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->keyframes.size(), kKeyframes);
+}
+
+TEST(StreamFiles, WhatDoesNotFitIntoMemoryIsRefusedBeforeItIsRead) {
+  const test::TempFolder folder;
+  const auto file = folder.write("long.txt", test::short_lines(1'000'000));
+  const test::MemoryLimit limit(std::uint64_t{130} << 20U);
+  for (const Error& error :
+       {open_stream(file, {}, kDialogNames).error(),
+        open_stream(file, {.rate = 10}, kDialogNames).error(), read_stream(file).error()}) {
+    EXPECT_EQ(error.kind, ErrorKind::Unreadable);
+    EXPECT_NE(error.message.find("long.txt: too large to hold: it needs "), std::string::npos)
+        << error.message;
+    EXPECT_TRUE(error.message.ends_with("; choose a shorter stream")) << error.message;
+  }
 }
 
 TEST(StreamFiles, WhatCannotBeReadSaysWhere) {

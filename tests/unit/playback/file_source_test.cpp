@@ -1,5 +1,7 @@
 #include "client/playback/file_source.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "tests/unit/playback/marked.h"
@@ -31,6 +33,19 @@ TEST(FileSource, TellsTheEndAndWhatIsLeft) {
   EXPECT_EQ(source.status().keyframe_time, Milliseconds(250));
   EXPECT_TRUE(source.take());
   EXPECT_EQ(source.status().playout_fill, 1U);
+}
+
+TEST(FileSource, GivesPlacesToAStreamThatHasAClock) {
+  FileSource source({marked(1, Milliseconds(40)), marked(2), marked(3, Milliseconds(0))},
+                    Milliseconds(250));
+  for (const auto& [place, span] : {std::pair{40, 40}, {290, 250}, {290, 0}}) {
+    const auto keyframe = source.take();
+    ASSERT_TRUE(keyframe);
+    EXPECT_EQ(keyframe->place, Milliseconds(place));
+    EXPECT_EQ(keyframe->span, Milliseconds(span));
+  }
+  FileSource without({marked(1)});
+  EXPECT_EQ(without.take()->place, std::nullopt);
 }
 
 TEST(FileSource, GivesNothingAfterStop) {

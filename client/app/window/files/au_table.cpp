@@ -14,19 +14,21 @@ struct Column {
   Side side;  ///< Both: the sides are equal in all keyframes
 };
 
-std::vector<Column> columns_of(std::span<const playback::Keyframe> keyframes) {
-  std::vector<Column> columns;
-  for (std::size_t number = 0; number < AuFrame{}.left.size(); ++number) {
-    bool occurs = false;
-    bool sided = false;
-    for (const playback::Keyframe& keyframe : keyframes) {
+std::vector<Column> columns_of(const playback::KeyframeList& keyframes) {
+  std::array<bool, kAuCount> occurs{};
+  std::array<bool, kAuCount> sided{};
+  for (const playback::Keyframe& keyframe : keyframes) {
+    for (std::size_t number = 0; number < kAuCount; ++number) {
       const float left = keyframe.aus.left[number];
       const float right = keyframe.aus.right[number];
-      occurs |= left > 0 || right > 0;
-      sided |= left != right;
+      occurs[number] |= left > 0 || right > 0;
+      sided[number] |= left != right;
     }
-    if (!occurs) continue;
-    if (!sided) {
+  }
+  std::vector<Column> columns;
+  for (std::size_t number = 0; number < kAuCount; ++number) {
+    if (!occurs[number]) continue;
+    if (!sided[number]) {
       columns.push_back({number, Side::Both});
     } else {
       columns.push_back({number, Side::Left});
@@ -45,7 +47,7 @@ std::string in_seconds(Milliseconds time) {
 
 }  // namespace
 
-std::string format_au_table(std::span<const playback::Keyframe> keyframes, Milliseconds untimed) {
+std::string format_au_table(const playback::KeyframeList& keyframes, Milliseconds untimed) {
   const std::vector<Column> columns = columns_of(keyframes);
   std::string text = "time_s,duration_s";
   for (const Column& column : columns) {

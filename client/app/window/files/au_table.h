@@ -1,9 +1,8 @@
 #pragma once
 
-#include <span>
 #include <string>
 
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 #include "common/time.h"
 
 namespace aucast::app {
@@ -12,7 +11,7 @@ namespace aucast::app {
 /// the keyframe is reached, counted from the beginning; duration_s; and the intensity of each AU
 /// that occurs, in percent. An AU has one column such as AU12, or two, AU12_left and AU12_right, if
 /// its sides differ anywhere. `untimed`: the time of keyframes that have none of their own.
-[[nodiscard]] std::string format_au_table(std::span<const playback::Keyframe> keyframes,
+[[nodiscard]] std::string format_au_table(const playback::KeyframeList& keyframes,
                                           Milliseconds untimed);
 
 }  // namespace aucast::app

@@ -12,7 +12,7 @@
 #include "client/app/window/playing/played.h"
 #include "client/face/face.h"
 #include "client/gui/model/gui_model.h"
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -24,7 +24,7 @@ class ExportSession {
  public:
   /// Writes a GLB file (video/glb_export.h); called on another thread.
   using MakeGlb = std::function<Result<std::string>(
-      const PlayerOptions& options, const std::vector<playback::Keyframe>& keyframes,
+      const PlayerOptions& options, const playback::KeyframeList& keyframes,
       const std::string& name, BackgroundWork::Course& course)>;
   explicit ExportSession(MakeGlb make) : make_(std::move(make)) {}
 

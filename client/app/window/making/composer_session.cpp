@@ -133,12 +133,12 @@ Result<std::string> ComposerSession::save(const std::filesystem::path& file) {
   return saved;
 }
 
-std::vector<playback::Keyframe> ComposerSession::keyframes() const {
-  std::vector<playback::Keyframe> keyframes;
+playback::KeyframeList ComposerSession::keyframes() const {
+  playback::KeyframeList keyframes;
   for (const auto& keyframe : composer_.keyframes()) {
-    playback::Keyframe timed{keyframe->aus, std::nullopt};
-    if (keyframe->ms) timed.time = Milliseconds(*keyframe->ms);
-    keyframes.push_back(timed);
+    std::optional<Milliseconds> time;
+    if (keyframe->ms) time = Milliseconds(*keyframe->ms);
+    keyframes.add(keyframe->aus, time);
   }
   return keyframes;
 }

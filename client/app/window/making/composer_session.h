@@ -11,7 +11,7 @@
 #include "client/gui/editing/composer.h"
 #include "client/gui/model/gui_model.h"
 #include "client/pipeline/au_mapping.h"
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -50,7 +50,7 @@ class ComposerSession {
   [[nodiscard]] bool composes() const { return begun() || composer_.chosen(); }
   /// The file that the stream was loaded from or saved to; empty: none yet.
   [[nodiscard]] std::filesystem::path file() const { return composer_.file(); }
-  [[nodiscard]] std::vector<playback::Keyframe> keyframes() const;
+  [[nodiscard]] playback::KeyframeList keyframes() const;
   /// `active`: whether the composer's face is shown.
   [[nodiscard]] gui::ComposerView view(bool active) const;
 

@@ -65,8 +65,7 @@ void PlaybackSession::open(std::unique_ptr<playback::Playback> playback, std::st
   begin(stream_of(std::move(playback), std::move(name)), now);
 }
 
-void PlaybackSession::open(std::vector<playback::Keyframe> keyframes, std::string name,
-                           Instant now) {
+void PlaybackSession::open(playback::KeyframeList keyframes, std::string name, Instant now) {
   const Milliseconds untimed = options_.playback.speed.value_or(protocol::kDefaultKeyframeTime);
   open(std::make_unique<playback::SeekablePlayback>(std::move(keyframes), untimed), std::move(name),
        now);

@@ -32,7 +32,7 @@ class PlaybackSession {
   /// Plays this stream from now on; null: plays nothing. `name`: the name of a stream that is
   /// available whole; ignored for a server's stream.
   void open(std::unique_ptr<playback::Playback> playback, std::string name, Instant now);
-  void open(std::vector<playback::Keyframe> keyframes, std::string name, Instant now);
+  void open(playback::KeyframeList keyframes, std::string name, Instant now);
   /// Plays the stream of the user's own camera, with the lowest delay and without voice. Its
   /// address is not remembered.
   void watch_own(const net::Endpoint& endpoint, std::string token, Instant now);

@@ -2,10 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
-#include "client/playback/keyframe_source.h"
+#include "client/playback/keyframe_list.h"
 
 namespace aucast::app {
 
@@ -14,13 +12,13 @@ struct Played {
   /// How many keyframes of a stream that may never end are kept: an hour at 25 a second.
   static constexpr std::size_t kKept = 90'000;
 
-  std::vector<playback::Keyframe> keyframes;
+  playback::KeyframeList keyframes;
   std::uint64_t begun = 0;  ///< how many keyframes have begun, kept or not
 
   /// Adds a keyframe of a stream that may never end.
-  void add(playback::Keyframe keyframe) {
+  void add(const playback::Keyframe& keyframe) {
     ++begun;
-    if (keyframes.size() < kKept) keyframes.push_back(std::move(keyframe));
+    if (keyframes.size() < kKept) keyframes.push_back(keyframe);
   }
 };
 
