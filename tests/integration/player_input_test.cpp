@@ -57,6 +57,20 @@ TEST(PlayerInput, StreamFiles) {
   EXPECT_EQ(run.stats["end_reason"], "failed");
 }
 
+TEST(PlayerInput, WhatTheFaceCannotShowIsSaidOnceInARun) {
+  const TempFolder folder;
+  const auto stream =
+      folder.write("s.txt", "Beg_Stream\n12,40;40\n40:50,84;40\n84;40\n40;40\nEnd_Stream\n");
+  for (const char* how : {"--headless", "--fast"}) {
+    const PlayerRun run = run_player({"play", stream.string(), how});
+    expect_failure(run, 0,
+                   {"the face 'default' cannot show AU 40 Sniff\n",
+                    "the face 'default' cannot show AU 84 Head Shake Back and Forth\n"});
+    EXPECT_EQ(std::count(run.finished.err.begin(), run.finished.err.end(), '\n'), 2)
+        << run.finished.err;
+  }
+}
+
 TEST(PlayerInput, AnExportIsWholeAndTheSameEachTime) {
   const TempFolder folder;
   const auto stream = folder.write("s.txt", "Beg_Stream\n12:80;500\n1,2;500\nEnd_Stream\n");

@@ -7,6 +7,7 @@
 
 #include "client/app/live_text.h"
 #include "client/app/loss_warnings.h"
+#include "client/app/missing_aus.h"
 #include "client/app/playback_meter.h"
 #include "client/app/steady.h"
 #include "client/pipeline/player.h"
@@ -50,6 +51,7 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
   PlaybackMeter meter(stats);
   playback::PlaybackState state = playback.state();
   LossWarnings losses;
+  MissingAus missing;
   while (!playback.over() || sound.rings_on()) {
     const Instant now = sound.now(steady_now());
     if (stop()) {
@@ -58,6 +60,8 @@ void run_clocked(const Assets& assets, const PlayerOptions& options, playback::P
     }
     const auto begun = [&](const playback::KeyframeBegun& one) {
       meter.keyframe_begun(playback, one, now);
+      const std::string warning = missing.look_at(mapping, one.target.aus);
+      if (!warning.empty()) spdlog::warn("{}", warning);
     };
     player.advance(now, std::ref(begun));
     if (meter.count(playback, now)) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "client/app/assets.h"
+#include "client/app/missing_aus.h"
 #include "client/app/video/obj_writer.h"
 #include "client/app/video/picture_maker.h"
 #include "client/app/video/picture_notes.h"
@@ -121,8 +122,8 @@ Result<void> run_pose(const PlayerOptions& options) {
   }
   auto aus = requested_aus(options.pose, expression);
   if (!aus) return aus.error();
-  if (const std::string missing = face::not_shown((*assets)->face, *aus); !missing.empty()) {
-    spdlog::warn("the face '{}' cannot show AU {}", (*assets)->face.name, missing);
+  if (const std::string missing = missing_text((*assets)->face, *aus); !missing.empty()) {
+    spdlog::warn("{}", missing);
   }
   std::vector<float> activations((*assets)->face.channels.size());
   const AuFrame blended = face::blend((*assets)->rules, *aus);

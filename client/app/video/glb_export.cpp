@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "client/face/muscle_mixer.h"
+#include "client/app/missing_aus.h"
 #include "client/glb/drift.h"
 #include "client/glb/face_glb.h"
 #include "client/glb/motion.h"
@@ -35,8 +35,8 @@ glb::Sampling sampling_of(const PlayerOptions& options) {
 void warn_of_missing(const face::Face& face, const playback::KeyframeList& keyframes) {
   AuFrame all;
   for (const playback::Keyframe& keyframe : keyframes) all = stronger(all, keyframe.aus);
-  if (const std::string missing = face::not_shown(face, all); !missing.empty()) {
-    spdlog::warn("the face '{}' cannot show AU {}", face.name, missing);
+  if (const std::string missing = missing_text(face, all); !missing.empty()) {
+    spdlog::warn("{}", missing);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "client/app/loss_warnings.h"
+#include "client/app/missing_aus.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
 #include "client/app/video/picture_maker.h"
@@ -107,6 +108,8 @@ class VideoRun {
   /// time for before the user stops.
   Result<void> keyframe(const playback::KeyframeBegun& begun, std::int64_t begin_ms) {
     const std::int64_t takes_ms = begun.time.count();
+    const std::string missing = missing_.look_at(mapping_, begun.target.aus);
+    if (!missing.empty()) warn(missing);
     sound_.keyframe(begun, begin_ms + takes_ms);
     if (sinks_.frames) {
       if (auto drawn = frames(begin_ms, takes_ms); !drawn) return drawn;
@@ -215,6 +218,7 @@ class VideoRun {
   ProgressLine progress_;
   pipeline::IdleFace idle_;
   VideoRunSound sound_;
+  MissingAus missing_;
   bool holds_ = false;  ///< the last keyframe has been reached
   std::unique_ptr<PictureMaker> maker_;
   Sinks sinks_;

@@ -126,6 +126,8 @@ void PlaybackSession::play_beside(const std::filesystem::path& file, Instant now
 
 void PlaybackSession::begun(const playback::KeyframeBegun& keyframe, Instant at) {
   meter_.keyframe_begun(stream_->playback(), keyframe, at);
+  const std::string missing = missing_.look_at(mapping_, keyframe.target.aus);
+  if (!missing.empty()) spdlog::warn("{}", missing);
   explain();
   stream_->begun(keyframe);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/app/missing_aus.h"
 #include "client/app/notices.h"
 #include "client/app/playback_meter.h"
 #include "client/app/player_options.h"
@@ -112,6 +113,7 @@ class PlaybackSession {
 
   sound::HeardPlayer player_;
   PlaybackMeter meter_;
+  MissingAus missing_;
   std::unique_ptr<PlayingStream> stream_;  ///< null: nothing has been opened
   SoundSession sound_;
   std::unique_ptr<PlayingStream> retired_;  ///< the previous stream, which is still saying goodbye

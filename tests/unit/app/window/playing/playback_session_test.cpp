@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/kept_log.h"
 #include "tests/support/manual_clock.h"
 #include "tests/unit/playback/marked.h"
 #include "tests/unit/playback/scripted_source.h"
@@ -129,6 +130,15 @@ TEST_F(PlaybackSessionTest, LiveIsObjectedToForAServersStreamOnly) {
   open_remote().keyframes.push_back(marked(1, Milliseconds(100)));
   go_on(Milliseconds(10));
   EXPECT_EQ(notices_.view().text, window_text(LiveObjection::IsClassic));
+}
+
+TEST_F(PlaybackSessionTest, WhatTheFaceCannotShowIsLoggedOnce) {
+  const test::KeptLog log;
+  for (int turn = 0; turn < 2; ++turn) {
+    open_local();
+    for (int i = 0; i < 20; ++i) go_on(Milliseconds(20));
+  }
+  EXPECT_EQ(log.said(), "the face '' cannot show AU 1 Inner Brow Raiser\n");
 }
 
 TEST_F(PlaybackSessionTest, FinishHandsOutWhatPlayedStopped) {
