@@ -278,7 +278,13 @@ std::string FaceFile::finish(const About& about) {
   Json& document = file_.document();
   document["asset"]["generator"] = "face-player";
   if (!about.licence.empty()) document["asset"]["copyright"] = about.licence;
-  if (unlit_) document["extensionsUsed"] = {kUnlit};
+  Json extensions = Json::array();
+  if (unlit_) extensions.push_back(kUnlit);
+  if (!names_.empty()) {
+    extensions.push_back(kQuantization);
+    document["extensionsRequired"] = {kQuantization};
+  }
+  if (!extensions.empty()) document["extensionsUsed"] = std::move(extensions);
   document["scene"] = 0;
   document["scenes"] = {{{"name", face_.name},
                          {"nodes", std::move(scene_nodes_)},

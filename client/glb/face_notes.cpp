@@ -62,7 +62,7 @@ Json joint_channels(const face::Face& face, const FaceRig& rig) {
     Json moved = Json::object();
     for (std::size_t k = 0; k < poses.size(); ++k) {
       const JointPose& pose = poses[k];
-      if (pose.turn == JointPose{}.turn && pose.shift == JointPose{}.shift) continue;
+      if (!pose.moved()) continue;
       const glm::vec3 shift = kMetresPerUnit * pose.shift;
       moved[rig.joints()[k].name] = {
           {"rotation",

@@ -28,6 +28,10 @@ struct Joint {
 struct JointPose {
   glm::quat turn = glm::identity<glm::quat>();
   glm::vec3 shift{0};  ///< mesh units
+
+  [[nodiscard]] bool moved() const {
+    return turn != glm::identity<glm::quat>() || shift != glm::vec3(0);
+  }
 };
 
 /// Which joints carry a vertex, and the share of each. Shares sum to 1.

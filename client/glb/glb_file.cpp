@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include <glm/common.hpp>
 
@@ -16,7 +17,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
 // Numbers of the specification.
+constexpr int kByte = 5120;
 constexpr int kUnsignedByte = 5121;
+constexpr int kShort = 5122;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
 constexpr int kFloat = 5126;
@@ -32,6 +35,17 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::size_t kShortVerticesMax = 65'535;
 
 constexpr float kShortMax = 65'535;
+
+/// The whole number that stands for `value`, a share of the largest one; a float stands for itself.
+template <typename T>
+T stored(float value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return value;
+  } else {
+    return static_cast<T>(
+        std::lround(std::numeric_limits<T>::max() * std::clamp(value, -1.0F, 1.0F)));
+  }
+}
 
 template <typename T>
 std::string_view bytes_of(std::span<const T> values) {
@@ -56,6 +70,15 @@ void set_range(Json& accessor, const glm::vec3& low, const glm::vec3& high) {
 
 Json vector_of(const glm::vec3& v) {
   return {v.x, v.y, v.z};
+}
+
+glm::vec3 stored_place_change(const glm::vec3& metres) {
+  glm::vec3 change = metres;
+  for (glm::length_t i = 0; i < change.length(); ++i) {
+    change[i] = static_cast<float>(stored<std::int16_t>(metres[i])) /
+                std::numeric_limits<std::int16_t>::max();
+  }
+  return change;
 }
 
 GlbFile::GlbFile() {
@@ -159,45 +182,65 @@ int GlbFile::matrices(std::span<const std::array<float, 16>> matrices) {
 }
 
 /// Without a view the accessor is all zeros, which is what most targets change of most meshes.
-int GlbFile::changes(std::span<const Change> changes, std::size_t vertex_count, int width,
-                     bool ranged) {
-  Json accessor{
-      {"componentType", kFloat}, {"count", vertex_count}, {"type", width == 4 ? "VEC4" : "VEC3"}};
-  glm::vec3 low(changes.size() < vertex_count ? 0.0F : std::numeric_limits<float>::max());
-  glm::vec3 high(-low);
+template <typename T>
+int GlbFile::changes(std::span<const Change> changes, std::size_t vertex_count, int component,
+                     int width) {
+  Json accessor{{"componentType", component},
+                {"count", vertex_count},
+                {"type", width == 4 ? "VEC4" : "VEC3"}};
+  if (std::is_integral_v<T>) accessor["normalized"] = true;
   const bool wide = vertex_count > kShortVerticesMax;
   if (!changes.empty()) {
-    const std::size_t step = wide ? sizeof(std::uint32_t) : sizeof(std::uint16_t);
-    change_vertices_.resize((change_vertices_.size() + step - 1) / step * step);
-    accessor["sparse"] = {{"count", changes.size()},
-                          {"indices",
-                           {{"bufferView", -1},
-                            {"byteOffset", change_vertices_.size()},
-                            {"componentType", wide ? kUnsignedInt : kUnsignedShort}}},
-                          {"values", {{"bufferView", -1}, {"byteOffset", change_values_.size()}}}};
+    const auto aligned = [](std::string& bytes, std::size_t step) {
+      bytes.resize((bytes.size() + step - 1) / step * step);
+      return bytes.size();
+    };
+    const std::size_t vertices =
+        aligned(change_vertices_, wide ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
+    accessor["sparse"] = {
+        {"count", changes.size()},
+        {"indices",
+         {{"bufferView", -1},
+          {"byteOffset", vertices},
+          {"componentType", wide ? kUnsignedInt : kUnsignedShort}}},
+        {"values", {{"bufferView", -1}, {"byteOffset", aligned(change_values_, sizeof(T))}}}};
   }
   for (const Change& change : changes) {
     wide ? append(change_vertices_, change.vertex)
          : append(change_vertices_, static_cast<std::uint16_t>(change.vertex));
-    for (glm::length_t i = 0; i < width; ++i) append(change_values_, change.by[i]);
-    low = glm::min(low, glm::vec3(change.by));
-    high = glm::max(high, glm::vec3(change.by));
+    for (glm::length_t i = 0; i < width; ++i) append(change_values_, stored<T>(change.by[i]));
   }
-  if (ranged) set_range(accessor, low, high);
   accessors_.push_back(std::move(accessor));
   return static_cast<int>(accessors_.size()) - 1;
 }
 
 int GlbFile::place_changes(std::span<const Change> changes, std::size_t vertex_count) {
-  return this->changes(changes, vertex_count, 3, true);
+  const int index = this->changes<std::int16_t>(changes, vertex_count, kShort, 3);
+  // Of the numbers as they are stored, and of the zeros between them.
+  Json low = Json::array();
+  Json high = Json::array();
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const bool zeros = changes.size() < vertex_count;
+    std::int16_t least = zeros ? 0 : std::numeric_limits<std::int16_t>::max();
+    std::int16_t most = zeros ? 0 : std::numeric_limits<std::int16_t>::min();
+    for (const Change& change : changes) {
+      least = std::min(least, stored<std::int16_t>(change.by[i]));
+      most = std::max(most, stored<std::int16_t>(change.by[i]));
+    }
+    low.push_back(least);
+    high.push_back(most);
+  }
+  accessors_.back()["min"] = std::move(low);
+  accessors_.back()["max"] = std::move(high);
+  return index;
 }
 
 int GlbFile::normal_changes(std::span<const Change> changes, std::size_t vertex_count) {
-  return this->changes(changes, vertex_count, 3, false);
+  return this->changes<std::int8_t>(changes, vertex_count, kByte, 3);
 }
 
 int GlbFile::colour_changes(std::span<const Change> changes, std::size_t vertex_count) {
-  return this->changes(changes, vertex_count, 4, false);
+  return this->changes<float>(changes, vertex_count, kFloat, 4);
 }
 
 int GlbFile::samples(std::span<const float> seconds) {

@@ -26,6 +26,12 @@ struct Change {
   glm::vec4 by{0};  ///< xyz of a place or a normal; rgba of a colour
 };
 
+/// What the extension is called in which small numbers stand for what morph targets change.
+inline constexpr const char* kQuantization = "KHR_mesh_quantization";
+
+/// A change of a place as the file has it: in steps of a 32767th of a metre, 0.03 mm.
+[[nodiscard]] glm::vec3 stored_place_change(const glm::vec3& metres);
+
 /// A binary glTF 2.0 file that is being made: the JSON document, and the numbers that it refers to.
 /// Each function that stores numbers returns the index of their accessor.
 class GlbFile {
@@ -49,7 +55,8 @@ class GlbFile {
   [[nodiscard]] int matrices(std::span<const std::array<float, 16>> matrices);
 
   /// What a morph target changes: the vertices in `changes` (ascending) out of `vertex_count`; all
-  /// others stay.
+  /// others stay. Places change by one metre at most, in 16 bits, and normals in 8, for which the
+  /// document has to name kQuantization.
   [[nodiscard]] int place_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int normal_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int colour_changes(std::span<const Change> changes, std::size_t vertex_count);
@@ -71,7 +78,8 @@ class GlbFile {
   int accessor(int view, int component, std::string_view type, std::size_t count);
   template <typename T>
   int vertices(std::span<const T> values, int component, std::string_view type);
-  int changes(std::span<const Change> changes, std::size_t vertex_count, int width, bool ranged);
+  template <typename T>
+  int changes(std::span<const Change> changes, std::size_t vertex_count, int component, int width);
   void append_changes();
 
   Json document_;

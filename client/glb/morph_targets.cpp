@@ -9,12 +9,13 @@
 
 #include "client/face/face_deformer.h"
 #include "client/face/muscle_mixer.h"
+#include "client/glb/units.h"
 
 namespace aucast::glb {
 namespace {
 
-constexpr float kLeastWay = 0.0059F;  ///< mesh units: 0.083 mm
-constexpr float kLeastTurn = 0.055F;  ///< of a normal: 3.2 degrees, which no light shows
+constexpr float kLeastWay = 0.0036F;  ///< mesh units: 0.05 mm
+constexpr float kLeastTurn = 0.035F;  ///< of a normal: two degrees, which no light shows
 constexpr float kLeastArc = 0.015F;   ///< mesh units: what a target of its own is worth, 0.2 mm
 
 std::vector<Target> of_channels(const face::Face& face, const FaceRig& rig) {
@@ -73,6 +74,18 @@ std::vector<Change> differences(const std::vector<glm::vec3>& now,
   return changes;
 }
 
+/// The same for places, in the steps that the file has.
+std::vector<Change> place_differences(const std::vector<glm::vec3>& now,
+                                      const std::vector<glm::vec3>& rest,
+                                      const std::vector<bool>& which) {
+  std::vector<Change> changes = differences(now, rest, which, kLeastWay);
+  for (Change& change : changes) {
+    const glm::vec3 stored = stored_place_change(kMetresPerUnit * glm::vec3(change.by));
+    change.by = glm::vec4(stored / kMetresPerUnit, 0);
+  }
+  return changes;
+}
+
 /// Turns poses into targets.
 class Sculptor {
  public:
@@ -90,7 +103,7 @@ class Sculptor {
   /// Fills in what the target's pose changes. Returns false if that is nothing.
   bool sculpt(Target& target) {
     target.creases = deformer_.deform(target.pose).creases;
-    target.places = differences(places(target.pose), rest_.positions, which_, kLeastWay);
+    target.places = place_differences(places(target.pose), rest_.positions, which_);
     target.normals = differences(normals_, rest_.normals, which_, kLeastTurn);
     return !target.places.empty() || std::any_of(target.creases.begin(), target.creases.end(),
                                                  [](float depth) { return depth > 0; });
@@ -107,7 +120,7 @@ class Sculptor {
       straight[change.vertex] += 0.5F * glm::vec3(change.by);
     const std::vector<glm::vec3> half = places(arc.pose);
     if (differences(half, straight, which_, kLeastArc).empty()) return std::nullopt;
-    arc.places = differences(half, straight, which_, kLeastWay);
+    arc.places = place_differences(half, straight, which_);
     arc.normals.clear();
     std::fill(arc.creases.begin(), arc.creases.end(), 0.0F);
     return arc;
@@ -116,9 +129,11 @@ class Sculptor {
  private:
   /// Where the pose puts the vertices, without what joints do. Keeps the normals of the pose.
   std::vector<glm::vec3> places(std::vector<float> pose) {
-    const std::vector<glm::mat4> carriers = rig_.carriers(rig_.pose(pose));
-    const bool carried = std::any_of(carriers.begin(), carriers.end(),
-                                     [](const glm::mat4& one) { return one != glm::mat4(1); });
+    const std::vector<JointPose> joints = rig_.pose(pose);
+    // Not asked of the carriers, which at rest are identities but for their last digits.
+    const bool carried = std::any_of(joints.begin(), joints.end(),
+                                     [](const JointPose& joint) { return joint.moved(); });
+    const std::vector<glm::mat4> carriers = rig_.carriers(joints);
     for (std::size_t i = 0; i < pose.size(); ++i) pose[i] = std::max(pose[i], drawn_[i]);
     const face::DeformedFace& deformed = deformer_.deform(pose);
     std::vector<glm::vec3> places = deformed.positions;

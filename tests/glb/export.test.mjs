@@ -10,6 +10,12 @@ const root = path.resolve(import.meta.dirname, '../..');
 const player = path.join(process.env.AUCAST_BIN ?? path.join(root, 'build/release/bin'), 'face-player');
 const talk = path.join(root, 'data/streams/talk.txt');
 const MB = 1e6;
+const JSON_BEGINS = 20;  // after the header of the file and that of the chunk, whose length is at 12
+
+function documentOf(bytes) {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  return JSON.parse(new TextDecoder().decode(bytes.subarray(JSON_BEGINS, JSON_BEGINS + length)));
+}
 
 const cases = [
   { name: 'a face and its animation', options: [talk] },
@@ -32,6 +38,12 @@ for (const { name, options, size } of cases) {
       assert.equal(numWarnings, 0, said);
       assert.equal(report.info.version, '2.0');
       if (size) assert.ok(bytes.length <= size, `${bytes.length} bytes`);
+      const { meshes, accessors } = documentOf(bytes);
+      for (const lit of ['skin', 'mouth']) {
+        const { targets } = meshes.find(mesh => mesh.name === lit).primitives[0];
+        const turned = targets.filter(({ NORMAL }) => accessors[NORMAL].sparse);
+        assert.ok(turned.length > targets.length / 4, `${lit}: light follows ${turned.length} targets`);
+      }
     } finally {
       rmSync(folder, { recursive: true });
     }

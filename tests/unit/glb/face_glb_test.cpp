@@ -92,6 +92,7 @@ TEST_P(FaceGlb, TheAnimationMovesWeightsAndTheJointsThatMove) {
 TEST_P(FaceGlb, SaysWhatItIs) {
   const Json document = document_of(*face_glb(face_, targets_, rig_, nullptr, about()));
   EXPECT_EQ(document["asset"]["copyright"], "a licence");
+  EXPECT_EQ(document["extensionsRequired"], Json{"KHR_mesh_quantization"});
   const Json& notes = document["scenes"][0]["extras"]["aucast"];
   EXPECT_EQ(notes["sound"]["file"], "talk.wav");
   ASSERT_TRUE(notes["arkit52"].contains("mouthSmileLeft"));

@@ -54,21 +54,36 @@ TEST(GlbFile, APlacesRangeIsThatOfItsNumbers) {
 
 TEST(GlbFile, ChangesAreSparseAndTheirRangeHasTheZerosBetween) {
   GlbFile file;
-  EXPECT_EQ(file.place_changes(std::vector<Change>{{2, {1, 2, 3, 0}}, {7, {2, 1, 4, 0}}}, 9), 0);
+  EXPECT_EQ(
+      file.place_changes(std::vector<Change>{{2, {1, -0.5F, 0.25F, 0}}, {7, {2, 0, 0, 0}}}, 9), 0);
   EXPECT_EQ(file.normal_changes(std::vector<Change>{{8, {0, 1, 0, 0}}}, 9), 1);
   const Parts parts = taken_apart(file.bytes());
   const Json& first = parts.document["accessors"][0];
   EXPECT_FALSE(first.contains("bufferView"));
   EXPECT_EQ(first["count"], 9);
   EXPECT_EQ(first["sparse"]["count"], 2);
-  EXPECT_EQ(first["min"], (Json{0.0, 0.0, 0.0}));
-  EXPECT_EQ(first["max"], (Json{2.0, 2.0, 4.0}));
+  EXPECT_EQ(first["componentType"], 5122);
+  EXPECT_TRUE(first["normalized"]);
+  EXPECT_EQ(first["min"], (Json{0, -16384, 0})) << "in steps of the file";
+  EXPECT_EQ(first["max"], (Json{32767, 0, 8192}));
   const Json& second = parts.document["accessors"][1];
   EXPECT_EQ(second["sparse"]["indices"]["byteOffset"], 4);
-  EXPECT_EQ(second["sparse"]["values"]["byteOffset"], 24);
+  EXPECT_EQ(second["sparse"]["values"]["byteOffset"], 12);
   const std::size_t view = second["sparse"]["indices"]["bufferView"];
   const std::size_t begin = parts.document["bufferViews"][view]["byteOffset"];
   EXPECT_EQ(parts.binary[begin + 4], 8);
+  EXPECT_EQ(second["componentType"], 5120);
+  const std::size_t values = second["sparse"]["values"]["bufferView"];
+  const std::size_t at =
+      parts.document["bufferViews"][values]["byteOffset"].get<std::size_t>() + 12;
+  EXPECT_EQ(parts.binary.substr(at, 3), std::string("\0\x7f\0", 3));
+}
+
+TEST(GlbFile, APlacesChangeIsRoundedAsItIsStored) {
+  const glm::vec3 stored = stored_place_change({0.1F, -0.00001F, 0});
+  EXPECT_FLOAT_EQ(stored.x, 3277.0F / 32767);
+  EXPECT_EQ(stored.y, 0);
+  EXPECT_EQ(stored_place_change(stored), stored);
 }
 
 TEST(GlbFile, NoChangesAreAnAccessorOfZerosWithoutBytes) {
@@ -76,7 +91,7 @@ TEST(GlbFile, NoChangesAreAnAccessorOfZerosWithoutBytes) {
   EXPECT_EQ(file.place_changes({}, 5), 0);
   const Parts parts = taken_apart(file.bytes());
   EXPECT_FALSE(parts.document["accessors"][0].contains("sparse")) << "a count of 0 is not allowed";
-  EXPECT_EQ(parts.document["accessors"][0]["max"], (Json{0.0, 0.0, 0.0}));
+  EXPECT_EQ(parts.document["accessors"][0]["max"], (Json{0, 0, 0}));
 }
 
 TEST(GlbFile, IndicesOfManyVerticesAreWide) {
