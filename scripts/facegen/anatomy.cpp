@@ -19,6 +19,11 @@ Vec3 eye_centre(const Form& form) {
   return {form.eye_apart, 2.72, 6.14};
 }
 
+NeckRope neck_rope(const Form& form) {
+  const double wide = form.neck_width;
+  return {{2.75 * wide, -0.6, 0.4}, {0.95 * wide, -10.8, 3.3 * wide - 1.85}};
+}
+
 double upper_lid(const Identity& who, double dx) {
   const double t = along_eye(dx);
   // The lid covers the top of the iris; with a higher arch the eye stares. It rises more over the
@@ -45,8 +50,8 @@ double lip_contact(const Identity& who, double x) {
 double upper_lip_border(const Identity& who, double x) {
   const double t = saturate(x / kMouthCorner);
   const double height = who.form.upper_lip * power(1 - t, 0.75) * (1 + 0.15 * t);
-  const double cupids_bow =
-      who.form.cupids_bow * (-0.085 * bell(x, 0.20) + 0.07 * bell(x - 0.36, 0.24) * (1 - t));
+  const double cupids_bow = who.form.cupids_bow * (-0.085 * bell(x, 0.20) +
+                                                   0.07 * bell(x - kPhiltrumRidge, 0.24) * (1 - t));
   return lip_contact(who, x) + height + cupids_bow;
 }
 

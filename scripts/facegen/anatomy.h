@@ -28,6 +28,25 @@ inline constexpr double kOuterCanthus = 1.26;
 /// Likewise, the height of the fold of the upper lid.
 [[nodiscard]] double lid_fold(const Identity& who, double dx);
 
+/// The hollow that brow, temple and nose bound, and the middle of the block of loops in it. They
+/// are the same for everybody and do not follow `Form::eye_apart`, for their bounds do not either;
+/// an eyeball lies in it a little nearer to the nose or to the temple.
+inline constexpr Vec3 kOrbit{2.25, 2.92, 8.15};
+inline constexpr glm::dvec2 kEyeBlockMiddle{kOrbit.x, 2.75};
+
+/// What the jaw turns about. face.toml must have the same one, for the player.
+inline constexpr Vec3 kJawHinge{0, 0.9, 1.5};
+
+/// Where the muscle that draws a smile is fixed to the cheekbone; muscles.toml has the same one.
+inline constexpr Vec3 kSmileAttachment{3.805, 0.868, 6.6};
+
+/// The rope of the neck, a muscle: from behind the ear to the pit of the throat.
+struct NeckRope {
+  Vec3 behind_ear{0};
+  Vec3 pit{0};
+};
+[[nodiscard]] NeckRope neck_rope(const Form& form);
+
 /// x of the corner of the mouth.
 inline constexpr double kMouthCorner = 1.70;
 
@@ -35,6 +54,11 @@ inline constexpr double kMouthCorner = 1.70;
 [[nodiscard]] double lip_contact(const Identity& who, double x);
 [[nodiscard]] double upper_lip_border(const Identity& who, double x);
 [[nodiscard]] double lower_lip_border(const Identity& who, double x);
+
+/// The groove from nose to lip: heights of its ends, and x of the ridge beside it.
+inline constexpr double kPhiltrumTop = -0.75;
+inline constexpr double kPhiltrumFoot = -2.0;
+inline constexpr double kPhiltrumRidge = 0.36;
 
 /// The furrow from the wing of the nose past the corner of the mouth: points of x, y and depth, 1
 /// at its deepest. `Form::furrow` engraves it, as years do; smiles deepen it.

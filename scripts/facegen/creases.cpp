@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <string>
 
 #include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/palette.h"
+#include "scripts/facegen/polyline.h"
 #include "scripts/facegen/sculpt.h"
 
 namespace aucast::facegen {
 namespace {
 
-/// A line in the front plane by points from one end to the other, at most six; the bulge lies to
-/// its left.
+/// A line in the front plane by points from one end to the other; the bulge lies to its left.
 struct Line {
   std::vector<glm::dvec2> points;
   double half_width = 0.2;
@@ -200,31 +199,20 @@ int pieces_of(const Line& line) {
   constexpr double kPiece = 0.30;
   constexpr double kPiecesMin = 6;
   constexpr double kPiecesMax = 14;
-  double length = 0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    length += glm::distance(line.points[i - 1], line.points[i]);
-  }
+  const double length = Polyline(line.points).length();
   return static_cast<int>(std::clamp(std::ceil(length / kPiece), kPiecesMin, kPiecesMax));
-}
-
-glm::dvec2 along_line(const Line& line, double t) {
-  std::array<Key<glm::dvec2>, 6> keys;
-  const std::size_t count = line.points.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    keys[i] = {static_cast<double>(i) / static_cast<double>(count - 1), line.points[i]};
-  }
-  return sample<glm::dvec2>(std::span(keys).first(count), t);
 }
 
 void add_line(Part& part, const Line& drawn, const Hand& hand, const Draper& draper, int side) {
   const int pieces = pieces_of(drawn);
   const Line line = hand.drawn(drawn);
+  const Polyline path(line.points);
   std::vector<std::uint32_t> before;
   for (int i = 0; i <= pieces; ++i) {
     const double t = static_cast<double>(i) / pieces;
-    const glm::dvec2 middle = along_line(line, t);
-    const glm::dvec2 way = glm::normalize(along_line(line, std::min(1.0, t + 0.02)) -
-                                          along_line(line, std::max(0.0, t - 0.02)));
+    const glm::dvec2 middle = path.along(t);
+    const glm::dvec2 way =
+        glm::normalize(path.along(std::min(1.0, t + 0.02)) - path.along(std::max(0.0, t - 0.02)));
     const glm::dvec2 to_bulge{-way.y, way.x};
     const double ends = smooth_step(0, line.begin_taper, t) * smooth_step(1, 1 - line.end_taper, t);
     const double depth = line.depth * ends * hand.along(t);

@@ -1,6 +1,7 @@
 #include <span>
 
 #include "scripts/facegen/layout_builder.h"
+#include "scripts/facegen/polyline.h"
 #include "scripts/facegen/sculpt.h"
 
 namespace aucast::facegen {
@@ -85,14 +86,15 @@ double relief(double back, double up) {
   const glm::dvec2 at{back, up};
   const double shell =
       glm::length(glm::dvec2{(back - 0.12) / 0.62, (up + 0.22) / (up > -0.22 ? 0.92 : 0.76)});
-  const double ridge = std::max({near_line(kAntihelix, at, 0.24), near_line(kUpperLeg, at, 0.19),
-                                 near_line(kLowerLeg, at, 0.15)});
+  const double ridge =
+      std::max({Polyline(kAntihelix).strength(at, 0.24), Polyline(kUpperLeg).strength(at, 0.19),
+                Polyline(kLowerLeg).strength(at, 0.15)});
   const double lobe = bell(Vec3{(back - 0.2) / 0.7, (up + 1.55) / 0.42, 0});
   const double fork = bell(Vec3{(back - 0.05) / 0.28, (up - 1.14) / 0.26, 0});
   // The furrow behind the inner ridge is shallow below: narrow and deep, its quads would show.
   const double floor = bell(Vec3{(back - 0.98) / 0.26, (up + 0.25) / 0.7, 0});
-  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * near_line(kHelix, at, 0.19) +
-         0.43 * ridge - 0.14 * fork + 0.34 * near_line(kTragus, at, 0.16) + 0.24 * lobe +
+  return 0.06 - 0.60 * smooth_step(1.02, 0.24, shell) + 0.46 * Polyline(kHelix).strength(at, 0.19) +
+         0.43 * ridge - 0.14 * fork + 0.34 * Polyline(kTragus).strength(at, 0.16) + 0.24 * lobe +
          0.13 * floor;
 }
 

@@ -2,6 +2,7 @@
 #include "scripts/facegen/distance.h"
 #include "scripts/facegen/hair.h"
 #include "scripts/facegen/hair_parts.h"
+#include "scripts/facegen/polyline.h"
 #include "scripts/facegen/scalp.h"
 #include "scripts/facegen/sculpt.h"
 
@@ -25,14 +26,11 @@ class Sheet {
 
   [[nodiscard]] Vec3 place(double s, double t) const {
     const std::size_t last = cut_.guides.size() - 1;
-    std::vector<Key<Vec3>> keys;
-    for (std::size_t i = 0; i <= last; ++i) {
-      keys.push_back({static_cast<double>(i) / static_cast<double>(last), guide(i, t)});
-    }
-    Vec3 p = sample<Vec3>(keys, saturate(s));
-    if (s < 0) p += (keys[0].value - keys[1].value) * (-s * static_cast<double>(last));
-    if (s > 1)
-      p += (keys[last].value - keys[last - 1].value) * ((s - 1) * static_cast<double>(last));
+    std::vector<Vec3> row;
+    for (std::size_t i = 0; i <= last; ++i) row.push_back(guide(i, t));
+    Vec3 p = Polyline(row).along(saturate(s));
+    if (s < 0) p += (row[0] - row[1]) * (-s * static_cast<double>(last));
+    if (s > 1) p += (row[last] - row[last - 1]) * ((s - 1) * static_cast<double>(last));
     // Where it lies on the head its height is given, not its place: no guide shows as a bump.
     const double lies = smooth_step(0.50, 0.20, t);
     if (lies > 0) {
@@ -95,14 +93,9 @@ class Sheet {
   }
 
   [[nodiscard]] Vec3 guide(std::size_t i, double t) const {
-    const std::span<const Vec3> points = cut_.guides[i];
-    std::vector<Key<Vec3>> keys;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      keys.push_back({static_cast<double>(k) / static_cast<double>(points.size() - 1), points[k]});
-    }
     // The front edge is on the skin as far as it is the hairline.
     const bool front = i == 0 || i + 1 == cut_.guides.size();
-    const Vec3 p = sample<Vec3>(keys, t);
+    const Vec3 p = Polyline(cut_.guides[i]).along(t);
     const double rooted = front ? 1 - hangs(t) : 0;
     return rooted > 0 ? mix(p, on_skin(who_, p), rooted) : p;
   }

@@ -1,6 +1,7 @@
 #include "scripts/facegen/distance.h"
 #include "scripts/facegen/hair.h"
 #include "scripts/facegen/hair_parts.h"
+#include "scripts/facegen/polyline.h"
 #include "scripts/facegen/scalp.h"
 #include "scripts/facegen/sculpt.h"
 
@@ -145,16 +146,9 @@ class Top {
 
  private:
   [[nodiscard]] Vec3 guide(double u, double v) const {
-    const std::size_t last = cut_.combed.size() - 1;
-    std::vector<Key<Vec3>> keys;
-    for (std::size_t i = 0; i <= last; ++i) {
-      std::vector<Key<Vec3>> along;
-      for (std::size_t k = 0; k < 5; ++k) {
-        along.push_back({static_cast<double>(k) / 4, cut_.combed[i][k]});
-      }
-      keys.push_back({static_cast<double>(i) / static_cast<double>(last), sample<Vec3>(along, v)});
-    }
-    return sample<Vec3>(keys, u);
+    std::vector<Vec3> row;
+    for (const auto& line : cut_.combed) row.push_back(Polyline(line).along(v));
+    return Polyline(row).along(u);
   }
 
   [[nodiscard]] double length(double u) const {

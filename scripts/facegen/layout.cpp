@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/layout_builder.h"
 #include "scripts/facegen/sculpt.h"
 
@@ -137,20 +138,22 @@ void pin_eye_border(const Identity& who, Pins& pins) {
     const double angle = radians(135 - static_cast<double>(i) * 360 / kEyeSpokes);
     const double across = rounded(std::cos(angle));
     const double up = rounded(std::sin(angle));
-    pins[{border[i].row, border[i].column}] = on_face(
-        who, 2.25 + (across > 0 ? 1.62 : 1.42) * across, 2.75 + (up > 0 ? 1.72 : 1.42) * up);
+    pins[{border[i].row, border[i].column}] =
+        on_face(who, kEyeBlockMiddle.x + (across > 0 ? 1.62 : 1.42) * across,
+                kEyeBlockMiddle.y + (up > 0 ? 1.72 : 1.42) * up);
   }
 }
 
 /// The nose, where loops must lie on the groove round its wing: (x, y) for every second row 16-24
 /// and column 0-8.
+constexpr double kNose[5][5][2] = {
+    {{0, 1.35}, {.32, 1.35}, {.80, 1.35}, {1.45, 1.15}, {2.2, 1.05}},
+    {{0, .75}, {.36, .75}, {.80, .72}, {1.25, .55}, {1.95, .35}},
+    {{0, .10}, {.36, .12}, {.73, .29}, {1.07, .17}, {1.75, -.20}},
+    {{0, -.42}, {.32, -.42}, {.84, -.26}, {1.16, -.27}, {1.80, -.65}},
+    {{0, -.84}, {.27, -.83}, {.67, -.74}, {1.03, -.68}, {2.12, -1.15}}};
+
 void pin_nose(const Identity& who, Pins& pins) {
-  static constexpr double kNose[5][5][2] = {
-      {{0, 1.35}, {.32, 1.35}, {.80, 1.35}, {1.45, 1.15}, {2.2, 1.05}},
-      {{0, .75}, {.36, .75}, {.80, .72}, {1.25, .55}, {1.95, .35}},
-      {{0, .10}, {.36, .12}, {.73, .29}, {1.07, .17}, {1.75, -.20}},
-      {{0, -.42}, {.32, -.42}, {.84, -.26}, {1.16, -.27}, {1.80, -.65}},
-      {{0, -.84}, {.27, -.83}, {.67, -.74}, {1.03, -.68}, {2.12, -1.15}}};
   for (int row = 16; row <= 24; ++row) {
     for (int column = 0; column <= 8; ++column) {
       const bool of_another = (row == 16 && column >= 4) || (row < 24 && column > 7);
@@ -171,17 +174,10 @@ void pin_nose(const Identity& who, Pins& pins) {
   }
 }
 
-/// The midline between brow and nose.
+/// The midline between brow and nose, which it runs on into.
 void pin_bridge(const Identity& who, Pins& pins) {
-  static constexpr std::array<Key<double>, 9> kHeights{{{8, 4.5},
-                                                        {10, 3.6},
-                                                        {12, 2.85},
-                                                        {14, 2.1},
-                                                        {16, 1.35},
-                                                        {18, .75},
-                                                        {20, .10},
-                                                        {22, -.42},
-                                                        {24, -.84}}};
+  static constexpr std::array<Key<double>, 6> kHeights{
+      {{8, 4.5}, {10, 3.6}, {12, 2.85}, {14, 2.1}, {16, kNose[0][0][1]}, {18, kNose[1][0][1]}}};
   for (int row = 8; row < 16; ++row) {
     pins[{row, 0}] = on_face(who, 0, sample<double>(kHeights, row));
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numbers>
 #include <span>
+#include <type_traits>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -51,22 +52,6 @@ inline constexpr double kPi = std::numbers::pi;
   return std::exp(-glm::dot(scaled, scaled));
 }
 
-/// How near `p` is to a polyline of points (x, y, strength): the strength where `p` lies on it,
-/// falling off beside it as bell() of `width`.
-[[nodiscard]] inline double near_line(std::span<const Vec3> line, const glm::dvec2& p,
-                                      double width) {
-  double most = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const glm::dvec2 a{line[i]};
-    const glm::dvec2 edge = glm::dvec2{line[i + 1]} - a;
-    const glm::dvec2 from_a = p - a;
-    const double t = saturate(glm::dot(from_a, edge) / glm::dot(edge, edge));
-    const double strength = mix(line[i].z, line[i + 1].z, t);
-    most = std::max(most, strength * bell(glm::length(from_a - edge * t), width));
-  }
-  return most;
-}
-
 /// A power that is 0, not NaN, for the tiny negative bases to which rounding leads at the ends of
 /// curves.
 [[nodiscard]] inline double power(double base, double exponent) {
@@ -98,26 +83,36 @@ struct Key {
   T value{};
 };
 
-/// Cubic Hermite through the keys (ascending `at`, at least two); the slope at a key is that
-/// between its neighbours. Constant beyond both ends.
-template <typename T>
-[[nodiscard]] T sample(std::span<const Key<T>> keys, double at) {
-  const std::size_t last = keys.size() - 1;
-  if (at <= keys[0].at) return keys[0].value;
-  if (at >= keys[last].at) return keys[last].value;
+/// Cubic Hermite through `count` values (at least two) that `value(i)` gives, at the ascending
+/// places `at(i)`; the slope at a value is that between its neighbours. Constant beyond both ends.
+template <typename At, typename Value>
+[[nodiscard]] auto curve_through(std::size_t count, const At& at, const Value& value,
+                                 double where) {
+  using T = std::decay_t<decltype(value(0))>;
+  const std::size_t last = count - 1;
+  if (where <= at(0)) return T{value(0)};
+  if (where >= at(last)) return T{value(last)};
   std::size_t i = 0;
-  while (at > keys[i + 1].at) ++i;
+  while (where > at(i + 1)) ++i;
   const auto slope = [&](std::size_t j) {
     const std::size_t a = j == 0 ? 0 : j - 1;
     const std::size_t b = j == last ? last : j + 1;
-    return (keys[b].value - keys[a].value) * (1 / (keys[b].at - keys[a].at));
+    return (value(b) - value(a)) * (1 / (at(b) - at(a)));
   };
-  const double h = keys[i + 1].at - keys[i].at;
-  const double t = (at - keys[i].at) / h;
+  const double h = at(i + 1) - at(i);
+  const double t = (where - at(i)) / h;
   const double t2 = t * t;
   const double t3 = t2 * t;
-  return keys[i].value * (2 * t3 - 3 * t2 + 1) + slope(i) * (h * (t3 - 2 * t2 + t)) +
-         keys[i + 1].value * (3 * t2 - 2 * t3) + slope(i + 1) * (h * (t3 - t2));
+  return T{value(i) * (2 * t3 - 3 * t2 + 1) + slope(i) * (h * (t3 - 2 * t2 + t)) +
+           value(i + 1) * (3 * t2 - 2 * t3) + slope(i + 1) * (h * (t3 - t2))};
+}
+
+/// The curve through the keys (ascending `at`, at least two).
+template <typename T>
+[[nodiscard]] T sample(std::span<const Key<T>> keys, double at) {
+  return curve_through(
+      keys.size(), [&](std::size_t i) { return keys[i].at; },
+      [&](std::size_t i) { return keys[i].value; }, at);
 }
 
 /// A fixed pseudo-random number in [0, 1) for an integer.

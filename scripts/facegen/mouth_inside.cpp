@@ -1,6 +1,7 @@
 #include "scripts/facegen/mouth_inside.h"
 
 #include "scripts/facegen/palette.h"
+#include "scripts/facegen/polyline.h"
 #include "scripts/facegen/weights.h"
 
 namespace aucast::facegen {
@@ -45,10 +46,7 @@ class ArchCurve {
     constexpr int kSteps = 600;
     for (int i = 0; i <= kSteps; ++i) {
       const double angle = static_cast<double>(i) / kSteps * kPi / 2;
-      const Vec3 p = at_angle(angle);
-      const double way = i == 0 ? 0 : lengths_.back() + glm::length(p - points_.back());
-      points_.push_back(p);
-      lengths_.push_back(way);
+      points_.push_back(at_angle(angle));
     }
   }
 
@@ -59,19 +57,12 @@ class ArchCurve {
   }
 
   /// The point `way` from the middle.
-  [[nodiscard]] Vec3 at(double way) const {
-    if (way <= 0) return points_.front();
-    std::size_t i = 1;
-    while (i + 1 < points_.size() && lengths_[i] < way) ++i;
-    const double t = (way - lengths_[i - 1]) / (lengths_[i] - lengths_[i - 1]);
-    return mix(points_[i - 1], points_[i], saturate(t));
-  }
+  [[nodiscard]] Vec3 at(double way) const { return Polyline(points_).at_length(way); }
 
  private:
   double half_width_;
   double length_;
   std::vector<Vec3> points_;
-  std::vector<double> lengths_;
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.

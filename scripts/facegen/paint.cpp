@@ -3,6 +3,7 @@
 #include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/hair_parts.h"
 #include "scripts/facegen/palette.h"
+#include "scripts/facegen/polyline.h"
 #include "scripts/facegen/sculpt.h"
 
 namespace aucast::facegen {
@@ -157,12 +158,14 @@ double below_jaw(const Vec3& p) {
 double beside_rope(const Identity& who, const Vec3& p) {
   if (p.z < 0 || p.y > -5.5) return 0;
   const double wide = who.form.neck_width;
-  const double down = saturate((p.y + 0.6) / -10.2);
-  const double inwards = p.x - mix(2.75, 0.95, down) * wide;
-  const double pit = bell(Vec3{p.x / (0.55 * wide), (p.y + 9.8) / 1.1, 0});
+  const auto [behind_ear, pit] = neck_rope(who.form);
+  const double down = saturate((p.y - behind_ear.y) / (pit.y - behind_ear.y));
+  const double inwards = p.x - mix(behind_ear.x, pit.x, down);
+  // Widest a little above where both ropes end.
+  const double hollow = bell(Vec3{p.x / (0.55 * wide), (p.y - (pit.y + 1.0)) / 1.1, 0});
   return std::max(smooth_step(-5.5, -7.2, p.y) * (0.9 * bell(inwards + 0.85 * wide, 0.42 * wide) +
                                                   0.7 * bell(inwards - 0.95 * wide, 0.5 * wide)),
-                  pit);
+                  hollow);
 }
 
 /// The side of the nose from the inner corner of the eye to the wing, which turns away from every
@@ -175,7 +178,7 @@ double beside_nose(const Identity& who, const Vec3& p) {
   const double x = p.x / who.form.nose_width;
   const double under_tip =
       bell(Vec3{x / 0.75, (p.y + 0.80) / 0.22, 0}) * smooth_step(7.8, 8.6, p.z);
-  return std::max(near_line(kSide, {x, p.y}, mix(0.28, 0.40, smooth_step(0.3, 1.4, p.y))),
+  return std::max(Polyline(kSide).strength({x, p.y}, mix(0.28, 0.40, smooth_step(0.3, 1.4, p.y))),
                   0.8 * under_tip);
 }
 
@@ -200,8 +203,9 @@ double under_nose(const Identity& who, const Vec3& p) {
 /// The groove from nose to lip and the shade of its nearer edges.
 double philtrum(const Identity& who, const Vec3& p) {
   if (p.z < 7) return 0;
-  return who.form.philtrum * smooth_step(-1.90, -1.55, p.y) * smooth_step(-0.75, -1.0, p.y) *
-         (bell(p.x, 0.20) - 0.5 * bell(p.x - 0.36, 0.14));
+  return who.form.philtrum * smooth_step(kPhiltrumFoot + 0.10, kPhiltrumFoot + 0.45, p.y) *
+         smooth_step(kPhiltrumTop, kPhiltrumTop - 0.25, p.y) *
+         (bell(p.x, 0.20) - 0.5 * bell(p.x - kPhiltrumRidge, 0.14));
 }
 
 /// The tip of the nose shines more than the rest, in one spot. Its bridge, which would be a stripe,

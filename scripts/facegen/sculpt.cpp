@@ -4,6 +4,7 @@
 
 #include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/distance.h"
+#include "scripts/facegen/polyline.h"
 
 namespace aucast::facegen {
 
@@ -92,8 +93,7 @@ double neck_column(const Form& form, const Vec3& p) {
 /// The column with the rope from behind the ear to the pit of the throat and the larynx.
 double neck(const Form& form, const Vec3& p) {
   const double wide = form.neck_width;
-  const Vec3 behind_ear{2.75 * wide, -0.6, 0.4};
-  const Vec3 pit{0.95 * wide, -10.8, 3.3 * wide - 1.85};
+  const auto [behind_ear, pit] = neck_rope(form);
   const double rope = round_cone(p, behind_ear, pit, 0.80 * wide, 0.58 * wide);
   const Vec3 larynx{0, -6.8, 3.75 * wide - 1.15};
   return melt(melt(neck_column(form, p), rope, 0.26),
@@ -102,7 +102,7 @@ double neck(const Form& form, const Vec3& p) {
 
 /// The hollow of the eye, then the lids as a shell over the eyeball.
 double with_orbit(const Form& form, double d, const Vec3& p) {
-  const Vec3 hollow = rotated_y(p - Vec3{2.25, 2.92, 8.15}, 0.32);
+  const Vec3 hollow = rotated_y(p - kOrbit, 0.32);
   d = carve(d, ellipsoid(hollow, {1.45, 0.66, 1.18 + form.socket}), 0.8);
   // Thinner towards the temple: there the edge of the lids must lie far behind the cornea, or the
   // eye is a sliver from the side.
@@ -120,7 +120,7 @@ double beside_wing(const Vec3& p) {
   static constexpr std::array<Vec3, 3> kBelow{
       {{.70, -.70, .9}, {1.20, -.82, 1.0}, {1.50, -1.22, .30}}};
   const Vec3 beside{(p.x - 1.36) / 0.58, (p.y - 0.10) / 0.80, 0};
-  return (0.36 * bell(beside) + 0.13 * near_line(kBelow, {p.x, p.y}, 0.36)) *
+  return (0.36 * bell(beside) + 0.13 * Polyline(kBelow).strength({p.x, p.y}, 0.36)) *
          smooth_step(5.5, 6.8, p.z);
 }
 
@@ -180,7 +180,7 @@ double alar_groove(const Form& form, const Vec3& p) {
                                               {1.155, -.28, .104},
                                               {1.06, -.55, .075},
                                               {.92, -.72, .010}}};
-  return 0.85 * near_line(kLine, {x, p.y}, 0.16) * smooth_step(7.2, 7.7, p.z);
+  return 0.85 * Polyline(kLine).strength({x, p.y}, 0.16) * smooth_step(7.2, 7.7, p.z);
 }
 
 /// Depth (negative: height) of everything about the lips.
@@ -202,9 +202,9 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
   depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
   depth += 0.035 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
-  const double philtrum =
-      who.form.philtrum * smooth_step(-2.0, -1.6, y) * smooth_step(-0.75, -1.05, y);
-  depth += philtrum * (0.055 * bell(x, 0.22) - 0.030 * bell(x - 0.36, 0.16));
+  const double philtrum = who.form.philtrum * smooth_step(kPhiltrumFoot, kPhiltrumFoot + 0.40, y) *
+                          smooth_step(kPhiltrumTop, kPhiltrumTop - 0.30, y);
+  depth += philtrum * (0.055 * bell(x, 0.22) - 0.030 * bell(x - kPhiltrumRidge, 0.16));
   depth +=
       who.form.chin_fold * bell(y + 3.45, 0.35) * bell(x, 1.3);  // fold between lower lip and chin
   return depth * smooth_step(5.5, 6.8, p.z);
@@ -236,8 +236,8 @@ double set_lines(const Form& form, const Vec3& p) {
   static constexpr std::array<Vec3, 3> kJowl{
       {{1.95, -2.75, 0.0}, {2.02, -3.30, 1.0}, {1.92, -3.95, 0.2}}};
   const double x = std::abs(p.x);
-  return (form.furrow * near_line(kFurrow, {x, p.y}, 0.22) +
-          form.jowl * near_line(kJowl, {x, p.y}, 0.26)) *
+  return (form.furrow * Polyline(kFurrow).strength({x, p.y}, 0.22) +
+          form.jowl * Polyline(kJowl).strength({x, p.y}, 0.26)) *
          smooth_step(5.0, 6.0, p.z);
 }
 

@@ -1,8 +1,7 @@
 #include "scripts/facegen/weights.h"
 
-#include <limits>
-
 #include "scripts/facegen/anatomy.h"
+#include "scripts/facegen/polyline.h"
 
 namespace aucast::facegen {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 double smile_field(const Vec3& p) {
   const double x = std::abs(p.x);
   const double nose = smooth_step(-1.35, -0.35, p.y) * smooth_step(2.0, 1.05, x);
-  const double from_attachment = glm::length(Vec3{x, p.y, p.z} - Vec3{3.805, 0.868, 6.6});
+  const double from_attachment = glm::length(Vec3{x, p.y, p.z} - kSmileAttachment);
   const double outer = mix(0.20, 1.0, smooth_step(2.6, 4.2, from_attachment));
   return (1 - nose) * outer * (1 - 0.8 * smooth_step(0.6, 1.8, p.y));
 }
@@ -45,22 +44,13 @@ double nose_wing_field(const Vec3& p) {
 double nasolabial_field(const Vec3& p) {
   if (p.z < 5) return 0;
   const glm::dvec2 place{std::abs(p.x), p.y};
-  double nearest = std::numeric_limits<double>::max();
-  double swell = 0;
-  for (std::size_t i = 0; i + 1 < kFurrow.size(); ++i) {
-    const glm::dvec2 edge = glm::dvec2{kFurrow[i + 1]} - glm::dvec2{kFurrow[i]};
-    const glm::dvec2 from_begin = place - glm::dvec2{kFurrow[i]};
-    const double t = saturate(glm::dot(from_begin, edge) / glm::dot(edge, edge));
-    const double away = glm::length(from_begin - edge * t);
-    if (away >= nearest) continue;
-    nearest = away;
-    const double outwards = glm::dot(from_begin, glm::dvec2{-edge.y, edge.x}) / glm::length(edge);
-    // Beside the wing of the nose it would be a muzzle, beside the corner of the mouth a jowl.
-    const double along = static_cast<double>(i) + t;
-    swell = smooth_step(0.2, 2.2, along) * smooth_step(3.9, 2.5, along) *
-            smooth_step(0.08, 0.50, outwards) * smooth_step(1.55, 0.55, away);
-  }
-  return near_line(kFurrow, place, 0.24) - 0.9 * swell;
+  const Polyline furrow(kFurrow);
+  const auto nearest = furrow.nearest(place);
+  // Beside the wing of the nose it would be a muzzle, beside the corner of the mouth a jowl.
+  const double swell =
+      smooth_step(0.2, 2.2, nearest.along()) * smooth_step(3.9, 2.5, nearest.along()) *
+      smooth_step(0.08, 0.50, nearest.to_left) * smooth_step(1.55, 0.55, nearest.away);
+  return furrow.strength(place, 0.24) - 0.9 * swell;
 }
 
 double glabella_field(const Vec3& p) {
@@ -142,7 +132,8 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
 }  // namespace
 
 double jaw_field(const Vec3& p) {
-  const double line = mix(0.9, -2.50, saturate((p.z - 1.5) / 6.0));
+  // From the hinge to the line of the mouth.
+  const double line = mix(kJawHinge.y, -2.50, saturate((p.z - kJawHinge.z) / 6.0));
   const double below = smooth_step(-1.15, 1.25, line - p.y);
   const double not_throat = smooth_step(0.8, 6.0, p.z + 0.35 * (p.y + 5.5));
   return below * not_throat;
