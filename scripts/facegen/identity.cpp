@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -27,7 +28,10 @@ struct Named {
   Value Owner::*member;
 };
 
-constexpr auto kForm = std::to_array<Named<Form, double>>({
+/// Left as it is by `varied`.
+constexpr bool kStays = false;
+
+constexpr auto kForm = std::to_array<Measure>({
     {"narrowing", &Form::narrowing},
     {"jaw_width", &Form::jaw_width},
     {"jaw_bow", &Form::jaw_bow},
@@ -39,15 +43,15 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"cheekbone", &Form::cheekbone},
     {"cheek_hollow", &Form::cheek_hollow},
     {"brow_ridge", &Form::brow_ridge},
-    {"forehead_slope", &Form::forehead_slope},
-    {"forehead_round", &Form::forehead_round},
+    {"forehead_slope", &Form::forehead_slope, kStays},
+    {"forehead_round", &Form::forehead_round, kStays},
     {"muzzle", &Form::muzzle},
-    {"throat_drop", &Form::throat_drop},
-    {"short_lip", &Form::short_lip},
-    {"short_nose", &Form::short_nose},
-    {"neck_width", &Form::neck_width},
-    {"larynx", &Form::larynx},
-    {"collar", &Form::collar},
+    {"throat_drop", &Form::throat_drop, kStays},
+    {"short_lip", &Form::short_lip, kStays},
+    {"short_nose", &Form::short_nose, kStays},
+    {"neck_width", &Form::neck_width, kStays},
+    {"larynx", &Form::larynx, kStays},
+    {"collar", &Form::collar, kStays},
     {"nose_width", &Form::nose_width},
     {"bridge_width", &Form::bridge_width},
     {"nose_forward", &Form::nose_forward},
@@ -55,18 +59,18 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"nose_tip", &Form::nose_tip},
     {"nose_hump", &Form::nose_hump},
     {"nose_root", &Form::nose_root},
-    {"ear_size", &Form::ear_size},
-    {"ear_up", &Form::ear_up},
-    {"eye_apart", &Form::eye_apart},
+    {"ear_size", &Form::ear_size, kStays},
+    {"ear_up", &Form::ear_up, kStays},
+    {"eye_apart", &Form::eye_apart, kStays},
     {"upper_lid", &Form::upper_lid},
     {"lower_lid", &Form::lower_lid},
-    {"inner_canthus_up", &Form::inner_canthus_up},
-    {"outer_canthus_up", &Form::outer_canthus_up},
+    {"inner_canthus_up", &Form::inner_canthus_up, kStays},
+    {"outer_canthus_up", &Form::outer_canthus_up, kStays},
     {"lid_fold", &Form::lid_fold},
     {"eye_bag", &Form::eye_bag},
     {"socket", &Form::socket},
-    {"inner_socket", &Form::inner_socket},
-    {"lash", &Form::lash},
+    {"inner_socket", &Form::inner_socket, kStays},
+    {"lash", &Form::lash, kStays},
     {"upper_lip", &Form::upper_lip},
     {"lower_lip", &Form::lower_lip},
     {"lip_bulge", &Form::lip_bulge},
@@ -79,7 +83,7 @@ constexpr auto kForm = std::to_array<Named<Form, double>>({
     {"brow_begin", &Form::brow_begin},
     {"brow_width", &Form::brow_width},
     {"furrow", &Form::furrow},
-    {"jowl", &Form::jowl},
+    {"jowl", &Form::jowl, kStays},
     {"chin_fold", &Form::chin_fold},
 });
 
@@ -158,6 +162,7 @@ class PersonReader {
   [[nodiscard]] std::string like() { return document_.text_or("like", ""); }
 
   void read(Identity& who) {
+    who.varies_towards = document_.text_or("varies_towards", who.varies_towards);
     part("form", [&](TableReader& form) { read_named(form, who.form, kForm); });
     part("hair", [&](TableReader& hair) { read_hair(hair, who.hair); });
     part("lines", [&](TableReader& lines) {
@@ -187,10 +192,9 @@ class PersonReader {
   static void read_real(TableReader& reader, std::string_view key, double& out) {
     if (reader.has(key)) out = reader.real(key, kMeasure);
   }
-  template <typename Owner, std::size_t Count>
-  static void read_named(TableReader& reader, Owner& owner,
-                         const std::array<Named<Owner, double>, Count>& named) {
-    for (const auto& [name, member] : named) read_real(reader, name, owner.*member);
+  template <typename Owner, typename Table>
+  static void read_named(TableReader& reader, Owner& owner, const Table& named) {
+    for (const auto& entry : named) read_real(reader, entry.name, owner.*entry.member);
   }
   void read_point(TableReader& reader, std::string_view key, Vec3& out, const Bounds& bounds) {
     if (const TomlValue* const value = reader.value_if(key)) {
@@ -256,6 +260,10 @@ Result<Identity> read_person(const std::filesystem::path& file, bool may_be_like
 }
 
 }  // namespace
+
+std::span<const Measure> form_measures() {
+  return kForm;
+}
 
 Result<Identity> read_identity(const std::filesystem::path& file) {
   return read_person(file, true);

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -76,6 +78,18 @@ struct Form {
   double chin_fold = 0.16;  ///< between lower lip and chin
 };
 
+/// A measure of the form and its name in a person's file.
+struct Measure {
+  std::string_view name;
+  double Form::*member = nullptr;
+  /// `varied` (variation.h) moves it. It leaves alone, first of all, what face.toml, haircut and
+  /// shirt must fit. With another set, every number gives another person.
+  bool varies = true;
+};
+
+/// All measures of the form.
+[[nodiscard]] std::span<const Measure> form_measures();
+
 /// A lock of long hair that lies loosely on the rest and goes its own way.
 struct Lock {
   double s = 0;        ///< where across the hair it begins, 0 (first guide) to 1 (last guide)
@@ -127,6 +141,8 @@ struct Askew {
 
 /// What makes a person. All else in the generator is the same for everybody.
 struct Identity {
+  /// Who in people/ shows where this person's measures may go (`varied`); empty: nobody.
+  std::string varies_towards;
   Form form;
   Haircut hair;
   ExpressionLines lines;

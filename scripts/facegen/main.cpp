@@ -6,6 +6,7 @@
 
 #include "common/files.h"
 #include "common/number_of.h"
+#include "common/text.h"
 #include "scripts/facegen/head.h"
 #include "scripts/facegen/variation.h"
 
@@ -21,12 +22,18 @@ constexpr const char* kUsage =
 Result<facegen::Identity> person_of(const std::string& person, const std::string& number) {
   const bool is_file = person.ends_with(".toml");
   auto who = is_file ? facegen::read_identity(person) : facegen::identity_named(person);
-  const auto other = facegen::identity_named(person == "marek" ? "default" : "marek");
-  if (!who || !other) return who ? other.error() : who.error();
+  if (!who) return who;
   const auto which = number_of<std::uint32_t>(number);
   if (!which) {
     return Error{ErrorKind::Usage, "'" + number + "' is not a whole number from 0 on"};
   }
+  if (*which == 0) return who;
+  if (who->varies_towards.empty()) {
+    return Error{ErrorKind::Usage,
+                 "NUMBER wants 'varies_towards' in the file of '" + escaped(person) + "'"};
+  }
+  const auto other = facegen::identity_named(who->varies_towards);
+  if (!other) return other;
   return facegen::varied(*who, *other, *which);
 }
 

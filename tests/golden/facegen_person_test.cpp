@@ -1,8 +1,21 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <glm/common.hpp>
+
+#include "client/face/face.h"
 #include "common/files.h"
+#include "scripts/facegen/anatomy.h"
 #include "scripts/facegen/head.h"
 #include "scripts/facegen/identity.h"
+#include "scripts/facegen/proportions.h"
+#include "scripts/facegen/variation.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::facegen {
@@ -63,9 +76,61 @@ TEST(Person, MistakesAreNamedWithTheirPlace) {
   EXPECT_NE(complaint("[form]\n").find("neither [hair] nor like"), std::string::npos);
 }
 
+TEST(Person, VariesTowardsAnotherInEveryMeasureThatMayVary) {
+  const auto who = identity_named("default");
+  ASSERT_TRUE(who) << who.error().message;
+  const auto other = identity_named(who->varies_towards);
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(identity_named(other->varies_towards)->form.brow_up, who->form.brow_up);
+  const Identity third = varied(*who, *other, 7);
+  for (const Measure& measure : form_measures()) {
+    const double before = who->form.*measure.member;
+    const bool moves = measure.varies && other->form.*measure.member != before;
+    EXPECT_EQ(third.form.*measure.member != before, moves) << measure.name;
+  }
+  EXPECT_EQ(third.form.eye_apart, who->form.eye_apart) << "it would not fit face.toml";
+  EXPECT_EQ(varied(*who, *other, 0).form.brow_up, who->form.brow_up);
+}
+
+TEST(Person, EveryMeasureOfTheFormHasOneName) {
+  const std::span<const Measure> measures = form_measures();
+  EXPECT_EQ(measures.size() * sizeof(double), sizeof(Form)) << "one is missing in the table";
+  std::set<std::string_view> names;
+  for (const Measure& measure : measures) EXPECT_TRUE(names.insert(measure.name).second);
+}
+
 TEST(Person, OnlyThoseInTheFolderHaveNames) {
   EXPECT_TRUE(identity_named("default"));
   EXPECT_EQ(identity_named("nobody").error().kind, ErrorKind::Usage);
+}
+
+// What face.toml and muscles.toml say again of the head that was made.
+TEST(Person, TheFacesTurnAboutTheLandmarksOfTheHead) {
+  const auto data = find_data_folder({});
+  ASSERT_TRUE(data) << data.error().message;
+  for (const char* const name : {"default", "marek"}) {
+    SCOPED_TRACE(name);
+    const auto who = identity_named(name);
+    ASSERT_TRUE(who) << who.error().message;
+    const auto face = face::load_face(*data / "faces" / name, *data);
+    ASSERT_TRUE(face) << face.error().message;
+    ASSERT_TRUE(face->jaw);
+    EXPECT_EQ(face->jaw->hinge, glm::vec3{kJawHinge});
+    Vec3 eye = eye_centre(who->form);
+    eye.y -= middle_drop(who->form, eye.y);
+    ASSERT_EQ(face->eyes.size(), 2U);
+    for (const int side : {1, -1}) {
+      const glm::vec3 there = face->eyes[side > 0 ? 0 : 1].centre;
+      EXPECT_LT(glm::length(Vec3{there} - Vec3{eye.x * side, eye.y, eye.z}), 1e-5);
+    }
+    const auto smiles = std::find_if(face->muscles.begin(), face->muscles.end(), [](auto& muscle) {
+      return muscle.name.ends_with("zygomaticus_major");
+    });
+    ASSERT_NE(smiles, face->muscles.end());
+    const auto* const muscle = std::get_if<face::LinearMuscle>(&smiles->shape);
+    ASSERT_NE(muscle, nullptr);
+    EXPECT_EQ(glm::abs(muscle->attachment), glm::vec3{kSmileAttachment});
+  }
 }
 
 }  // namespace
