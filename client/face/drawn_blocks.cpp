@@ -22,8 +22,19 @@ BlockSet always_drawn(const FaceMesh& mesh) {
   return blocks;
 }
 
+std::vector<float> kept_depths(const Face& face) {
+  std::vector<float> depths;
+  for (const MeshPart& part : face.mesh.parts) {
+    if (!is_crease(part)) continue;
+    const auto channel = face.channel_index(part.name);
+    depths.push_back(channel ? face.channels[*channel].kept : 0.0F);
+  }
+  return depths;
+}
+
 DrawnBlocks::DrawnBlocks(const Face& face)
-    : always_(always_drawn(face.mesh)),
+    : depths_(kept_depths(face)),
+      always_(always_drawn(face.mesh)),
       drawn_(always_),
       appeared_(block_count(face.mesh.positions.size())),
       vanished_(appeared_) {
@@ -31,18 +42,29 @@ DrawnBlocks::DrawnBlocks(const Face& face)
     if (!is_crease(part)) continue;
     Crease& crease = creases_.emplace_back();
     crease.channel = face.channel_index(part.name);
+    crease.kept = depths_[creases_.size() - 1];
     crease.blocks = BlockSet(block_count(face.mesh.positions.size()));
     for (std::size_t i = 0; i < part.vertex_count; ++i) {
       crease.blocks.insert((part.vertex_begin + i) / kLanes);
     }
   }
-  depths_.resize(creases_.size());
+  drawn_ = with_creases();
+}
+
+BlockSet DrawnBlocks::with_creases() const {
+  BlockSet drawn = always_;
+  for (std::size_t i = 0; i < creases_.size(); ++i) {
+    if (depths_[i] > 0) drawn |= creases_[i].blocks;
+  }
+  return drawn;
 }
 
 void DrawnBlocks::take(std::span<const float> activations) {
   bool others = false;
   for (std::size_t i = 0; i < creases_.size(); ++i) {
-    const float depth = creases_[i].channel ? activations[*creases_[i].channel] : 0.0F;
+    const Crease& crease = creases_[i];
+    const float driven = crease.channel ? activations[*crease.channel] : 0.0F;
+    const float depth = crease.kept + (1 - crease.kept) * driven;
     others = others || (depth > 0) != (depths_[i] > 0);
     depths_[i] = depth;
   }
@@ -50,10 +72,7 @@ void DrawnBlocks::take(std::span<const float> activations) {
   vanished_.clear();
   if (!others) return;
   vanished_ = drawn_;
-  drawn_ = always_;
-  for (std::size_t i = 0; i < creases_.size(); ++i) {
-    if (depths_[i] > 0) drawn_ |= creases_[i].blocks;
-  }
+  drawn_ = with_creases();
   appeared_ = drawn_;
   appeared_ -= vanished_;
   vanished_ -= drawn_;

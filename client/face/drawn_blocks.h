@@ -16,11 +16,14 @@ namespace aucast::face {
 /// The blocks with a vertex that belongs to no crease.
 [[nodiscard]] BlockSet always_drawn(const FaceMesh& mesh);
 
+/// Depth in [0,1] of every crease when nothing drives it, in the order of the mesh's parts.
+[[nodiscard]] std::vector<float> kept_depths(const Face& face);
+
 /// Which blocks of vertices are drawn: all but those that consist of creases of depth 0. In most
 /// expressions, most creases have that depth. Blocks that are not drawn need not move.
 class DrawnBlocks {
  public:
-  /// Begins with no crease drawn.
+  /// Begins with those creases drawn that the skin keeps.
   explicit DrawnBlocks(const Face& face);
 
   /// Updates which creases are drawn. `activations`: one per channel.
@@ -39,8 +42,12 @@ class DrawnBlocks {
  private:
   struct Crease {
     std::optional<std::size_t> channel;
+    float kept = 0;
     BlockSet blocks;
   };
+
+  /// The blocks that are drawn with the depths of now.
+  [[nodiscard]] BlockSet with_creases() const;
 
   std::vector<Crease> creases_;
   std::vector<float> depths_;  ///< one per crease

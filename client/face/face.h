@@ -31,6 +31,8 @@ struct Channel {
   /// True for channels that close a lid: the largest demand counts, whichever mixer is chosen.
   /// Otherwise a blink during a smile would leave the eyes half closed.
   bool takes_largest = false;
+  /// A crease's depth when nothing drives it: what the skin keeps of its expressions.
+  float kept = 0;
 };
 
 /// The jaw turns about the x axis through `hinge`: each vertex by degrees_per_unit x activation x

@@ -145,6 +145,20 @@ std::vector<Channel> channels_of(const Face& face) {
   return channels;
 }
 
+/// Which lines the skin keeps, by their names with or without a side.
+void read_kept_lines(const TomlValue& table, Face& face, Problems& problems) {
+  TableReader lines(table, problems);
+  for (const MeshPart& part : face.mesh.parts) {
+    const auto channel = is_crease(part) ? face.channel_index(part.name) : std::nullopt;
+    if (!channel) continue;
+    for (const std::string_view name : {split_side(part.name).base, std::string_view(part.name)}) {
+      float& kept = face.channels[*channel].kept;
+      kept = lines.number_or(name, kept, Bounds::between(0, 1));
+    }
+  }
+  lines.finish();
+}
+
 /// The names that an AU table may use, for "did you mean".
 std::vector<std::string> drive_names(const Face& face) {
   std::set<std::string> names;
@@ -229,6 +243,7 @@ Result<Face> load_face_folder(const std::filesystem::path& folder) {
     return with_owner(loaded.error(), mesh_file);
   }
   read_movers(reader, face, problems);
+  const TomlValue* const kept_lines = reader.table_if("lines");
   reader.finish();
   if (auto result = problems.result(); !result) return result.error();
   if (auto loaded = load_muscles(folder / muscles_file, face); !loaded) {
@@ -238,6 +253,8 @@ Result<Face> load_face_folder(const std::filesystem::path& folder) {
   if (auto result = check_channel_names(face, folder / muscles_file); !result) {
     return result.error();
   }
+  if (kept_lines != nullptr) read_kept_lines(*kept_lines, face, problems);
+  if (auto result = problems.result(); !result) return result.error();
   auto recordings = load_aus(folder / aus_file, face);
   if (!recordings) return with_owner(recordings.error(), aus_file);
   face.recordings = std::move(*recordings);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "client/face/drawn_blocks.h"
 #include "client/face/face_deformer.h"
 #include "client/face/muscle_mixer.h"
 #include "client/glb/units.h"
@@ -90,7 +91,7 @@ std::vector<Change> place_differences(const std::vector<glm::vec3>& now,
 class Sculptor {
  public:
   Sculptor(const face::Face& face, const FaceRig& rig)
-      : rig_(rig), deformer_(face), drawn_(face.channels.size()) {
+      : rig_(rig), deformer_(face), drawn_(face.channels.size()), kept_(face::kept_depths(face)) {
     // A crease of depth 0 does not go along: all are drawn, at rest too.
     for (const face::MeshPart& part : face.mesh.parts) {
       const auto channel = face::is_crease(part) ? face.channel_index(part.name) : std::nullopt;
@@ -103,6 +104,8 @@ class Sculptor {
   /// Fills in what the target's pose changes. Returns false if that is nothing.
   bool sculpt(Target& target) {
     target.creases = deformer_.deform(target.pose).creases;
+    // What the skin keeps is there without a target.
+    for (std::size_t i = 0; i < kept_.size(); ++i) target.creases[i] -= kept_[i];
     target.places = place_differences(places(target.pose), rest_.positions, which_);
     target.normals = differences(normals_, rest_.normals, which_, kLeastTurn);
     return !target.places.empty() || std::any_of(target.creases.begin(), target.creases.end(),
@@ -152,6 +155,7 @@ class Sculptor {
   const FaceRig& rig_;
   face::FaceDeformer deformer_;
   std::vector<float> drawn_;  ///< activations of the creases alone
+  std::vector<float> kept_;
   face::DeformedFace rest_;
   std::vector<bool> which_;
   std::vector<glm::vec3> normals_;

@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "client/face/drawn_blocks.h"
+
 namespace aucast::glb {
 namespace {
 
@@ -92,12 +94,19 @@ std::vector<Surface> surfaces_of(const face::Face& face) {
 
 std::vector<glm::vec4> colours_of(const face::Face& face, const Surface& surface) {
   std::vector<glm::vec4> colours;
+  if (surface.look == Look::Creases) {
+    const std::vector<float> kept = face::kept_depths(face);
+    const std::vector<float> darkness = darkness_of(face, surface);
+    for (std::size_t i = 0; i < darkness.size(); ++i) {
+      colours.emplace_back(0, 0, 0, kept[surface.creases[i]] * darkness[i]);
+    }
+    return colours;
+  }
   for (const std::uint32_t i : surface.vertices) {
     const glm::vec4& own = face.mesh.colours[i];
     // As the key light takes it: light from all sides is the viewer's own.
     const float light = 0.55F + 0.45F * face.mesh.occlusion[i];
-    colours.push_back(surface.look == Look::Creases ? glm::vec4(0)
-                                                    : glm::vec4(light * glm::vec3(own), own.a));
+    colours.emplace_back(light * glm::vec3(own), own.a);
   }
   return colours;
 }

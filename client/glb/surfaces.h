@@ -36,7 +36,7 @@ struct Surface {
 [[nodiscard]] std::vector<Surface> surfaces_of(const face::Face& face);
 
 /// Linear RGB and alpha of each vertex, darker where little light arrives, as in our own renderer.
-/// A crease is black, and transparent until its morph target shows it.
+/// A crease is black, and transparent until its morph target shows it, but for what the skin keeps.
 [[nodiscard]] std::vector<glm::vec4> colours_of(const face::Face& face, const Surface& surface);
 
 /// For each of the surface's vertices, how dark its crease is at depth 1.

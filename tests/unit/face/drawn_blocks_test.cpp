@@ -99,6 +99,22 @@ TEST(DrawnBlocks, ACreaseWithoutAChannelIsNeverDrawn) {
   EXPECT_EQ(narrowed(drawn, {kUndriven}), (Blocks{kSharedWithSkin + 1, kSecondAlone}));
 }
 
+TEST(DrawnBlocks, WhatTheSkinKeepsIsDrawnAtRestAndAnExpressionDeepensIt) {
+  Face face = creased_face();
+  face.channels[1].kept = 0.25F;
+  EXPECT_EQ(kept_depths(face), (std::vector<float>{0, 0.25F, 0}));
+  DrawnBlocks drawn(face);
+  EXPECT_EQ(drawn.depths(), (std::vector<float>{0, 0.25F, 0}));
+  drawn.take(depths_of(0, 0));
+  EXPECT_EQ(narrowed(drawn, {0, 2, 3}), (Blocks{0, kSharedByCreases, kSecondAlone}));
+  drawn.take(depths_of(0, 0.5F));
+  EXPECT_EQ(drawn.depths()[1], 0.625F);
+  drawn.take(depths_of(0, 1));
+  EXPECT_EQ(drawn.depths()[1], 1.0F);
+  drawn.take(depths_of(0, 0));
+  EXPECT_TRUE(drawn.vanished().empty());
+}
+
 /// The same, said as plainly as it can be.
 struct PlainDrawn {
   std::vector<bool> drawn;

@@ -194,6 +194,8 @@ const std::vector<BadFile> kBadFaceToml = {
     {"face.toml", "\"right_eye\"", "\"left_eye\"",
      ":19:1: the two eyes are one part of the mesh: each turns its own"},
     {"face.toml", "[head]", "[[head]]", ":23:1: head must be a table"},
+    {"face.toml", "[head]", "[lines]\ncrease_chin = 0.5\n[head]",
+     ":24:1: unknown key 'crease_chin'"},
 };
 
 const std::vector<BadFile> kBadMuscles = {

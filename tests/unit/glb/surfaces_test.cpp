@@ -27,5 +27,26 @@ TEST(SurfacesOf, AFaceWithHairOfBothColoursHasASurfaceOfEach) {
   }
 }
 
+TEST(ColoursOf, ACreaseIsSeenAsFarAsTheSkinKeepsIt) {
+  face::Face face = face::test::small_face();
+  face::MeshPart part = face.mesh.parts.front();
+  part.name = "crease_brow";
+  part.material = face::Material::Crease;
+  face.mesh.parts.push_back(part);
+  face.channels.push_back({part.name, Side::Both, 1});
+  for (glm::vec4& colour : face.mesh.colours) colour = {0.25F, 0.5F, 0.75F, 0.5F};
+  for (const float kept : {0.0F, 0.4F}) {
+    face.channels.back().kept = kept;
+    const std::vector<Surface> surfaces = surfaces_of(face);
+    const auto creases = std::find_if(surfaces.begin(), surfaces.end(),
+                                      [](const Surface& one) { return one.look == Look::Creases; });
+    ASSERT_NE(creases, surfaces.end());
+    ASSERT_EQ(creases->vertices.size(), part.vertex_count);
+    for (const glm::vec4& colour : colours_of(face, *creases)) {
+      EXPECT_EQ(colour, glm::vec4(0, 0, 0, kept * 0.25F));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aucast::glb
