@@ -63,7 +63,7 @@ Texels texels() {
     for (int x = 0; x < kGrainSide; ++x) {
       const auto at = static_cast<std::size_t>(y * kGrainSide + x);
       relief[at] = 0.16F * noise(x, y, 8, 31) + 0.34F * noise(x, y, 4, 407) +
-                   0.20F * noise(x, y, 2, 1301) - 0.62F * pores[at];
+                   0.20F * noise(x, y, 2, 1301) - 0.55F * pores[at];
     }
   }
   const auto height = [&relief](int x, int y) {
