@@ -41,7 +41,7 @@ void add_lash_line(Part& part, const Identity& who, const Skin& skin, int side, 
     const Vertex& edge = on_lid(skin, kLidMarginRing, side, upper, k);
     const Vertex& inner = on_lid(skin, kLidInnerRing, side, upper, k);
     const Vertex& above = on_lid(skin, kLidMarginRing - 1, side, upper, k);
-    const double dark = (upper ? mix(0.55, 0.84, who.form.lash) * smooth_step(0.0, 0.35, t)
+    const double dark = (upper ? mix(0.70, 0.95, who.form.lash) * smooth_step(0.0, 0.35, t)
                                : 0.30 * smooth_step(0.35, 0.80, t)) *
                         smooth_step(1.03, 0.90, t);
     const std::array<Vertex, 3> across{between(edge, inner, upper ? 0.7 : 0.2), edge,
@@ -71,7 +71,7 @@ void add_lid_shade(Part& part, const Identity& who, const Skin& skin, int side, 
                                      eye + glm::normalize(end - eye) * (kEyeRadius + 0.012)};
     for (std::size_t j = 0; j < across.size(); ++j) {
       const double pink = smooth_step(3.6, 1.8, k);
-      const double shade = j == 0 ? 0.34 : 0.0;
+      const double shade = j == 0 ? (upper ? 0.46 : 0.34) : 0.0;
       rows[j].push_back(part.add(across[j], mix(kShade, kCaruncle, pink), mix(shade, 0.85, pink)));
       part.vertices.back().maps = margin.maps;
       part.vertices.back().gloss = 0;

@@ -11,10 +11,10 @@ namespace {
 /// How wide the edge of the hair is in which it gets thinner, by the place on the hairline: shaved
 /// shorter and shorter over the ear and in the neck.
 constexpr std::array<Key<double>, 9> kTaper{{{0, 0.8},
-                                             {2.4, 1.1},
-                                             {3.4, 1.4},
-                                             {5.0, 1.1},
-                                             {5.9, 0.9},
+                                             {2.4, 1.2},
+                                             {3.4, 1.8},
+                                             {5.0, 1.7},
+                                             {5.9, 1.1},
                                              {6.9, 1.1},
                                              {8.0, 2.0},
                                              {9.2, 2.8},
@@ -66,7 +66,7 @@ class Sides {
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.02 + 0.22 * temple + 0.05 * tuft + 0.05 * (1 - grown);
+    const double light = 0.02 + 0.46 * temple + 0.05 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (mix(0.012, 0.03, grown) + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.

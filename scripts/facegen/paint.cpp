@@ -19,9 +19,9 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
     f += 0.62 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
     f += 0.16 * bell(Vec3{(p.x - 0.95) / 0.5, (p.y + 0.25) / 0.5, 0});
-    f += 0.22 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
+    f += 0.10 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
-  if (v.patch == Patch::Ear) f += 0.36 * smooth_step(0, 4, v.ring);
+  if (v.patch == Patch::Ear) f += 0.16 * smooth_step(0, 4, v.ring);
   return saturate(f);
 }
 
@@ -48,15 +48,37 @@ double inner_socket(const Vec3& p) {
   return bell(Vec3{(p.x - 0.98) / 0.42, (p.y - 3.25) / 0.62, 0});
 }
 
+/// How far a vertex lies below its neighbours, mesh units, for every vertex; negative: above them.
+std::vector<double> hollows(const Part& part) {
+  std::vector<Vec3> sum(part.vertices.size(), Vec3{0});
+  std::vector<double> count(part.vertices.size(), 0.0);
+  for (const face::Polygon& polygon : part.polygons) {
+    for (std::size_t k = 0; k < polygon.corner_count; ++k) {
+      const std::uint32_t a = polygon.corners[k];
+      const std::uint32_t b = polygon.corners[(k + 1) % polygon.corner_count];
+      sum[a] += part.vertices[b].position;
+      sum[b] += part.vertices[a].position;
+      count[a] += 1;
+      count[b] += 1;
+    }
+  }
+  const std::vector<Vec3> normals = normals_of(part);
+  std::vector<double> below(part.vertices.size(), 0.0);
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    if (count[i] > 0)
+      below[i] = glm::dot(sum[i] / count[i] - part.vertices[i].position, normals[i]);
+  }
+  return below;
+}
+
 /// Deep in the ear little light arrives, and what does is red.
 void paint_ear(Vertex& vertex, const HalfVertex& v) {
   // The shell is deep, and so is the furrow inside the rim from the top down to the lobe.
   const double shell = smooth_step(6.0, 10.5, v.ring);
   const double furrow = bell(v.ring - 5.0, 1.3) * smooth_step(14, 10, std::abs(v.spoke - 22.0));
   const double deep = std::max(shell, 0.55 * furrow);
-  // Thin and full of blood.
-  vertex.colour *= Vec3{1.0, 0.965, 0.95};
-  vertex.colour *= mix(Vec3{1}, Vec3{0.50, 0.37, 0.34}, deep);
+  vertex.colour *= Vec3{1.0, 1.01, 1.01};
+  vertex.colour *= mix(Vec3{1}, Vec3{0.42, 0.33, 0.30}, deep);
   vertex.gloss *= 1 - 0.7 * deep;
 }
 
@@ -75,7 +97,7 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   vertex.colour = c;
   // The edge of the lower lid is moist; in the corner it would be a spark on a shut eye.
   const bool edge = v.ring == kLidMarginRing || v.ring == kLidInnerRing;
-  vertex.gloss = edge && !upper ? mix(0.4, 3.0, smooth_step(0.2, 0.6, from_corner)) : 1.2;
+  vertex.gloss = edge && !upper ? mix(0.4, 4.5, smooth_step(0.2, 0.6, from_corner)) : 1.2;
 }
 
 /// The corner of the mouth lies in a small shade of its own, where the lips close and the cheek
@@ -251,6 +273,17 @@ void paint_skin(const Identity& who, Skin& skin) {
     if (v.patch == Patch::Nostril) paint_nostril(vertex, v);
     vertex.gloss *= shine(p);
   }
+  // The ridges of the ears catch the light and the furrows between them do not, also where the head
+  // is lit from the front.
+  const std::vector<double> below = hollows(skin.part);
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const HalfVertex& v = skin.half.vertices[skin.source[i]];
+    if (v.patch != Patch::Ear || v.ring < 2) continue;
+    constexpr double kDeep = 0.03;
+    const double hollow = std::clamp(below[i] / kDeep, -1.0, 1.0);
+    skin.part.vertices[i].colour *= hollow > 0 ? mix(Vec3{1}, Vec3{0.52, 0.42, 0.39}, hollow)
+                                               : mix(Vec3{1}, Vec3{1.42, 1.46, 1.46}, -hollow);
+  }
 }
 
 void lighten_sockets(Skin& skin) {
@@ -291,6 +324,8 @@ void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
   // As much as there is of hair near by, weighed by distance: no ray hits or misses a strand, which
   // would show as blocks.
   constexpr double kReach = 0.7;
+  // What hangs beside the face keeps light from its whole side, faintly.
+  constexpr double kFar = 1.7;
   struct Piece {
     Vec3 place{0};
     double weight = 0;
@@ -302,7 +337,7 @@ void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
     const double area = 0.5 * glm::length(glm::cross(at(2).position - at(0).position,
                                                      at(3).position - at(1).position));
     const double alpha = (at(0).alpha + at(1).alpha + at(2).alpha + at(3).alpha) * 0.25;
-    pieces.push_back({middle, alpha * area / (kPi * kReach * kReach)});
+    pieces.push_back({middle, alpha * area / kPi});
   }
   // Short hair takes less of the light, and what falls through it is not reddened.
   const bool cropped = who.hair.guides.empty();
@@ -310,14 +345,18 @@ void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
   const Vec3 under = cropped ? Vec3{0.72, 0.72, 0.74} : kUnderHair;
   for (Vertex& vertex : skin.part.vertices) {
     double near = 0;
+    double beside = 0;
     for (const Piece& piece : pieces) {
       const Vec3 way = piece.place - vertex.position;
-      const double far2 = glm::dot(way, way) / (kReach * kReach);
-      if (far2 < 9) near += piece.weight * std::exp(-far2);
+      const double far2 = glm::dot(way, way);
+      if (far2 > 9 * kFar * kFar) continue;
+      near += piece.weight * std::exp(-far2 / (kReach * kReach)) / (kReach * kReach);
+      beside += piece.weight * std::exp(-far2 / (kFar * kFar)) / (kFar * kFar);
     }
     const double shade = 1 - std::exp(-2.2 * near);
-    vertex.occlusion *= 1 - 0.68 * strength * shade;
-    vertex.colour *= mix(Vec3{1}, under, shade);
+    const double wide = 1 - std::exp(-1.1 * beside);
+    vertex.occlusion *= (1 - 0.68 * strength * shade) * (1 - 0.30 * wide);
+    vertex.colour *= mix(Vec3{1}, under, shade) * mix(Vec3{1}, Vec3{0.86, 0.82, 0.81}, wide);
   }
 }
 

@@ -27,10 +27,10 @@ struct Palette {
 
 // Colours that are the same for everybody.
 
-/// A factor on the skin's colour where a beard was shaven.
-inline constexpr Vec3 kBeardShade{0.44, 0.475, 0.53};
+/// A factor on the skin's colour where a beard was shaven: bluish, as hair shines through skin.
+inline constexpr Vec3 kBeardShade{0.48, 0.57, 0.68};
 /// A factor on the skin's colour under hair or right beside it.
-inline constexpr Vec3 kUnderHair{0.66, 0.54, 0.50};
+inline constexpr Vec3 kUnderHair{0.66, 0.57, 0.53};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
 inline constexpr Vec3 kCaruncle{0.66, 0.34, 0.30};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
