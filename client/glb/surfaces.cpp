@@ -105,7 +105,7 @@ std::vector<glm::vec4> colours_of(const face::Face& face, const Surface& surface
   for (const std::uint32_t i : surface.vertices) {
     const glm::vec4& own = face.mesh.colours[i];
     // As the key light takes it: light from all sides is the viewer's own.
-    const float light = 0.55F + 0.45F * face.mesh.occlusion[i];
+    const float light = 0.42F + 0.58F * face.mesh.occlusion[i];
     colours.emplace_back(light * glm::vec3(own), own.a);
   }
   return colours;

@@ -62,5 +62,5 @@ vec3 to_screen(vec3 light) {
 // The same with a film's contrast: without it a lit face is a mask.
 vec3 to_film(vec3 light) {
   vec3 tone = to_screen(light);
-  return mix(tone, tone * tone * (3.0 - 2.0 * tone), 0.35);
+  return mix(tone, tone * tone * (3.0 - 2.0 * tone), 0.42);
 }
