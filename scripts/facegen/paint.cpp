@@ -151,7 +151,7 @@ double beard_field(const HalfVertex& v) {
   const double jaw = smooth_step(-0.9, -2.6, p.y + 0.35 * (p.z - 5) - 0.25 * p.x);
   const double moustache = smooth_step(-0.70, -1.50, p.y) * smooth_step(2.4, 1.2, p.x);
   const double below = smooth_step(-7.2, -5.6, p.y) * smooth_step(1.0, 2.6, p.z);
-  return std::max(jaw * mix(1, 0.5, smooth_step(1.8, 3.2, p.x)), 0.7 * moustache) * below;
+  return std::max(jaw * mix(1, 0.5, smooth_step(1.8, 3.2, p.x)), 0.55 * moustache) * below;
 }
 
 /// What faces down under the edge of the jaw: a little darker, so that the edge reads in profile.
@@ -279,10 +279,10 @@ void paint_skin(const Identity& who, Skin& skin) {
   for (std::size_t i = 0; i < below.size(); ++i) {
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
     if (v.patch != Patch::Ear || v.ring < 2) continue;
-    constexpr double kDeep = 0.03;
+    constexpr double kDeep = 0.04;
     const double hollow = std::clamp(below[i] / kDeep, -1.0, 1.0);
-    skin.part.vertices[i].colour *= hollow > 0 ? mix(Vec3{1}, Vec3{0.52, 0.42, 0.39}, hollow)
-                                               : mix(Vec3{1}, Vec3{1.42, 1.46, 1.46}, -hollow);
+    skin.part.vertices[i].colour *= hollow > 0 ? mix(Vec3{1}, Vec3{0.60, 0.50, 0.47}, hollow)
+                                               : mix(Vec3{1}, Vec3{1.34, 1.37, 1.37}, -hollow);
   }
 }
 
