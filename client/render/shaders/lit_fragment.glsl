@@ -105,7 +105,7 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
   float fine = piece_noise(at, along) * visible;
   float tuft = strand_noise(at * 0.27 + 5000.0) * fineness(at * 0.27);
   // A tuft does not stay light or dark from root to tip.
-  float turn = sin(4.0 * v_grain.y + 6.0 * strand_noise(at * 0.06 + 9000.0));
+  float turn = sin(6.0 * v_grain.y + 6.0 * strand_noise(at * 0.06 + 9000.0));
   tuft *= turn;
   cover = 1.0;
   if (v_colour.a < 1.0) {
