@@ -37,7 +37,7 @@ constexpr Arch kLowerArch{-1,
                           {.66, .66, .67, .64, .60, .54, .51}};
 constexpr double kArchBack = 4.8;
 /// Squarer than an ellipse (2): a narrow front ends in a dark gap to the corner of the mouth.
-constexpr double kArchPower = 2.18;
+constexpr double kArchPower = 2.10;
 
 /// The arch as a polyline, to walk along it by length.
 class ArchCurve {
@@ -66,7 +66,7 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr Vec3 kLostBetweenTeeth{0.18, 0.25, 0.30};
+constexpr Vec3 kLostBetweenTeeth{0.23, 0.31, 0.36};
 
 /// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
 /// and behind them light gets lost.
@@ -104,10 +104,36 @@ Vec3 tooth_colour(double to_tip, double u, std::size_t tooth) {
 /// How much of its edge a front tooth loses beside its neighbours, towards the middle and away from
 /// it: canines are pointed.
 constexpr std::array<std::array<double, 2>, 3> kRounding{
-    {{0.03, 0.065}, {0.05, 0.08}, {0.08, 0.10}}};
+    {{0.035, 0.08}, {0.07, 0.10}, {0.10, 0.12}}};
 
 /// How thick crowns are, in those of the front.
 constexpr std::array<double, kTeethPerSide> kThickness{1, 1, 1.15, 1.4, 1.5, 1.6, 1.6};
+
+/// How one tooth of the front stands otherwise than its row: no two do alike, or they are a
+/// denture.
+struct Stand {
+  double turn = 0;     ///< how much further forward its far end stands than its near one
+  double forward = 0;  ///< all of it
+  double longer = 0;   ///< its edge
+  double tint = 1;     ///< of its colour
+};
+/// On the subject's right, then on the left.
+constexpr std::array<std::array<Stand, kTeethPerSide>, 2> kStands{{{{{-0.020, 0.0, 0.0, 1.0},
+                                                                     {0.055, -0.030, -0.015, 0.965},
+                                                                     {-0.035, 0.020, 0.010, 0.99},
+                                                                     {0.02, -0.015, 0.015, 1.0},
+                                                                     {},
+                                                                     {},
+                                                                     {}}},
+                                                                   {{{0.015, 0.010, -0.008, 0.985},
+                                                                     {-0.040, 0.010, 0.012, 0.99},
+                                                                     {0.045, -0.010, -0.012, 0.95},
+                                                                     {-0.02, 0.015, -0.01, 0.97},
+                                                                     {},
+                                                                     {},
+                                                                     {}}}}};
+/// The lower incisors crowd more than the upper ones.
+constexpr double kCrowding = 1.5;
 
 /// One row of a crown: how far from the gum to the edge, and how far behind its front.
 struct CrownRow {
@@ -137,6 +163,9 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
                double begin, int side) {
   const bool molar = tooth > 2;
   const double lean = molar ? 0.02 : arch.lean;
+  // The lower row has what the other side of the upper one has.
+  const Stand& stand = kStands[(side > 0) == (arch.up > 0) ? 1 : 0][tooth];
+  const double crowding = arch.up > 0 ? 1 : kCrowding;
   std::vector<std::uint32_t> above;
   for (std::size_t j = 0; j < kCrownRows.size(); ++j) {
     const auto& [v, behind] = kCrownRows[j];  // gum to edge and back
@@ -150,17 +179,18 @@ void add_tooth(Part& part, const Arch& arch, const ArchCurve& curve, std::size_t
       const double bulge = 0.10 * (1 - power(across, 4)) * (1 - 0.3 * v);
       const double edge = -0.035 * power(across, 8) - 0.10 * power(v, 8);
       const double depth = behind * of_crown(kThickness, tooth, u);
-      Vec3 p = base + out * (bulge + edge - depth + lean * v);
+      const double aside = crowding * (stand.forward + stand.turn * (u - 0.5)) * (0.4 + 0.6 * v);
+      Vec3 p = base + out * (bulge + edge - depth + lean * v + aside);
       const double height = of_crown(arch.heights, tooth, u);
       // Their corners are round, most those away from the middle; a deep notch between the first
       // two would be a black dot.
       const double notch =
           (molar ? 0.03 : kRounding[tooth][u < 0.5 ? 0 : 1]) * power(across, 4) * v * v;
-      const double toward_bite = height * v - notch;
+      const double toward_bite = (height + stand.longer) * v - notch;
       p.y = arch.gum_y - arch.up * toward_bite;
       p.x *= side;
       const double in_shade = smooth_step(0.0, 0.16, behind);
-      const Vec3 front = tooth_colour(v, u, tooth);
+      const Vec3 front = tooth_colour(v, u, tooth) * stand.tint;
       // The lower row is seen from behind past the lip: lit, its backs would be a heap of shells.
       const Vec3 near_back = arch.up > 0 ? front * kCrownBack : kCrownFarBack;
       const Vec3 back = mix(kCrownFarBack, near_back, smooth_step(5.8, 7.4, p.z));
@@ -211,10 +241,12 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.05, 0.45, std::abs(p.x));
+  return smooth_step(5.2, 7.5, p.z) * smooth_step(1.85, 0.40, std::abs(p.x));
 }
 
-constexpr Vec3 kLightOnLowerTeeth{0.74, 0.66, 0.60};
+constexpr Vec3 kLightOnLowerTeeth{0.84, 0.76, 0.69};
+/// What is seen of the lower row behind its front: the colour of the walls there, not a grey block.
+constexpr Vec3 kLowerRowBehind{0.27, 0.088, 0.074};
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
@@ -230,7 +262,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
       // Its end seen past the tongue would be a grey block, and its far side a black one.
       const double far = std::max(smooth_step(7.3, 6.2, vertex.position.z),
                                   smooth_step(0.45, 1.10, std::abs(vertex.position.x)));
-      vertex.colour = mix(vertex.colour * kLightOnLowerTeeth, kMouthBack * 0.7, far);
+      vertex.colour = mix(vertex.colour * kLightOnLowerTeeth, kLowerRowBehind, far);
       vertex.occlusion = mix(std::max(vertex.occlusion * 0.5, 0.3), 0.2, far);
     }
     vertex.gloss *= mix(0.2, 1.0, light);
@@ -244,8 +276,8 @@ void shade_tongue(Part& tongue) {
     const Vec3& p = vertex.position;
     vertex.occlusion = mix(0.15, 0.85, smooth_step(5.0, 7.0, p.z));
     vertex.gloss = mix(0.1, 1.6, smooth_step(5.9, 7.0, p.z));
-    vertex.colour *= mix(0.30, 1.85, smooth_step(4.2, 6.9, p.z)) *
-                     mix(0.45, 1.0, smooth_step(1.30, 0.40, std::abs(p.x))) *
+    vertex.colour *= mix(0.22, 2.0, smooth_step(4.6, 7.1, p.z)) *
+                     mix(0.45, 1.0, smooth_step(1.30, 0.60, std::abs(p.x))) *
                      (1 - 0.22 * bell(p.x, 0.17) * smooth_step(7.3, 6.6, p.z));
   }
 }
@@ -331,21 +363,23 @@ Part make_tongue() {
   for (int j = 0; j <= kAlong; ++j) {
     const double b = kPi * j / kAlong;  // tip to root
     const double z = 5.40 + 1.95 * std::cos(b);
-    const double width = 1.28 * power(std::sin(b), 0.62) * (1 - 0.24 * std::cos(b));
+    const double width = 1.14 * power(std::sin(b), 0.60) * (1 - 0.36 * std::cos(b));
     // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
-    const double height = power(std::sin(b), 0.6) * mix(0.55, 0.24, smooth_step(4.6, 7.1, z));
+    const double height = power(std::sin(b), 0.6) * mix(0.60, 0.25, smooth_step(4.6, 7.1, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;
       const double x = width * std::cos(a);
-      const double round = std::sin(a) > 0 ? power(std::sin(a), 1.25) : std::sin(a);
-      double y = -3.05 + height * round - 0.10 * std::cos(b);
+      double y = -3.10 + height * std::sin(a) - 0.10 * std::cos(b);
       if (std::sin(a) > 0) {
         // The groove ends before the root, or its silhouette is two humps.
-        y -= 0.05 * bell(x, 0.26) * std::sin(b) * smooth_step(4.4, 6.0, z);
+        y -= 0.07 * bell(x, 0.20) * std::sin(b) * smooth_step(4.4, 6.0, z);
       }
       y -= 0.0216 * (z - 5.5) * (z - 5.5);
-      ring.push_back(tongue.add({x, y, z}, kTongue));
+      // Light falls on its back; its sides are in the shade of the rows of teeth.
+      const double lit =
+          mix(0.42, 1.15, std::max(smooth_step(0.0, 0.85, std::sin(a)), smooth_step(6.9, 7.3, z)));
+      ring.push_back(tongue.add({x, y, z}, kTongue * lit));
     }
     if (j > 0) tongue.add_band(ring, front, true);
     front = std::move(ring);

@@ -97,9 +97,9 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
 }
 
 /// From 0 in the middle of a lip to 1 in the corner of the mouth, along an ellipse, so that the jaw
-/// opens an oval with round ends: a lens looks cut out, and higher powers tear the corner.
-double towards_corner(double t) {
-  return 1 - std::sqrt(std::max(0.0, 1 - t * t));
+/// opens an oval with round ends: a lens looks cut out, and exponents above 2.15 tear the corner.
+double towards_corner(double t, double exponent) {
+  return 1 - power(std::max(0.0, 1 - power(t, exponent)), 1 / exponent);
 }
 
 void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
@@ -113,7 +113,10 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   // ring, where tapering it would be a tent.
   const double outside = upper ? smooth_step(kLipContactRing, kLipBorderRing, v.ring) : 0.0;
   const double late = 0.55 * outside * smooth_step(0.95, 0.60, to_corner);
-  const double jaw = mix(upper ? 0.0 : 1.0, kCorner, power(towards_corner(to_corner), 1 + late));
+  // The edge of the lips is a trace squarer than an ellipse, for the web in the corner narrows it.
+  const double outline = mix(2.0, 2.12, smooth_step(kLipBorderRing + 1, kLipContactRing, v.ring));
+  const double jaw =
+      mix(upper ? 0.0 : 1.0, kCorner, power(towards_corner(to_corner, outline), 1 + late));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
   const double lower = smooth_step(9.5, 14.5, v.spoke);
   // Near the corner the lower lip stays with the upper one.
