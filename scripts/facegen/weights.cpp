@@ -113,8 +113,10 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   // ring, where tapering it would be a tent.
   const double outside = upper ? smooth_step(kLipContactRing, kLipBorderRing, v.ring) : 0.0;
   const double late = 0.55 * outside * smooth_step(0.95, 0.60, to_corner);
-  // The edge of the lips is a trace squarer than an ellipse, for the web in the corner narrows it.
-  const double outline = mix(2.0, 2.12, smooth_step(kLipBorderRing + 1, kLipContactRing, v.ring));
+  // The edge of the lips is a trace squarer than an ellipse, for the web in the corner narrows it;
+  // so is the border of the lower red, which else runs straight from the corner to the chin.
+  const double outline =
+      mix(upper ? 2.0 : 2.4, 2.12, smooth_step(kLipBorderRing + 1, kLipContactRing, v.ring));
   const double jaw =
       mix(upper ? 0.0 : 1.0, kCorner, power(towards_corner(to_corner, outline), 1 + late));
   vertex[Map::Jaw] = mix(vertex[Map::Jaw], jaw, blend);
