@@ -10,12 +10,9 @@ namespace {
 
 // Lashes. On a lid, t runs from the inner corner of the eye (0) to the outer one (1).
 
-constexpr int kLidSteps = 16;  ///< spokes along a lid
-
 /// The vertex of a ring of a lid, `k` spokes from the inner corner.
 const Vertex& on_lid(const Skin& skin, int ring, int side, bool upper, int k) {
-  const int from_canthus = upper ? k : (2 * kLidSteps - k) % (2 * kLidSteps);
-  const int spoke = (from_canthus - 4 + kEyeSpokes) % kEyeSpokes;
+  const int spoke = spoke_from_canthus(upper ? k : kEyeSpokes - k);
   return skin.part.vertices[skin.find(Patch::Eye, ring, spoke, side)];
 }
 

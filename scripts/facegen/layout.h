@@ -20,9 +20,24 @@ inline constexpr int kRows = 48;
 inline constexpr int kColumns = 32;
 
 /// Eye: 32 spokes. Spoke 0 is at the upper inner corner of the block; the next ones are along its
-/// top. Counted as spoke + 4, modulo 32: 0 is the inner corner of the eye, 1-15 are the upper lid,
-/// 16 is the outer corner, and 17-31 lead back along the lower lid.
+/// top.
 inline constexpr int kEyeSpokes = 32;
+/// From the inner to the outer corner of the eye, along either lid.
+inline constexpr int kLidSteps = kEyeSpokes / 2;
+inline constexpr int kInnerCornerSpoke = kEyeSpokes - 4;
+/// A spoke counted from the inner corner of the eye (0): along the upper lid to the outer corner
+/// (kLidSteps) and back along the lower lid.
+[[nodiscard]] constexpr int from_canthus(int spoke) {
+  return (spoke - kInnerCornerSpoke + kEyeSpokes) % kEyeSpokes;
+}
+/// The spoke of such a count.
+[[nodiscard]] constexpr int spoke_from_canthus(int k) {
+  return (k + kInnerCornerSpoke) % kEyeSpokes;
+}
+/// The spoke on the other lid that meets this one when the eye shuts; a corner's is its own.
+[[nodiscard]] constexpr int opposite_on_lid(int spoke) {
+  return spoke_from_canthus(kEyeSpokes - from_canthus(spoke));
+}
 /// Share of the way from the lid margin (0) to the border of the block (1), ring by ring. 0.22 lies
 /// on the fold of the upper lid.
 inline constexpr std::array kEyeRings{1.0, 0.84, 0.68, 0.53, 0.41, 0.31, 0.22, 0.13, 0.06};
@@ -34,9 +49,13 @@ inline constexpr int kLidLastRing = 12;   ///< tucked in between lid and eyeball
 /// the lower lip.
 inline constexpr int kMouthSpokes = 25;
 inline constexpr int kMouthCornerSpoke = 12;
+/// Spokes from the middle of a spoke's own lip.
+[[nodiscard]] constexpr int from_lip_middle(int spoke) {
+  return spoke <= kMouthCornerSpoke ? spoke : kMouthSpokes - 1 - spoke;
+}
 /// How far along the half mouth a spoke lies, 0 at the middle and 1 at the corner.
 [[nodiscard]] inline double along_lip(int spoke) {
-  const double u = (spoke <= kMouthCornerSpoke ? spoke : 24 - spoke) / 12.0;
+  const double u = from_lip_middle(spoke) / double{kMouthCornerSpoke};
   return 1 - power(1 - u, 1.2);
 }
 /// Share of the way from the red of the lips (0) to the border of the block (1), ring by ring.

@@ -83,7 +83,7 @@ void paint_ear(Vertex& vertex, const HalfVertex& v) {
 }
 
 void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
-  const bool upper = (v.spoke + 4) % kEyeSpokes <= 16;
+  const bool upper = from_canthus(v.spoke) <= kLidSteps;
   // More than this below the eye looks tired.
   Vec3 c =
       mix(vertex.colour, who.colours.lid_skin, (upper ? 0.30 : 0.12) * smooth_step(1, 5, v.ring));

@@ -7,16 +7,11 @@ namespace {
 
 using Ring = LayoutBuilder::Ring;
 
-/// Spoke counted from the inner corner of the eye.
-int from_canthus(int spoke) {
-  return (spoke + 4) % kEyeSpokes;
-}
-
 /// A spoke's place on the lid margin, in the front plane.
 Vec3 lid_margin(const Identity& who, int spoke) {
   const int k = from_canthus(spoke);
-  const bool upper = k < 16;
-  const double t = (upper ? k : 32 - k) / 16.0;
+  const bool upper = k < kLidSteps;
+  const double t = (upper ? k : kEyeSpokes - k) / double{kLidSteps};
   const double eased = mix(t, 0.5 - 0.5 * std::cos(kPi * t), 0.55);
   const double dx = mix(kInnerCanthus, kOuterCanthus, eased);
   const Vec3 eye = eye_centre(who.form);
@@ -27,10 +22,10 @@ Vec3 lid_margin(const Identity& who, int spoke) {
 Vec3 out_of_lid(const Identity& who, int spoke, const Vec3& border) {
   const int k = from_canthus(spoke);
   const Vec3 margin = lid_margin(who, spoke);
-  const double upright = 0.6 * bell((k % 16 - 8) / 8.0, 0.9);
+  const double upright = 0.6 * bell((k % kLidSteps) / (kLidSteps / 2.0) - 1, 0.9);
   const Vec3 along = glm::normalize(Vec3{border.x - margin.x, border.y - margin.y, 0});
-  return glm::normalize(
-      Vec3{along.x * (1 - upright), along.y * (1 - upright) + upright * (k < 16 ? 1 : -1), 0});
+  return glm::normalize(Vec3{along.x * (1 - upright),
+                             along.y * (1 - upright) + upright * (k < kLidSteps ? 1 : -1), 0});
 }
 
 /// z of the front of a ball of radius `radius` about the eye's centre; far back beside it.

@@ -76,16 +76,16 @@ void weigh_lid(Vertex& vertex, const HalfVertex& v,
   const double share = 1 - smooth_step(0.02, 0.48, from_margin);
   // Muscles round the eye hardly move the lids: they slide on the ball by their own channel.
   vertex[Map::Muscle] = 1 - 0.9 * share;
-  const int k = (v.spoke + 4) % kEyeSpokes;
-  if (k % 16 == 0) return;  // the corners of the eye stay
-  const bool upper = k < 16;
-  const double middle = std::sin(kPi * (k % 16) / 16.0);
+  const int k = from_canthus(v.spoke);
+  if (k % kLidSteps == 0) return;  // the corners of the eye stay
+  const bool upper = k < kLidSteps;
+  const double middle = std::sin(kPi * (k % kLidSteps) / kLidSteps);
   if (!upper) {
     // Undoes the factor above for the one muscle that is the lower lid's own.
     vertex[Map::LowerLid] = 0.1 * share * middle / vertex[Map::Muscle];
   }
   const double own = elevation[static_cast<std::size_t>(v.spoke)];
-  const double opposite = elevation[static_cast<std::size_t>((24 - v.spoke + 32) % kEyeSpokes)];
+  const double opposite = elevation[static_cast<std::size_t>(opposite_on_lid(v.spoke))];
   // Both margins meet a fifth of the way above where the lower one rests, half-way near the
   // corners, which else would fold, and press by a trace.
   const double meet = mix(0.5, 0.74, smooth_step(0.0, 0.95, middle));
@@ -125,7 +125,7 @@ void weigh_mouth(Vertex& vertex, const HalfVertex& v) {
   vertex[Map::LowerLip] = mix(vertex[Map::LowerLip], smooth_step(12.5, 15.4, v.spoke), blend);
   // The levators lift the ends of the lip less than the rest, or it opens as a box, and the middle,
   // which the septum holds, less than beside it, or it becomes a beak.
-  const double from_middle = upper ? v.spoke : 24 - v.spoke;
+  const double from_middle = from_lip_middle(v.spoke);
   const double lift =
       (1 - 0.9 * smooth_step(2.5, 11.5, from_middle)) * (1 - 0.07 * bell(from_middle, 2.6));
   vertex[Map::UpperLip] = mix(vertex[Map::UpperLip], (1 - lower) * lift, blend);
