@@ -70,15 +70,13 @@ constexpr std::array<Vec3, 13> kHelix{{{.16, -.06, .3},
                                        {1.33, .10, .95},
                                        {1.20, -.62, .75},
                                        {.95, -1.25, .4}}};
+/// Where the inner ridge parts.
+constexpr Vec3 kFork{.52, .80, .95};
 /// The inner ridge from the antitragus up, and its two legs.
-constexpr std::array<Vec3, 6> kAntihelix{{{.02, -1.00, .75},
-                                          {.36, -.98, .7},
-                                          {.66, -.66, .75},
-                                          {.80, -.15, 1},
-                                          {.74, .36, 1},
-                                          {.52, .80, .95}}};
-constexpr std::array<Vec3, 3> kUpperLeg{{{.52, .80, .95}, {.30, 1.20, .75}, {.06, 1.56, .35}}};
-constexpr std::array<Vec3, 3> kLowerLeg{{{.52, .80, .95}, {.10, .82, .85}, {-.36, .78, .6}}};
+constexpr std::array<Vec3, 6> kAntihelix{
+    {{.02, -1.00, .75}, {.36, -.98, .7}, {.66, -.66, .75}, {.80, -.15, 1}, {.74, .36, 1}, kFork}};
+constexpr std::array<Vec3, 3> kUpperLeg{{kFork, {.30, 1.20, .75}, {.06, 1.56, .35}}};
+constexpr std::array<Vec3, 3> kLowerLeg{{kFork, {.10, .82, .85}, {-.36, .78, .6}}};
 constexpr std::array<Vec3, 3> kTragus{{{-.50, -.12, .7}, {-.44, -.36, 1}, {-.42, -.56, .7}}};
 
 /// Height of the front of the ear over its plate.

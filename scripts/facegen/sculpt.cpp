@@ -71,9 +71,9 @@ double face_mass(const Form& form, const Vec3& p) {
 
 double with_brow_ridge(const Form& form, double d, const Vec3& p) {
   const double ridge = form.brow_ridge;
-  d = melt(d, round_cone(p, {0.75, 3.95, 7.55}, {2.4, 4.25, 7.05}, 0.55 + ridge, 0.55 + ridge),
-           0.8);
-  d = melt(d, round_cone(p, {2.4, 4.25, 7.05}, {3.75, 3.55, 5.6}, 0.55 + ridge, 0.5), 0.8);
+  constexpr Vec3 kArch{2.4, 4.25, 7.05};
+  d = melt(d, round_cone(p, {0.75, 3.95, 7.55}, kArch, 0.55 + ridge, 0.55 + ridge), 0.8);
+  d = melt(d, round_cone(p, kArch, {3.75, 3.55, 5.6}, 0.55 + ridge, 0.5), 0.8);
   return melt(d, ellipsoid(p - Vec3{0, 3.85, 7.4}, Vec3{0.85, 0.95, 0.82} + ridge), 0.9);
 }
 
@@ -85,8 +85,9 @@ double neck_column(const Form& form, const Vec3& p) {
   const Vec3 throat{0, -4.4, 2.5 * wide - 0.4};
   d = melt(d, round_cone(p, throat, {0, -11.5, 1.75 * wide - 1.6}, 1.55 * wide, 1.45 * wide), 1.2);
   d = melt(d, ellipsoid(p - Vec3{1.9, -1.2, -0.9}, {1.6, 2.6, 2.0}), 1.5);  // splenius
-  d = melt(d, round_cone(p, {0.5, -2.2, -1.7}, {0.9, -6.6, -2.2}, 1.7, 1.8), 1.6);
-  d = melt(d, round_cone(p, {0.9, -6.6, -2.2}, {3.8, -12.0, -4.4}, 1.8, 2.1), 1.6);
+  constexpr Vec3 kNape{0.9, -6.6, -2.2};
+  d = melt(d, round_cone(p, {0.5, -2.2, -1.7}, kNape, 1.7, 1.8), 1.6);
+  d = melt(d, round_cone(p, kNape, {3.8, -12.0, -4.4}, 1.8, 2.1), 1.6);
   return melt(d, round_cone(p, {2.2, -12.6, -1.9}, {8.0, -14.2, -1.9}, 2.3, 2.0), 2.5);
 }
 
@@ -128,10 +129,10 @@ double with_nose(const Form& form, double d, const Vec3& p) {
   // The bridge melts widely into the cheeks, tip and wings closely; one seam for all makes a column
   // of the bridge or a blob of the tip.
   const double wide = form.bridge_width;
-  const Vec3 hump{0, 0, form.nose_hump};
+  const Vec3 hump{0, 1.6, 8.18 + form.nose_hump};
   const Vec3 low{0, 0.5, 8.78 + 0.5 * std::max(0.0, form.nose_forward)};
-  double bridge = round_cone(p, {0, 3.05, 7.46}, Vec3{0, 1.6, 8.18} + hump, 0.36, 0.44 + wide);
-  bridge = melt(bridge, round_cone(p, Vec3{0, 1.6, 8.18} + hump, low, 0.44 + wide, 0.52), 0.9);
+  double bridge = round_cone(p, {0, 3.05, 7.46}, hump, 0.36, 0.44 + wide);
+  bridge = melt(bridge, round_cone(p, hump, low, 0.44 + wide, 0.52), 0.9);
   bridge = melt(bridge,
                 round_cone(p, {0.12 + wide, 2.3, 7.00}, {0.62 + 0.5 * wide, 0.1, 7.78}, 0.38, 0.60),
                 0.8);
