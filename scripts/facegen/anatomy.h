@@ -62,11 +62,11 @@ inline constexpr double kPhiltrumRidge = 0.36;
 
 /// The furrow from the wing of the nose past the corner of the mouth: points of x, y and depth, 1
 /// at its deepest. `Form::furrow` engraves it, as years do; smiles deepen it.
-inline constexpr std::array<Vec3, 5> kFurrow{{{1.16, -0.24, 0.3},
-                                              {1.62, -0.70, 0.75},
-                                              {2.14, -1.32, 1.0},
-                                              {2.51, -2.04, 0.6},
-                                              {2.65, -2.74, 0.0}}};
+inline constexpr std::array<Vec3, 5> kFurrow{{{1.14, -0.26, 0.3},
+                                              {1.50, -0.76, 0.75},
+                                              {2.01, -1.36, 1.0},
+                                              {2.43, -2.05, 0.6},
+                                              {2.62, -2.75, 0.0}}};
 
 /// The spine of the brow in the front plane (z = 0) from t = 0 at the nose to 1 at the temple, and
 /// half of its width there.

@@ -163,7 +163,7 @@ Vec3 along_lash(const LashGrowth& growth, double s) {
 /// eye hang over the cheek; seen end-on they would be a drawn line.
 Maps maps_along(const LashGrowth& growth, double s) {
   Maps maps = growth.root.maps;
-  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.50 * s;
+  maps[static_cast<std::size_t>(Map::LidAngle)] *= 1 + 0.60 * s;
   return maps;
 }
 

@@ -50,7 +50,7 @@ inline constexpr Vec3 kLimbus{0.20, 0.20, 0.19};
 inline constexpr Vec3 kSclera{0.66, 0.60, 0.565};
 inline constexpr Vec3 kScleraCorner{0.50, 0.325, 0.29};
 /// A factor on the light in the deepest line.
-inline constexpr Vec3 kCrease{0.60, 0.36, 0.29};
+inline constexpr Vec3 kCrease{0.57, 0.43, 0.38};
 inline constexpr Vec3 kForeheadCrease{0.61, 0.42, 0.36};
 
 }  // namespace aucast::facegen
