@@ -1,10 +1,8 @@
 #include "common/own_computer.h"
 
-#include <arpa/inet.h>
-
-#include <array>
 #include <string>
 
+#include "common/numeric_address.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -17,12 +15,9 @@ bool is_localhost(std::string_view host) {
 
 bool is_own_computer(std::string_view host) {
   if (is_localhost(host)) return true;
-  const std::string text(host);
-  std::array<unsigned char, sizeof(in6_addr)> bytes{};
-  if (::inet_pton(AF_INET, text.c_str(), bytes.data()) == 1) return bytes[0] == 127;
-  constexpr std::array<unsigned char, sizeof(in6_addr)> kLoopback{0, 0, 0, 0, 0, 0, 0, 0,
-                                                                  0, 0, 0, 0, 0, 0, 0, 1};
-  return ::inet_pton(AF_INET6, text.c_str(), bytes.data()) == 1 && bytes == kLoopback;
+  const std::string address = numeric_address(host);
+  const bool v4 = address.size() == 4;
+  return v4 ? address.front() == 127 : !address.empty() && address == numeric_address("::1");
 }
 
 }  // namespace aucast

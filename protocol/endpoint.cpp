@@ -1,15 +1,13 @@
 #include "protocol/endpoint.h"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "common/number_of.h"
+#include "common/numeric_address.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/engine_message.h"
@@ -23,10 +21,8 @@ Error bad_address(std::string what) {
 }
 
 bool is_v6(std::string_view text) {
-  // A zone such as %eth0 names an interface; inet_pton does not know it.
-  const std::string address(text.substr(0, text.find('%')));
-  std::array<unsigned char, 16> bytes{};
-  return ::inet_pton(AF_INET6, address.c_str(), bytes.data()) == 1;
+  // A zone such as %eth0 names an interface of this computer; it is no part of the address.
+  return numeric_address(text.substr(0, text.find('%'))).size() == 16;
 }
 
 bool is_host_byte(char byte) {

@@ -118,10 +118,8 @@ IMPURE = re.compile(
 # Folders whose code is plain data and what follows from it: it also knows no file.
 KNOWS_NO_FILE = {"client/gui/texts", "client/gui/model", "client/gui/editing"}
 FILES = re.compile(r'<(filesystem|fstream)>|"common/(files|text_file)\.h"')
-# What single files of them do all the same.
+# What single files of the pure ones do all the same.
 MAY_TOUCH = {
-    "protocol/endpoint.cpp": "<arpa/",  # inet_pton: addresses as text
-    "common/web/origin.cpp": "<arpa/",
     "client/sound/openal_out.cpp": "<dlfcn|setenv",  # the device itself
 }
 

@@ -96,7 +96,7 @@ std::vector<AuTerm> terms_at(const Curves& curves, std::size_t step) {
   int both_of = 0;
   for (const auto& [key, samples] : curves.samples) {
     const auto [number, side] = key;
-    const int percent = static_cast<int>(std::lround(100 * std::min(samples[step], 1.0F)));
+    const int percent = percent_of(samples[step]);
     if (number != both_of) both = 0;
     both_of = number;
     if (side == Side::Both) both = percent;

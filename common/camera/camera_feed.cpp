@@ -17,12 +17,13 @@
 #include "common/mesh/steady_gaze.h"
 #include "common/text.h"
 #include "common/thread.h"
+#include "common/time.h"
 
 namespace aucast::camera {
 namespace {
 
 double now_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return seconds(std::chrono::steady_clock::now().time_since_epoch());
 }
 
 /// Writing to a pipe that nobody reads must not end the program.

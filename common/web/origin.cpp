@@ -1,21 +1,13 @@
 #include "common/web/origin.h"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
-#include <array>
 
+#include "common/numeric_address.h"
 #include "common/own_computer.h"
 #include "common/text.h"
 
 namespace aucast::web {
 namespace {
-
-bool is_address(const std::string& host) {
-  std::array<unsigned char, sizeof(in6_addr)> bytes{};
-  return ::inet_pton(AF_INET, host.c_str(), bytes.data()) == 1 ||
-         ::inet_pton(AF_INET6, host.c_str(), bytes.data()) == 1;
-}
 
 bool matches(std::string_view host, const std::string& name) {
   const std::string wanted = host_of(name);
@@ -44,7 +36,7 @@ std::string host_of(std::string_view host_and_port) {
 bool is_own_host(std::string_view host, const std::vector<std::string>& names) {
   if (host.empty()) return true;
   const std::string name = host_of(host);
-  return name == "localhost" || is_address(name) || is_one_of(name, names);
+  return name == "localhost" || !numeric_address(name).empty() || is_one_of(name, names);
 }
 
 bool is_own_origin(std::string_view origin, std::string_view host,

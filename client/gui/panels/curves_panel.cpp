@@ -10,6 +10,7 @@
 #include "client/gui/texts/texts.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
+#include "common/action_unit.h"
 
 namespace aucast::gui {
 namespace {
@@ -116,8 +117,7 @@ void draw_rows(const Look& look, const GuiModel& model, const CurvesForm& form, 
     line_of(look, form.outlines[i], from, to);
     const float y = (from.y + to.y - ImGui::GetTextLineHeight()) / 2;
     list.AddText(ImVec2(rows.corner.x, y), colour, std::to_string(curve.number).c_str());
-    const std::string value =
-        std::to_string(std::lround(100 * value_at(curve, *local.ends, place)));
+    const std::string value = std::to_string(percent_of(value_at(curve, *local.ends, place)));
     list.AddText(ImVec2(rows.end - ImGui::CalcTextSize(value.c_str()).x, y), colour, value.c_str());
   }
 }

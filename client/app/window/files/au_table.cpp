@@ -1,7 +1,6 @@
 #include "client/app/window/files/au_table.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <vector>
@@ -62,7 +61,7 @@ std::string format_au_table(const playback::KeyframeList& keyframes, Millisecond
     text += in_seconds(place) + "," + in_seconds(time);
     for (const Column& column : columns) {
       const auto& side = column.side == Side::Right ? keyframe.aus.right : keyframe.aus.left;
-      text += "," + std::to_string(std::lround(100 * side[column.number]));
+      text += "," + std::to_string(percent_of(side[column.number]));
     }
     text += '\n';
   }

@@ -12,9 +12,9 @@ constexpr std::size_t kSamplesMax = 121;
 constexpr std::size_t kRateSamples = 9;  // two seconds
 
 PlaybackHistory::Rates rates_of(std::uint64_t in, std::uint64_t out, Duration time) {
-  const double seconds = std::chrono::duration<double>(time).count();
-  if (!(seconds > 0)) return {};
-  return {static_cast<double>(in) / seconds, static_cast<double>(out) / seconds};
+  const double span = seconds(time);
+  if (!(span > 0)) return {};
+  return {static_cast<double>(in) / span, static_cast<double>(out) / span};
 }
 
 }  // namespace
