@@ -6,6 +6,7 @@
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/fields.h"
 #include "client/gui/widgets/kept_place.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"

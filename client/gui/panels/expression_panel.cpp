@@ -8,6 +8,8 @@
 #include "client/gui/model/expression_search.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/au_table.h"
+#include "client/gui/widgets/fields.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 #include "common/text.h"

@@ -8,6 +8,7 @@
 
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/fields.h"
 #include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {

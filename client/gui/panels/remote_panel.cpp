@@ -12,6 +12,9 @@
 #include "client/gui/model/view_text.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/au_table.h"
+#include "client/gui/widgets/fields.h"
+#include "client/gui/widgets/plot.h"
 #include "client/gui/widgets/tips.h"
 
 namespace aucast::gui {

@@ -1,3 +1,5 @@
+#include "client/gui/widgets/plot.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "client/gui/model/label_places.h"
 #include "client/gui/widgets/keyboard_focus.h"
-#include "client/gui/widgets/widgets.h"
 
 namespace aucast::gui {
 namespace {

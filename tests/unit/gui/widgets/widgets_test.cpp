@@ -10,6 +10,7 @@
 #include <imgui_internal.h>
 
 #include "client/gui/gui.h"
+#include "client/gui/widgets/fields.h"
 #include "client/gui/widgets/tips.h"
 #include "tests/unit/gui/gui_by_hand.h"
 
