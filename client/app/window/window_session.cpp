@@ -199,7 +199,7 @@ std::optional<AuFrame> WindowSession::aus_shown() const {
     case Shown::Composer:
       break;
   }
-  return face::blend(mapping_.rules, composer_.aus());
+  return composer_.blended();
 }
 
 void WindowSession::show(Shown shown) {

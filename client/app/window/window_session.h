@@ -33,9 +33,10 @@
 namespace aucast::app {
 
 /// What happens in the window, without the window itself. Passes each command to its session,
-/// decides which session's face is shown, and owns what the sessions share: the mapping of AUs to a
-/// face, notices, leaving. Time is handed in. Assets, options and stats must outlive it. The user
-/// may replace the face in `assets`. Thread: the player's.
+/// decides which session's face is shown, puts together what the panels show of them, and owns what
+/// the sessions share: the mapping of AUs to a face, notices, leaving. Time is handed in. Assets,
+/// options and stats must outlive it. The user may replace the face in `assets`. Thread: the
+/// player's.
 class WindowSession {
  public:
   /// If `playback` is null, shows the neutral face.

@@ -99,7 +99,7 @@ void ComposerSession::take(const AuFrame& aus) {
 
 void ComposerSession::remake() {
   activations_.resize(mapping_.face.channels.size());
-  mapping_.apply(composer_.current().aus, activations_);
+  blended_ = mapping_.apply(composer_.current().aus, activations_);
 }
 
 void ComposerSession::list_keyframes() {

@@ -43,6 +43,8 @@ class ComposerSession {
   [[nodiscard]] const std::vector<float>& activations() const { return activations_; }
   /// The AUs of the current keyframe.
   [[nodiscard]] const AuFrame& aus() const { return composer_.current().aus; }
+  /// The same after the rules, as the face shows them.
+  [[nodiscard]] const AuFrame& blended() const { return blended_; }
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
   /// Whether a new keyframe was begun and has not been added to the stream.
   [[nodiscard]] bool begun() const { return composer_.begun(); }
@@ -59,6 +61,7 @@ class ComposerSession {
 
   const pipeline::AuMapping& mapping_;
   gui::Composer composer_;
+  AuFrame blended_;
   std::vector<float> activations_;
   std::uint64_t listed_revision_ = 0;  ///< the composer's revision that rows_ and total_ show
   std::shared_ptr<const std::vector<gui::TimelineRow>> rows_;
