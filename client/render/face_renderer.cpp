@@ -1,7 +1,6 @@
 #include "client/render/face_renderer.h"
 
 #include <cstddef>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -48,7 +47,6 @@ struct FaceRenderer::State {
   BlockBuffer<CameraBlock> camera;
   BlockBuffer<LightsBlock> lights;
 
-  void renew_shaders();
   void draw_surface(const view::Style& style);
   void draw_transparent(const view::Style& style);
   void draw_depth(const std::vector<Run>& runs);
@@ -69,17 +67,6 @@ struct FaceRenderer::State {
 const Program& FaceRenderer::State::program_for(Shader shader) const {
   if (shader == Shader::Hair) return programs.hair;
   return shader == Shader::Eye ? programs.eye : programs.surface;
-}
-
-/// Rebuilds shaders whose files have changed. If that fails, the old ones stay.
-void FaceRenderer::State::renew_shaders() {
-  if (!files.changed()) return;
-  auto built = build_programs(files);
-  if (built.has_value()) {
-    programs = std::move(*built);
-  } else {
-    std::fprintf(stderr, "%s\n", built.error().message.c_str());
-  }
 }
 
 void FaceRenderer::State::draw_shadow_map() {
@@ -218,6 +205,14 @@ Result<std::unique_ptr<FaceRenderer>> FaceRenderer::create() {
   return std::unique_ptr<FaceRenderer>(new FaceRenderer(std::move(state)));
 }
 
+Result<void> FaceRenderer::renew_shaders() {
+  if (!state_->files.changed()) return {};
+  auto built = build_programs(state_->files);
+  if (!built.has_value()) return built.error();
+  state_->programs = std::move(*built);
+  return {};
+}
+
 void FaceRenderer::load(const view::StaticMesh& mesh) {
   state_->mesh.load(mesh);
 }
@@ -230,7 +225,6 @@ void FaceRenderer::pose(const view::MovingMesh& mesh) {
 void FaceRenderer::draw(const view::Viewpoint& viewpoint, const view::Style& style, int width,
                         int height) {
   State& state = *state_;
-  state.renew_shaders();
   state.mesh.bind(style.layers.textured);
   // WebGL draws nothing with a block that has no buffer, whether the program reads it or not.
   if (!state.mesh.plain().empty()) state.mesh.materials().use();

@@ -19,6 +19,9 @@ class FaceRenderer {
   FaceRenderer(const FaceRenderer&) = delete;
   FaceRenderer& operator=(const FaceRenderer&) = delete;
 
+  /// Builds the shaders anew if files of AUCAST_SHADERS have changed. If that fails, the old ones
+  /// stay.
+  [[nodiscard]] Result<void> renew_shaders();
   /// Loads a face to draw from now on; pose() must follow before draw().
   void load(const view::StaticMesh& mesh);
   /// Sets the pose that draw() shows. Until the next call, borrows the arrays of `mesh` that do not

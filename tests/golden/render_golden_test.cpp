@@ -226,7 +226,10 @@ TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
   auto target = render::OffscreenTarget::create(1, 1);
   ASSERT_TRUE(target.has_value()) << target.error().message;
   (*renderer)->load({});
+  std::string fault;
   const auto pixel = [&] {
+    const auto renewed = (*renderer)->renew_shaders();
+    fault = renewed.has_value() ? "" : renewed.error().message;
     (*target)->bind();
     (*renderer)->draw({}, {}, 1, 1);
     return (*target)->read().rgba;
@@ -235,8 +238,10 @@ TEST(FaceRenderer, ShadersInTheFolderOfTheEnvironmentMayChangeWhileItRuns) {
   write_backdrop(
       "void main() { o_colour = vec4(0, step(u_centre, u_edge + u_square + 1.0).g, 0, 1); }\n");
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
+  EXPECT_EQ(fault, "");
   write_backdrop("void main() { nonsense; }\n");
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
+  EXPECT_NE(fault.find("nonsense"), std::string::npos) << fault;
   write_backdrop("void main() { o_colour = vec4(u_centre, 1.0); }\n");  // u_edge is not there
   EXPECT_EQ(pixel(), (std::vector<std::uint8_t>{0, 255, 0, 255}));
   std::filesystem::remove(folder.path() / "lit_vertex.glsl");

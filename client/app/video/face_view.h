@@ -36,6 +36,8 @@ class FaceView {
   FaceView(const FaceView&) = delete;
   FaceView& operator=(const FaceView&) = delete;
 
+  /// See render::FaceRenderer::renew_shaders().
+  [[nodiscard]] Result<void> renew_shaders();
   /// Sets the pose that is drawn; initially it is the neutral face. `activations`: one per channel.
   void pose(std::span<const float> activations);
 

@@ -76,6 +76,10 @@ bool FaceView::make_more() {
   return true;
 }
 
+Result<void> FaceView::renew_shaders() {
+  return state_->renderer->renew_shaders();
+}
+
 void FaceView::pose(std::span<const float> activations) {
   state_->activations.assign(activations.begin(), activations.end());
   show_pose();

@@ -1,6 +1,7 @@
 #include "client/app/window/window_display.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "client/app/steady.h"
@@ -11,7 +12,9 @@
 #include "client/app/window/window_overlay.h"
 #include "client/face/face_deformer.h"
 #include "common/check.h"
+#include "common/log.h"
 #include "common/task.h"
+#include "common/text.h"
 
 namespace aucast::app {
 namespace {
@@ -133,6 +136,7 @@ class GlDisplay : public WindowDisplay {
       view_->pose(pose_);
     }
     const Instant deformed = steady_now();
+    renew_shaders();
     view_->draw(window_->viewpoint(), style, width, height);
     const Instant drawn = steady_now();
     if (std::exchange(listed_, model.faces.entries) != model.faces.entries && listed_ != nullptr) {
@@ -167,6 +171,15 @@ class GlDisplay : public WindowDisplay {
   [[nodiscard]] float thumbnail_scale() const { return 2 * window_->scale(); }
   [[nodiscard]] int larger(int size) const {
     return static_cast<int>(static_cast<float>(size) * thumbnail_scale());
+  }
+
+  /// Logs what the compiler says of shaders that are being worked on, line by line.
+  void renew_shaders() {
+    const auto renewed = view_->renew_shaders();
+    if (renewed) return;
+    for (const std::string_view line : split(renewed.error().message, '\n')) {
+      if (!line.empty()) spdlog::warn("{}", line);
+    }
   }
 
   void toggle_full_screen(Instant now) {
