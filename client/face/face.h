@@ -74,6 +74,22 @@ struct HeadPose {
   float shift = 1;  ///< AU 57 and 58: mesh units at 100 %
 };
 
+/// Hair below the height of `hinge` swings after the head: the deeper, the further.
+struct Hair {
+  glm::vec3 hinge{0};   ///< in the middle of the head
+  float swing_deg = 6;  ///< how far the lowest ends swing at most when the head turns
+};
+
+/// How far the hair hangs from where it lies at rest: shares of Hair::swing_deg in [-1, 1], with
+/// the signs of the head's own turn, pitch and tilt. While the head turns to the left, hair that
+/// stays behind has a negative turn.
+struct HairSway {
+  float turn = 0;
+  float pitch = 0;
+  float tilt = 0;
+  bool operator==(const HairSway&) const = default;
+};
+
 /// What one AU does at full intensity on both sides. A channel of one side takes that side's
 /// intensity, a central one the larger of both (muscle_mixer.h).
 struct AuRecording {
@@ -102,6 +118,7 @@ struct Face {
   std::optional<Lids> lids;
   std::vector<Eye> eyes;  ///< the left eye first
   std::optional<HeadPose> head;
+  std::optional<Hair> hair;  ///< nullopt: it goes with the head as one piece
   AuRecordings recordings;
   /// Messages to be shown to the user once: about duplicates that were dropped and AUs that this
   /// face cannot show.

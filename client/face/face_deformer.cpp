@@ -12,6 +12,7 @@
 
 #include "client/face/block_turns.h"
 #include "client/face/drawn_blocks.h"
+#include "client/face/hair_mover.h"
 #include "client/face/head_mover.h"
 #include "client/face/muscle_sums.h"
 #include "client/face/normal_field.h"
@@ -106,14 +107,14 @@ struct FaceDeformer::State {
   State(const State&) = delete;  // movers refer to it
   State& operator=(const State&) = delete;
 
-  void take(std::span<const float> given);
+  void take(std::span<const float> given, const HairSway& sway);
   [[nodiscard]] std::optional<std::size_t> channel(Side side, std::string_view base) const {
     return face.channel_index(sided_name(side, base));
   }
   [[nodiscard]] float value(const std::optional<std::size_t>& channel) const {
     return channel ? activations[*channel] : 0.0F;
   }
-  void move(std::span<const float> given);
+  void move(std::span<const float> given, const HairSway& sway);
   void relax_yielding();
   void rest_vanished();
   void add_lids(const Eye& eye);
@@ -136,6 +137,7 @@ struct FaceDeformer::State {
   HeadChannels head_channels;
   DrawnBlocks drawn;
   NormalField normals;
+  std::optional<HairMover> hair;
   std::optional<HeadMover> head;
   DeformedFace result;
 };
@@ -160,6 +162,7 @@ FaceDeformer::State::State(const Face& driven, MuscleSums sums, NormalField fiel
                      opposed(face, kHeadShift)};
     head.emplace(face);
   }
+  if (face.hair) hair.emplace(face);
   result.positions = face.mesh.positions;
   result.normals.assign(face.mesh.positions.size(), {0, 0, 1});
   for (std::size_t block = 0; block < now.size(); ++block) shown.insert(block);
@@ -222,7 +225,7 @@ void FaceDeformer::State::add_eye(const Eye& eye) {
   movers.push_back({gather(face.mesh.positions.size(), weight), eye.centre, 0, wanted, {}});
 }
 
-void FaceDeformer::State::take(std::span<const float> given) {
+void FaceDeformer::State::take(std::span<const float> given, const HairSway& sway) {
   AUCAST_CHECK(given.size() == face.channels.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
     activations[i] =
@@ -237,6 +240,7 @@ void FaceDeformer::State::take(std::span<const float> given) {
     mover.turn = wanted;
     moved |= mover.part.all;
   }
+  if (hair) hair->take(sway, moved);
   shown = moved;
   if (head) head->take(head_pose(), shown);
   drawn.take(activations);
@@ -253,12 +257,13 @@ void FaceDeformer::State::relax_yielding() {
 }
 
 /// Brings positions and normals to these activations.
-void FaceDeformer::State::move(std::span<const float> given) {
-  take(given);
+void FaceDeformer::State::move(std::span<const float> given, const HairSway& sway) {
+  take(given, sway);
   rest_vanished();
   if (shown.empty()) return;
   moved.for_each([this](std::size_t block) { muscles.at(block, now[block]); });
   for (const Mover& mover : movers) apply(mover);
+  if (hair) hair->apply(moved, now);
   const auto show = [this](std::size_t block, const VertexBlock& place) {
     const std::array<Four, kLanes> points = points_of(place);
     normals.place(block, points);
@@ -355,9 +360,9 @@ std::optional<FaceDeformer> FaceDeformer::Making::step() {
       std::make_unique<State>(parts.face, parts.muscles.finish(), parts.normals.finish()));
 }
 
-const DeformedFace& FaceDeformer::deform(std::span<const float> activations) {
+const DeformedFace& FaceDeformer::deform(std::span<const float> activations, const HairSway& sway) {
   State& state = *state_;
-  state.move(activations);
+  state.move(activations, sway);
   state.look();
   state.result.creases = state.drawn.depths();
   return state.result;

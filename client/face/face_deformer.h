@@ -29,13 +29,13 @@ struct DeformedFace {
 [[nodiscard]] DeformedFace neutral_face(const Face& face);
 
 /// Turns activations into positions. Muscles displace vertices from the neutral face, and their
-/// displacements are summed, so that their order does not matter; then lids, jaw, eyes and head
-/// turn, in that order. Displacements per unit of activation are computed once, when the deformer
-/// is made; deform() computes only the vertices that a changed activation reaches. A crease of
-/// depth 0 is not drawn. Its vertices stay at rest, except those that share a block
-/// (vertex_block.h) with something that is drawn. The result depends on the activations alone, to
-/// the last bit, not on earlier calls. The face must outlive the deformer. Thread: one deformer per
-/// thread.
+/// displacements are summed, so that their order does not matter; then lids, jaw, eyes,
+/// hair and head turn, in that order. Displacements per unit of activation are computed once, when
+/// the deformer is made; deform() computes only the vertices that a changed activation reaches. A
+/// crease of depth 0 is not drawn. Its vertices stay at rest, except those that share a block
+/// (vertex_block.h) with something that is drawn. The result depends on activations and sway alone,
+/// to the last bit, not on earlier calls. The face must outlive the deformer. Thread: one deformer
+/// per thread.
 class FaceDeformer {
  public:
   explicit FaceDeformer(const Face& face);
@@ -45,9 +45,10 @@ class FaceDeformer {
   FaceDeformer& operator=(FaceDeformer&&) noexcept;
 
   /// `activations`: one per channel, clamped to [0, activation_max]; a value that is not finite is
-  /// taken as 0. If all are 0, the positions are those of the face's own mesh bit for bit. The
-  /// result is valid until the next call. Nothing is allocated after the first call.
-  const DeformedFace& deform(std::span<const float> activations);
+  /// taken as 0. If all are 0, the positions are those of the face's own mesh bit for bit. `sway`:
+  /// how far the hair hangs from its place; it hangs at rest in a still. The result is valid until
+  /// the next call. Nothing is allocated after the first call.
+  const DeformedFace& deform(std::span<const float> activations, const HairSway& sway = {});
 
  private:
   struct State;

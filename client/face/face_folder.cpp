@@ -17,6 +17,8 @@ namespace {
 
 constexpr float kMuscleMax = 2;
 constexpr float kJawMax = 4;
+/// Further, hair would go through the face, whatever the face.
+constexpr float kSwingDegMax = 15;
 
 Jaw read_jaw(const TomlValue& table, Problems& problems) {
   TableReader reader(table, problems);
@@ -50,6 +52,15 @@ HeadPose read_head(const TomlValue& table, Problems& problems) {
   head.shift = reader.number_or("shift", head.shift, Bounds::between(0, 10));
   reader.finish();
   return head;
+}
+
+Hair read_hair(const TomlValue& table, Problems& problems) {
+  TableReader reader(table, problems);
+  Hair hair;
+  hair.hinge = read_point(reader, "hinge");
+  hair.swing_deg = reader.number_or("swing_deg", hair.swing_deg, Bounds::between(0, kSwingDegMax));
+  reader.finish();
+  return hair;
 }
 
 void need_map(const FaceMesh& mesh, std::string_view map, LinePosition place, Problems& problems) {
@@ -94,6 +105,10 @@ void read_movers(TableReader& reader, Face& face, Problems& problems) {
   if (const TomlValue* table = reader.table_if("head")) {
     face.head = read_head(*table, problems);
     need_map(face.mesh, "head", table->place, problems);
+  }
+  if (const TomlValue* table = reader.table_if("hair")) {
+    face.hair = read_hair(*table, problems);
+    if (!face.head) problems.add(table->place, "hair needs a [head] to swing after");
   }
 }
 

@@ -41,6 +41,7 @@ TEST_F(DefaultFace, HasEveryMoverAndNoRemark) {
   EXPECT_TRUE(face_.jaw.has_value());
   EXPECT_TRUE(face_.lids.has_value());
   EXPECT_TRUE(face_.head.has_value());
+  EXPECT_TRUE(face_.hair.has_value());
   EXPECT_EQ(face_.eyes.size(), 2U);
   EXPECT_TRUE(face_.remarks.empty());
 }

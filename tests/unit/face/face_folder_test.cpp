@@ -196,6 +196,10 @@ const std::vector<BadFile> kBadFaceToml = {
     {"face.toml", "[head]", "[[head]]", ":23:1: head must be a table"},
     {"face.toml", "[head]", "[lines]\ncrease_chin = 0.5\n[head]",
      ":24:1: unknown key 'crease_chin'"},
+    {"face.toml", "[head]", "[hair]\nhinge = [0.0, 4.0, 0.0]\nswing_deg = 16\n[head]",
+     ":25:13: swing_deg is 16, must be from 0 to 15"},
+    {"face.toml", "[head]\npivot = [0.0, -4.6, -0.6]", "[hair]\nhinge = [0.0, 4.0, 0.0]",
+     ":23:1: hair needs a [head] to swing after"},
 };
 
 const std::vector<BadFile> kBadMuscles = {
