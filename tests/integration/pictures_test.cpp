@@ -79,6 +79,30 @@ TEST(Pictures, IdleLifeMovesAFaceThatIsStillWithoutItAndRepeatsItself) {
   EXPECT_EQ(frames("again", {"--idle", "3"}), alive);
 }
 
+TEST(Pictures, HairSwingsAfterTheHeadAtAnyRateAndComesToRest) {
+  const TempFolder folder;
+  const std::string stream = folder.write("turn.txt", "Beg_Stream\n51;400\n51;1000\nEnd_Stream\n");
+  const auto frames = [&](const std::string& fps) {
+    const PlayerRun run = run_player({"play", stream, "--frames", (folder.path() / fps).string(),
+                                      "--fps", fps, "--size", "160x200"});
+    EXPECT_EQ(run.finished.exit_code, 0) << run.finished.err;
+    std::vector<std::string> pictures;
+    for (const std::string& file : names_in(folder.path() / fps)) {
+      pictures.push_back(folder.read(fps + "/" + file));
+    }
+    return pictures;
+  };
+  const auto seldom = frames("10");
+  const auto often = frames("20");
+  ASSERT_EQ(seldom.size(), 15U);  // 0.0, 0.1 ... 1.4 s
+  ASSERT_EQ(often.size(), 29U);
+  for (std::size_t i = 0; i < seldom.size(); ++i) EXPECT_EQ(seldom[i], often[2 * i]) << i;
+  // The head stands from 0.4 s on, the hair from 1.0 s.
+  EXPECT_NE(seldom[4], seldom[5]);
+  EXPECT_NE(seldom[5], seldom[10]);
+  EXPECT_EQ(seldom[10], seldom[14]);
+}
+
 TEST(Pictures, VideoAndSheetAreWritten) {
   const TempFolder folder;
   const auto video = folder.path() / "six.mp4";

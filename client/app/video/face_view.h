@@ -38,8 +38,9 @@ class FaceView {
 
   /// See render::FaceRenderer::renew_shaders().
   [[nodiscard]] Result<void> renew_shaders();
-  /// Sets the pose that is drawn; initially it is the neutral face. `activations`: one per channel.
-  void pose(std::span<const float> activations);
+  /// Sets the pose that is drawn; initially it is the neutral face. `activations`: one per channel;
+  /// `hair`: how far it hangs from its place, which it does only while the face moves.
+  void pose(std::span<const float> activations, const face::HairSway& hair = {});
 
   /// Clears and draws into the bound framebuffer. The diagram and tags of `style` are replaced by
   /// those that its layers ask for.

@@ -26,6 +26,7 @@ struct FaceView::State {
   FaceDiagram diagram;
   std::unique_ptr<render::FaceRenderer> renderer;
   std::vector<float> activations;
+  face::HairSway hair;
   const face::DeformedFace* deformed = nullptr;
   std::unique_ptr<render::OffscreenTarget> target;
   int width = 0;  ///< of pictures
@@ -80,14 +81,15 @@ Result<void> FaceView::renew_shaders() {
   return state_->renderer->renew_shaders();
 }
 
-void FaceView::pose(std::span<const float> activations) {
+void FaceView::pose(std::span<const float> activations, const face::HairSway& hair) {
+  state_->hair = hair;
   state_->activations.assign(activations.begin(), activations.end());
   show_pose();
 }
 
 void FaceView::show_pose() {
   State& s = *state_;
-  s.deformed = s.deformer ? &s.deformer->deform(s.activations) : &s.neutral;
+  s.deformed = s.deformer ? &s.deformer->deform(s.activations, s.hair) : &s.neutral;
   s.renderer->pose(FaceScene::moving(*s.deformed));
 }
 

@@ -26,8 +26,9 @@ class PictureMaker {
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
-  /// The same activations give the same bytes.
-  [[nodiscard]] view::Image picture(std::span<const float> activations);
+  /// The same activations and hair, as FaceView::pose() takes them, give the same bytes.
+  [[nodiscard]] view::Image picture(std::span<const float> activations,
+                                    const face::HairSway& hair = {});
 
  private:
   struct State;

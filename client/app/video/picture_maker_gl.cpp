@@ -48,8 +48,8 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& fac
   return std::unique_ptr<PictureMaker>(new PictureMaker(std::move(state)));
 }
 
-view::Image PictureMaker::picture(std::span<const float> activations) {
-  state_->view->pose(activations);
+view::Image PictureMaker::picture(std::span<const float> activations, const face::HairSway& hair) {
+  state_->view->pose(activations, hair);
   return state_->view->picture(state_->viewpoint, state_->style);
 }
 

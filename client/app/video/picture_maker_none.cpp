@@ -13,7 +13,7 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, co
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no pictures"};
 }
 
-view::Image PictureMaker::picture(std::span<const float>) {
+view::Image PictureMaker::picture(std::span<const float>, const face::HairSway&) {
   return {};
 }
 

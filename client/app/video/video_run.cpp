@@ -14,6 +14,7 @@
 #include "client/app/video/picture_maker.h"
 #include "client/app/video/picture_sinks.h"
 #include "client/app/video/video_run_sound.h"
+#include "client/pipeline/hair_swing.h"
 #include "client/pipeline/idle_face.h"
 #include "client/pipeline/player.h"
 #include "common/log.h"
@@ -25,6 +26,8 @@ namespace {
 using playback::kPositionsPerKeyframe;
 
 constexpr int kRecordFps = 30;
+/// The head's way through a keyframe is told to the hair so often, whatever the pictures' rate.
+constexpr std::int64_t kHeadStepMs = 10;
 
 /// The last line of output: how many pictures there are and where they were written.
 std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) {
@@ -86,6 +89,7 @@ class VideoRun {
         drawn_(player_.face()),
         progress_(options.output.pictures() && !options.quiet),
         idle_(assets.face),
+        hair_(assets.face),
         sound_(playback, track) {
     player_.open(&playback);
   }
@@ -111,12 +115,14 @@ class VideoRun {
     const std::string missing = missing_.look_at(mapping_, begun.target.aus);
     if (!missing.empty()) warn(missing);
     sound_.keyframe(begun, begin_ms + takes_ms);
+    move_hair(begin_ms, takes_ms);
     if (sinks_.frames) {
       if (auto drawn = frames(begin_ms, takes_ms); !drawn) return drawn;
     }
     if (auto drawn = video(begin_ms, takes_ms); !drawn) return drawn;
     if (sinks_.sheet && sinks_.sheet->wants_next()) {
-      sinks_.sheet->add(draw(1.0, begin_ms + takes_ms), describe(assets_, begun.target.aus));
+      sinks_.sheet->add(draw(1.0, static_cast<double>(begin_ms + takes_ms), {}),
+                        describe(assets_, begun.target.aus));
     }
     return {};
   }
@@ -159,6 +165,24 @@ class VideoRun {
   }
 
  private:
+  /// Tells the hair how the head goes in this keyframe.
+  void move_hair(std::int64_t begin_ms, std::int64_t takes_ms) {
+    const auto add = [&](std::int64_t ms, double mu) {
+      player_.pipeline().at(mu, drawn_);
+      hair_.move(Instant(Milliseconds(begin_ms + ms)), drawn_.activations);
+    };
+    hair_.forget_before(Instant(Milliseconds(begin_ms)));
+    for (std::int64_t ms = 0; ms < takes_ms; ms += kHeadStepMs) {
+      add(ms, static_cast<double>(ms) / static_cast<double>(takes_ms));
+    }
+    add(takes_ms, 1.0);
+  }
+
+  /// Where the hair hangs in a film's picture.
+  [[nodiscard]] face::HairSway hair_at(double video_ms) const {
+    return hair_.at(Instant(std::chrono::floor<Duration>(Seconds(video_ms / 1000.0))));
+  }
+
   Result<void> video(std::int64_t begin_ms, std::int64_t takes_ms) {
     if (!sinks_.video) return {};
     const auto add = [this](const view::Image& image) { return sinks_.video->add(image); };
@@ -173,7 +197,7 @@ class VideoRun {
     for (int k = 1; k <= kPositionsPerKeyframe && !stop_(); ++k) {
       const double mu = static_cast<double>(k) / kPositionsPerKeyframe;
       const double at_ms = static_cast<double>(begin_ms) + mu * static_cast<double>(takes_ms);
-      if (auto added = add(draw(mu, at_ms)); !added) return added;
+      if (auto added = add(draw(mu, at_ms, hair_at(at_ms))); !added) return added;
     }
     return {};
   }
@@ -188,24 +212,23 @@ class VideoRun {
       const bool reached = takes_ms == 0 || holds_;
       const double mu =
           reached ? 1.0 : (at_ms - static_cast<double>(begin_ms)) / static_cast<double>(takes_ms);
-      if (auto added = add(draw(std::clamp(mu, 0.0, 1.0), at_ms)); !added) return added;
+      if (auto added = add(draw(std::clamp(mu, 0.0, 1.0), at_ms, hair_at(at_ms))); !added) {
+        return added;
+      }
     }
     return {};
   }
 
-  view::Image draw(double mu, double video_ms) {
+  view::Image draw(double mu, double video_ms, const face::HairSway& hair) {
     const Instant begin = steady_now();
     player_.pipeline().at(mu, drawn_);
     idle_.apply({options_.playback.idle_seed, options_.playback.blink}, video_ms / 1000.0,
                 drawn_.activations);
-    view::Image image = maker_->picture(drawn_.activations);
+    view::Image image = maker_->picture(drawn_.activations, hair);
     if (stats_.frames_drawn++ == 0) stats_.first_frame_ms = since_start_ms();
     stats_.draw_seconds += seconds(steady_now() - begin);
     progress_.show([&] { return how_far(stats_.frames_drawn, video_ms); });
     return image;
-  }
-  view::Image draw(double mu, std::int64_t video_ms) {
-    return draw(mu, static_cast<double>(video_ms));
   }
 
   const Assets& assets_;
@@ -217,6 +240,7 @@ class VideoRun {
   pipeline::FaceState drawn_;
   ProgressLine progress_;
   pipeline::IdleFace idle_;
+  pipeline::HairSwing hair_;
   VideoRunSound sound_;
   MissingAus missing_;
   bool holds_ = false;  ///< the last keyframe has been reached

@@ -71,9 +71,10 @@ class WindowDisplay {
   /// Whether make_thumbnails() waits for a face that is being read.
   [[nodiscard]] virtual bool thumbnails_wait() const = 0;
   /// Draws the face and the panels, and appends the commands of the user to `commands`. `moved`:
-  /// whether `activations`, one per channel, differ from the last ones. Returns how long that took,
-  /// with `mix` 0.
-  [[nodiscard]] virtual FrameTimes draw(const std::vector<float>& activations, bool moved,
+  /// whether `activations`, one per channel, or `hair` differ from the last ones. Returns how long
+  /// that took, with `mix` 0.
+  [[nodiscard]] virtual FrameTimes draw(const std::vector<float>& activations,
+                                        const face::HairSway& hair, bool moved,
                                         const view::Style& style, const gui::GuiModel& model,
                                         gui::GuiCommands& commands) = 0;
   /// A picture, `width` times `height` pixels, of the face that was drawn last. It does not depend

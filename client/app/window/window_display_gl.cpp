@@ -119,21 +119,23 @@ class GlDisplay : public WindowDisplay {
     const bool keyframe =
         !pose_.empty() && keyframe_thumbnails_.advance(overlay_.gui().keyframes(), face_of, face_,
                                                        *view_, thumbnail_scale());
-    if (keyframe) view_->pose(pose_);
+    if (keyframe) view_->pose(pose_, hair_);
     if (face || keyframe) window_->bind_framebuffer();
     return face || keyframe;
   }
   bool thumbnails_wait() const override { return face_thumbnails_.busy(); }
 
-  FrameTimes draw(const std::vector<float>& activations, bool moved, const view::Style& style,
-                  const gui::GuiModel& model, gui::GuiCommands& commands) override {
+  FrameTimes draw(const std::vector<float>& activations, const face::HairSway& hair, bool moved,
+                  const view::Style& style, const gui::GuiModel& model,
+                  gui::GuiCommands& commands) override {
     int width = 0;
     int height = 0;
     free_size(width, height);
     const Instant before = steady_now();
     if (moved) {
       pose_ = activations;
-      view_->pose(pose_);
+      hair_ = hair;
+      view_->pose(pose_, hair_);
     }
     const Instant deformed = steady_now();
     renew_shaders();
@@ -197,6 +199,7 @@ class GlDisplay : public WindowDisplay {
   view::Viewpoint usual_ = viewpoint_preset(name_of(gui::Facing::Front), face_);
   std::shared_ptr<const std::vector<gui::FaceEntry>> listed_;
   std::vector<float> pose_;  ///< of view_; empty: not posed yet
+  face::HairSway hair_;      ///< likewise
 };
 
 }  // namespace

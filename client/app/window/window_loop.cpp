@@ -156,10 +156,13 @@ void WindowLoop::draw() {
   const bool moved = activations != shown_activations_;
   if (display_.take_redraw(now())) changed();
   frames_due_ = std::max(frames_due_, gui::frames_due(shown_model_, model));
-  if (!moved && frames_due_ == 0) return;
+  // Hair that swings on is drawn, but it is no other face.
+  const bool swung = std::exchange(shown_hair_, session_.hair()) != session_.hair();
+  if (!moved && !swung && frames_due_ == 0) return;
   frames_due_ = std::max(0, frames_due_ - 1);
   if (moved) shown_activations_ = activations;
-  FrameTimes times = display_.draw(shown_activations_, moved, pictures_.style(), model, commands_);
+  FrameTimes times = display_.draw(shown_activations_, shown_hair_, moved || swung,
+                                   pictures_.style(), model, commands_);
   times.mix = mix;
   shown_model_ = std::move(model);
   if (display_.input_waits()) changed();

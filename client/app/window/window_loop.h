@@ -70,6 +70,7 @@ class WindowLoop {
   WindowPictures pictures_;
   PaceMeter pace_;
   std::vector<float> shown_activations_;
+  face::HairSway shown_hair_;
   gui::GuiModel shown_model_;
   gui::GuiCommands commands_;  ///< of the panels, as of the last picture
   std::string title_;

@@ -53,6 +53,7 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
       mirror_(options.mirror),
       lister_(net::list_streams),
       idle_(assets.face),
+      hair_(assets.face),
       gallery_(gallery_of,
                [&assets](const PlayerOptions& shown) { return gallery_size(assets, shown); }),
       export_(glb_of),
@@ -171,11 +172,22 @@ void WindowSession::look(Instant now) {
 
 const std::vector<float>& WindowSession::activations(Instant now) {
   look(now);
+  swing_hair(now);
   activations_ = face_;
   pipeline::IdleOptions idle{options_.playback.idle_seed, std::nullopt};
   if (rendering().blinking) idle.blink = rendering().blink;
   idle_->apply(idle, seconds(now.time_since_epoch()), activations_);
   return activations_;
+}
+
+void WindowSession::swing_hair(Instant now) {
+  hair_->forget_before(now);
+  if (shown_ == Shown::Playback && !playback_.stands()) {
+    hair_->move(now, face_);
+  } else {
+    hair_->put(now, face_);
+  }
+  hair_sway_ = hair_->at(now);
 }
 
 void WindowSession::face_shown(Instant at, bool moved) {
@@ -221,7 +233,7 @@ Duration WindowSession::idle_time(Instant now) const {
   if (lister_.view().asking || mirror_.running() || makes_files()) at_most(now, kFrameMax);
   if (!notices_.view().text.empty()) at_most(notices_.until(), kFrameMax);
   if (const auto next = editor_.next_frame_at(now)) at_most(*next, Duration::zero());
-  if (rendering().blinking || options_.playback.idle_seed)
+  if (rendering().blinking || options_.playback.idle_seed || hair_->swings(now))
     time = std::min<Duration>(time, kFrameMax);
   return time;
 }
@@ -333,6 +345,7 @@ Result<void> WindowSession::show_face(const std::filesystem::path& folder, Insta
   mapping_.recordings = assets_.face.recordings;
   face_.assign(assets_.face.channels.size(), 0.0F);
   idle_.emplace(assets_.face);
+  hair_.emplace(assets_.face);
   playback_.change_face();
   editor_.change_face(*before);
   composer_.remake();

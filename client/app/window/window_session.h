@@ -28,6 +28,7 @@
 #include "client/gui/model/gui_commands.h"
 #include "client/gui/model/gui_model.h"
 #include "client/gui/storage/kept_settings.h"
+#include "client/pipeline/hair_swing.h"
 #include "client/pipeline/idle_face.h"
 
 namespace aucast::app {
@@ -79,6 +80,9 @@ class WindowSession {
 
   /// The face at `now`, one activation per channel. Overwritten by the next call.
   [[nodiscard]] const std::vector<float>& activations(Instant now);
+  /// Where that face's hair hangs. It swings while the face is played, and settles when it is not;
+  /// a face that is edited, or sought while it stands, is a still.
+  [[nodiscard]] const face::HairSway& hair() const { return hair_sway_; }
   /// The face for these AUs, written as in a packet; one activation per channel.
   [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
   /// The AUs of which the face is made now, after the rules; nullopt if it is made of muscles.
@@ -130,6 +134,7 @@ class WindowSession {
 
  private:
   void look(Instant now);
+  void swing_hair(Instant now);
   void show(Shown shown);
   void show_edited(Shown shown, Instant now);
   [[nodiscard]] PlayerOptions options_as_shown() const;
@@ -163,6 +168,8 @@ class WindowSession {
   StreamLister lister_;
   Shown shown_ = Shown::Playback;
   std::optional<pipeline::IdleFace> idle_;
+  std::optional<pipeline::HairSwing> hair_;
+  face::HairSway hair_sway_;
   GallerySession gallery_;
   ExportSession export_;
   OnsetSession onsets_;

@@ -52,10 +52,12 @@ class FakeDisplay : public WindowDisplay {
   }
   bool make_thumbnails(const FaceOf&) override { return std::exchange(thumbnail, false); }
   bool thumbnails_wait() const override { return reads_face; }
-  FrameTimes draw(const std::vector<float>& activations, bool moved, const view::Style&,
-                  const gui::GuiModel& model, gui::GuiCommands& commands) override {
+  FrameTimes draw(const std::vector<float>& activations, const face::HairSway& sway, bool moved,
+                  const view::Style&, const gui::GuiModel& model,
+                  gui::GuiCommands& commands) override {
     ++drawn;
     pose = activations;
+    hair = sway;
     poses += moved ? 1 : 0;
     shown = model;
     for (gui::GuiCommand& one : asked) commands.push_back(std::move(one));
@@ -98,6 +100,7 @@ class FakeDisplay : public WindowDisplay {
   int faces = 0;
   int closed = 0;
   std::vector<float> pose;
+  face::HairSway hair;
   std::vector<float> pictured;  ///< the pose in the last picture
   gui::GuiModel shown;
   std::vector<std::string> titles;
@@ -207,6 +210,28 @@ TEST_F(WindowLoopTest, AFaceThatMovesIsPosedInEachPicture) {
   }
   EXPECT_EQ(display_.poses, poses + 4);
   EXPECT_EQ(display_.pose, session_->activations(clock_.now()));
+}
+
+TEST_F(WindowLoopTest, HairThatSwingsOnIsDrawnUntilItIsAtRest) {
+  open({frame({{51, Side::Both, 100}})});
+  for (int i = 0; i < 10; ++i) {
+    clock_.advance(Milliseconds(20));
+    tick();
+  }
+  const std::vector<float> face = display_.pose;
+  const int poses = display_.poses;
+  clock_.advance(Milliseconds(20));
+  tick();
+  EXPECT_EQ(display_.pose, face);
+  EXPECT_EQ(display_.poses, poses + 1);
+  EXPECT_NE(display_.hair, face::HairSway{});
+  clock_.advance(pipeline::HairSwing::kMemory);
+  tick();
+  EXPECT_EQ(display_.hair, face::HairSway{});
+  const int rest = display_.poses;
+  clock_.advance(Milliseconds(20));
+  tick();
+  EXPECT_EQ(display_.poses, rest);
 }
 
 TEST_F(WindowLoopTest, TheTitleIsSetWhenItChanges) {

@@ -263,6 +263,22 @@ TEST_F(WindowSessionTest, IdleLifeMovesTheEyesAndNothingElseDoes) {
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
 }
 
+TEST_F(WindowSessionTest, HairSwingsAfterTheHeadWhileItPlaysAndSettlesWhenItPauses) {
+  open({frame({{51, Side::Both, 100}}), {}});
+  for (int i = 0; i < 10; ++i) {
+    go_on(Milliseconds(10));
+    static_cast<void>(shown("head_turn_left"));
+  }
+  EXPECT_LT(session_->hair().turn, -0.2F);
+  session_->toggle_pause(clock_.now());
+  const float turned = shown("head_turn_left");
+  EXPECT_LT(session_->hair().turn, -0.2F);
+  EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
+  go_on(pipeline::HairSwing::kMemory);
+  EXPECT_EQ(shown("head_turn_left"), turned);
+  EXPECT_EQ(session_->hair(), face::HairSway{});
+}
+
 TEST_F(WindowSessionTest, EveryChannelStandsWithItsRegionOfTheFace) {
   open_nothing();
   for (const gui::ChannelGroup& group : model().editor.groups) {
