@@ -44,6 +44,7 @@ Page::Page(face::Face face, face::RuleSet rules)
       player_(mapping_, playback::Interpolation::Linear),
       wanted_(face_.channels.size()),
       posed_(wanted_),
+      hair_(face_),
       viewpoint_(view::portrait_viewpoint(view::ViewpointPreset::Front)) {}
 
 Page::~Page() = default;
@@ -52,7 +53,7 @@ Result<void> Page::make_view() {
   auto view = app::FaceView::create_neutral(face_);
   if (!view) return view.error();
   view_ = std::move(*view);
-  view_->pose(posed_);
+  view_->pose(posed_, posed_hair_);
   return {};
 }
 
@@ -112,12 +113,27 @@ std::optional<playback::PlaybackState> Page::state() const {
 }
 
 bool Page::advance() {
-  player_.advance(now(),
+  const Instant at = now();
+  player_.advance(at,
                   [this](const playback::KeyframeBegun& one, Instant begin) { begun(one, begin); });
   show_what_is_heard();
   if (playback_ && playback_->eased()) aus_ = {};
   wanted_ = player_.activations();
-  return wanted_ != posed_;
+  swing_hair(at);
+  return wanted_ != posed_ || wanted_hair_ != posed_hair_;
+}
+
+/// Hair swings while a stream plays. Nobody may look after that, and AUs that are set show a still.
+void Page::swing_hair(Instant now) {
+  hair_.forget_before(now);
+  if (!playback_) {
+    hair_.rest();
+  } else if (playback_->state() != playback::PlaybackState::Paused) {
+    hair_.move(now, wanted_);
+  } else {
+    hair_.put(now, wanted_);
+  }
+  wanted_hair_ = hair_.at(now);
 }
 
 void Page::begun(const playback::KeyframeBegun& keyframe, Instant at) {
@@ -154,9 +170,10 @@ void Page::ask_streams(const std::string& server, const std::string& token) {
 /// Poses the face. Called only when it is drawn, which is less often than time is advanced for the
 /// sound.
 void Page::pose() {
-  if (wanted_ == posed_) return;
+  if (wanted_ == posed_ && wanted_hair_ == posed_hair_) return;
   posed_ = wanted_;
-  view_->pose(posed_);
+  posed_hair_ = wanted_hair_;
+  view_->pose(posed_, posed_hair_);
 }
 
 void Page::draw(int width, int height) {

@@ -10,6 +10,7 @@
 #include "client/app/video/face_view.h"
 #include "client/net/stream_question.h"
 #include "client/pipeline/au_mapping.h"
+#include "client/pipeline/hair_swing.h"
 #include "client/playback/caption_line.h"
 #include "client/playback/playback.h"
 #include "client/sound/heard_player.h"
@@ -91,6 +92,7 @@ class Page {
   [[nodiscard]] Result<void> make_view();
   void begun(const playback::KeyframeBegun& keyframe, Instant at);
   void show_what_is_heard();
+  void swing_hair(Instant now);
   void pose();
 
   /// A keyframe that playback has begun, and when it did.
@@ -110,6 +112,9 @@ class Page {
   AuFrame aus_;
   std::vector<float> wanted_;  ///< the activations to be drawn
   std::vector<float> posed_;   ///< the activations that the view has
+  pipeline::HairSwing hair_;
+  face::HairSway wanted_hair_;
+  face::HairSway posed_hair_;
   std::vector<std::string> begun_;
   std::unique_ptr<net::StreamQuestion> question_;
   std::optional<Result<protocol::StreamList>> streams_;
