@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
+import { once } from 'node:events';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { get } from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, afterEach, before, describe, test } from 'node:test';
@@ -11,6 +13,7 @@ import { afterFirstPicture, auTransmitter, differing, facePlayer, launch, openPa
          serveFiles, setsOf, touch, untilState, usable } from './support.mjs';
 
 const DOWNLOAD_MAX = 1_100_000;
+const MESH_MAX = 450_000;
 const streams = path.join(root, 'data/streams');
 const expressions = path.join(streams, 'six_expressions.txt');
 const talk = path.join(streams, 'talk.txt');
@@ -29,6 +32,32 @@ function nativePicture(aus, ...options) {
   facePlayer('pose', aus, '--size', '800x600', '--png', file, ...options);
   return readFileSync(file);
 }
+
+/// The bytes that a server sends of something, as a browser takes it.
+async function sentOf(address) {
+  const [reply] = await once(get(address, { headers: { 'Accept-Encoding': 'gzip' } }), 'response');
+  assert.equal(reply.statusCode, 200, address);
+  assert.equal(reply.headers['content-encoding'], 'gzip', address);
+  let bytes = 0;
+  for await (const part of reply) bytes += part.length;
+  return bytes;
+}
+
+test('the mesh of each face is small as the page loads it', async t => {
+  const server = await serve([expressions]);
+  try {
+    const { faces } = await (await fetch(server.at('http', 'data/parts.json'))).json();
+    assert.ok(Object.keys(faces).length >= 2);
+    for (const [face, files] of Object.entries(faces)) {
+      const mesh = files.find(file => file.endsWith('.ply'));
+      const bytes = await sentOf(server.at('http', `data/${mesh}.packed`));
+      t.diagnostic(`${face}: ${bytes} bytes`);
+      assert.ok(bytes > MESH_MAX / 10 && bytes <= MESH_MAX, `${face}: ${bytes} bytes`);
+    }
+  } finally {
+    await server.kill();
+  }
+});
 
 for (const name of ['chromium', 'firefox']) {
   describe(name, { timeout: 600_000 }, () => {
