@@ -11,7 +11,7 @@ say the same.
 
   mouth    4 to 5 syllables a second: the vowel opens and shapes it, the consonant closes it
   brows    raised on stressed syllables, lowered in doubt
-  blinks   about 17 a minute, 80 ms down and 120 ms up
+  blinks   about 17 a minute, 120 ms down and 200 ms up
   smiles   onset 400 ms, offset 600 ms, a little weaker on one side
   head     nods on stress, turns and tilts with the phrase
   gaze     leaves the listener in pauses and comes back before the next phrase
@@ -96,7 +96,7 @@ class Talk:
         self.events.append((channel, points))
 
     def blink(self, at):
-        self.add((45, ""), at, 80, 40, 120, 100)
+        self.add((45, ""), at, 120, 40, 200, 100)
 
     def smile(self, start, length, percent):
         weaker = "L" if self.chance(0.5) else "R"
