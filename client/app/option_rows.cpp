@@ -271,9 +271,10 @@ std::vector<OptionRow> video_rows(PlayerOptions& options) {
                "has the sound, if there is any; a .gif has none.",
        .value = word(output.record)},
       {.option = {"sheet", "FILE.png"},
-       .text = "write the keyframes to one page, at most 60",
-       .more = "Writes the poses of the keyframes to one page; if there are more than 60, only "
-               "every second, fourth, ...",
+       .text = "write the keyframes to one page, at most 54",
+       .more = "Writes the poses of the keyframes to one page; if there are more than 54, as many "
+               "from beginning to end, or of a server's every second, fourth, ... Without --size "
+               "each is 400x300.",
        .value = word(output.sheet)},
       fps_row(output),
       {.option = {"fast"},

@@ -100,6 +100,15 @@ Result<void> check_background(const OutputOptions& output) {
   return {};
 }
 
+/// Where only the sheet is drawn, its pictures are half as wide and high as others: a page of them
+/// is 3,750 pixels wide at most.
+void settle_sheet(OutputOptions& output) {
+  const bool alone = !output.sheet.empty() && output.frames.empty() && output.record.empty();
+  if (!alone || output.size_given) return;
+  output.width /= 2;
+  output.height /= 2;
+}
+
 /// A name that tells of something else, such as face.jpg, is a mistake; none, or a device, is not.
 Result<void> check_png(const char* option, const std::filesystem::path& file) {
   const std::string ending = file_ending(file);
@@ -140,6 +149,7 @@ Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
     if (auto settled = settle_buffers(typed, buffers); !settled) return settled;
     if (auto settled = settle_sound(options); !settled) return settled;
     if (auto checked = check_background(options.output); !checked) return checked;
+    settle_sheet(options.output);
     if (options.output.pictures() || !options.sound.file.empty()) options.output.fast = true;
     if (options.output.fast) options.headless = true;
     // A window shows what is tried, and has a button to end it.

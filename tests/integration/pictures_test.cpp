@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/view/image.h"
 #include "tests/integration/player_run.h"
 #include "tests/support/eventually.h"
 #include "tests/support/served.h"
@@ -115,6 +116,30 @@ TEST(Pictures, VideoAndSheetAreWritten) {
   const Finished probe = test::run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                                     "stream=nb_read_frames", "-of", "csv=p=0", video.string()});
   EXPECT_EQ(probe.out, "46\n") << probe.err;
+}
+
+TEST(Pictures, ASheetOfATalkIsAllThatIsDrawn) {
+  const TempFolder folder;
+  const PlayerRun run = run_player({"play", stream_file("talk.txt"), "--size", "40x30", "--sheet",
+                                    (folder.path() / "talk.png").string()});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  EXPECT_EQ(run.stats["frames_drawn"], 54);
+}
+
+TEST(Pictures, WithoutASizeASheetsPicturesAreSmall) {
+  const TempFolder folder;
+  const auto stream = folder.write("two.txt", "Beg_Stream\n12;40\n4;40\nEnd_Stream\n").string();
+  const auto png = folder.path() / "two.png";
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--frames", folder.path().string(), "--fps", "1"}}) {
+    std::vector<std::string> words{"play", stream, "--sheet", png.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const PlayerRun run = run_player(words);
+    ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+    const auto sheet = view::read_png(png);
+    ASSERT_TRUE(sheet.has_value());
+    EXPECT_EQ(sheet->width, 2 * 400 + 3 * 15) << "two pictures with gaps";
+  }
 }
 
 TEST(Pictures, AnInterruptedVideoIsFinishedWithWhatThereIs) {

@@ -64,6 +64,14 @@ std::string FrameFolder::leftovers() const {
                                         "a video of this folder");
 }
 
+bool Sheet::wants_next() {
+  const std::uint64_t next = keyframes_++;
+  if (!options_.keyframes || *options_.keyframes <= kPicturesMax) return next % every_ == 0;
+  // The first and the last one, and the others evenly between them.
+  const std::uint64_t last = *options_.keyframes - 1;
+  return next * (kPicturesMax - 1) >= pictures_.size() * last;
+}
+
 void Sheet::add(const view::Image& picture, std::string caption) {
   if (pictures_.size() == kPicturesMax) {
     every_ *= 2;
@@ -74,7 +82,7 @@ void Sheet::add(const view::Image& picture, std::string caption) {
     pictures_.resize(kPicturesMax / 2);
     captions_.resize(kPicturesMax / 2);
   }
-  pictures_.push_back(picture);
+  pictures_.push_back(options_.halved ? view::halved(picture) : picture);
   captions_.push_back(std::move(caption));
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,24 +35,32 @@ class FrameFolder {
   std::uint64_t count_ = 0;
 };
 
-/// One page with the faces that keyframes reach, each with a caption. If a stream has more than
-/// kPicturesMax keyframes, the page shows every second, every fourth and so on, so that it covers
-/// the whole stream.
+/// One page with the faces that keyframes reach, each with a caption. It covers the whole stream:
+/// of more than kPicturesMax keyframes it shows that many, evenly spread, if their number is known
+/// before, or else every second, every fourth and so on.
 class Sheet {
  public:
-  static constexpr std::size_t kPicturesMax = 60;
+  /// Nine columns of six.
+  static constexpr std::size_t kPicturesMax = 54;
 
-  explicit Sheet(std::filesystem::path file) : file_(std::move(file)) {}
+  struct Options {
+    bool halved = false;  ///< pictures stand on the page at half their width and height
+    std::optional<std::uint64_t> keyframes{};  ///< of the whole stream, if known
+  };
+
+  Sheet(std::filesystem::path file, const Options& options)
+      : file_(std::move(file)), options_(options) {}
   /// Call it once for each keyframe. Returns whether its picture is to be added.
-  [[nodiscard]] bool wants_next() { return keyframes_++ % every_ == 0; }
+  [[nodiscard]] bool wants_next();
   void add(const view::Image& picture, std::string caption);
   /// Writes the page, unless no picture was added.
   [[nodiscard]] Result<void> finish() const;
 
  private:
   std::filesystem::path file_;
-  std::uint64_t keyframes_ = 0;
-  std::uint64_t every_ = 1;  ///< 2: every second keyframe gets a picture
+  Options options_;
+  std::uint64_t keyframes_ = 0;  ///< that wants_next() was asked about
+  std::uint64_t every_ = 1;      ///< 2: every second keyframe gets a picture
   std::vector<view::Image> pictures_;
   std::vector<std::string> captions_;
 };

@@ -56,7 +56,18 @@ struct Sinks {
   std::int64_t video_next = 0;
 };
 
-Result<Sinks> open_sinks(const OutputOptions& output, const std::function<bool()>& stop) {
+Sheet::Options sheet_options(const PlayerOptions& options, const playback::Playback& playback) {
+  const OutputOptions& output = options.output;
+  const bool shared = !output.frames.empty() || !output.record.empty();
+  // Alone, its pictures are drawn smaller.
+  Sheet::Options sheet{.halved = shared && !output.size_given};
+  // Of what a server sends, how much has come by now would be chance.
+  if (options.command == Command::Play) sheet.keyframes = playback.status().keyframes_received;
+  return sheet;
+}
+
+Result<Sinks> open_sinks(const OutputOptions& output, const Sheet::Options& sheet,
+                         const std::function<bool()>& stop) {
   Sinks sinks;
   sinks.frames_fps = output.fps;
   sinks.video_fps = output.fps.value_or(kRecordFps);
@@ -71,7 +82,7 @@ Result<Sinks> open_sinks(const OutputOptions& output, const std::function<bool()
     if (!video) return video.error();
     sinks.video = std::move(*video);
   }
-  if (!output.sheet.empty()) sinks.sheet.emplace(output.sheet);
+  if (!output.sheet.empty()) sinks.sheet.emplace(output.sheet, sheet);
   return sinks;
 }
 
@@ -87,6 +98,7 @@ class VideoRun {
         mapping_(au_mapping(assets, options.face.mixer)),
         player_(mapping_, options.playback.interpolation),
         drawn_(player_.face()),
+        sheet_(sheet_options(options, playback)),
         progress_(options.output.pictures() && !options.quiet),
         idle_(assets.face),
         hair_(assets.face),
@@ -97,7 +109,7 @@ class VideoRun {
   Result<void> open() {
     if (auto opened = sound_.open(options_.sound, options_.output); !opened) return opened;
     if (!options_.output.pictures()) return {};
-    auto sinks = open_sinks(options_.output, stop_);
+    auto sinks = open_sinks(options_.output, sheet_, stop_);
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
     const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
@@ -238,6 +250,7 @@ class VideoRun {
   pipeline::AuMapping mapping_;
   pipeline::Player player_;
   pipeline::FaceState drawn_;
+  Sheet::Options sheet_;
   ProgressLine progress_;
   pipeline::IdleFace idle_;
   pipeline::HairSwing hair_;
