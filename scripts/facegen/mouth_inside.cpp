@@ -241,7 +241,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.2, 7.5, p.z) * smooth_step(1.85, 0.40, std::abs(p.x));
+  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.15, 0.45, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.84, 0.76, 0.69};

@@ -265,8 +265,9 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} + Vec3{0.17, 0.22, 0.25} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
     c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);
-    vertex.colour = mix(c, c * kBeardShade, who.colours.beard * beard_field(v));
-    vertex.gloss = 1;
+    const double stubble = who.colours.beard * beard_field(v);
+    vertex.colour = mix(c, c * kBeardShade, stubble);
+    vertex.gloss = 1 - stubble;
     if (v.patch == Patch::Eye) paint_eye(who, vertex, v);
     if (v.patch == Patch::Mouth) paint_mouth(who, vertex, v);
     if (v.patch == Patch::Ear) paint_ear(vertex, v);
