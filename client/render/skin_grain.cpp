@@ -75,10 +75,10 @@ Texels texels() {
     for (int x = 0; x < kGrainSide; ++x) {
       const auto at = static_cast<std::size_t>(y * kGrainSide + x);
       const float blotch =
-          0.20F * (noise(x, y, 16, 11) - 0.5F) + 0.16F * (noise(x, y, 8, 977) - 0.5F);
+          0.28F * (noise(x, y, 16, 11) - 0.5F) + 0.22F * (noise(x, y, 8, 977) - 0.5F);
       // Wider than a cheek is lit evenly: without it skin is one paint, and its shine wax.
       const float patch =
-          0.30F * (noise(x, y, 64, 71) - 0.5F) + 0.24F * (noise(x, y, 32, 613) - 0.5F);
+          0.32F * (noise(x, y, 64, 71) - 0.5F) + 0.31F * (noise(x, y, 32, 613) - 0.5F);
       const float fine = 0.35F * (noise(x, y, 2, 5003) - 0.5F);
       const auto byte = [](float v) {
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(0.5F + v, 0.0F, 1.0F)));

@@ -175,6 +175,7 @@ class PersonReader {
         read_point(colours, name, who.colours.*member, kColour);
       }
       read_real(colours, "beard", who.colours.beard);
+      read_real(colours, "mottled", who.colours.mottled);
     });
     document_.finish();
   }

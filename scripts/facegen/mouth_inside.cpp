@@ -66,7 +66,7 @@ class ArchCurve {
 };
 
 /// Where crowns meet, light gets lost; more would draw black bars.
-constexpr Vec3 kLostBetweenTeeth{0.23, 0.31, 0.36};
+constexpr Vec3 kLostBetweenTeeth{0.20, 0.28, 0.33};
 
 /// No two teeth of a row have one colour: canines are the darkest of the front and the most yellow,
 /// and behind them light gets lost.
@@ -118,18 +118,18 @@ struct Stand {
   double tint = 1;     ///< of its colour
 };
 /// On the subject's right, then on the left.
-constexpr std::array<std::array<Stand, kTeethPerSide>, 2> kStands{{{{{-0.030, 0.0, 0.0, 1.0},
-                                                                     {0.080, -0.040, -0.025, 0.95},
-                                                                     {-0.050, 0.025, -0.005, 0.98},
-                                                                     {0.03, -0.020, 0.015, 1.0},
-                                                                     {0, 0, -0.015, 0.96},
+constexpr std::array<std::array<Stand, kTeethPerSide>, 2> kStands{{{{{-0.015, 0, 0, 1},
+                                                                     {0.04, -0.02, -0.009, 0.965},
+                                                                     {-0.025, 0.013, -0.002, 0.986},
+                                                                     {0.015, -0.01, 0.005, 1},
+                                                                     {0, 0, -0.005, 0.972},
                                                                      {},
                                                                      {}}},
-                                                                   {{{0.020, 0.015, -0.012, 0.98},
-                                                                     {-0.060, 0.010, 0.020, 0.98},
-                                                                     {0.060, -0.015, -0.020, 0.93},
-                                                                     {-0.03, 0.020, -0.015, 0.96},
-                                                                     {0, 0, 0.015, 1.0},
+                                                                   {{{0.01, 0.007, -0.004, 0.986},
+                                                                     {-0.03, 0.005, 0.007, 0.986},
+                                                                     {0.03, -0.007, -0.007, 0.951},
+                                                                     {-0.015, 0.01, -0.005, 0.972},
+                                                                     {0, 0, 0.005, 1},
                                                                      {},
                                                                      {}}}}};
 /// The lower incisors crowd more than the upper ones.

@@ -10,11 +10,11 @@ namespace aucast::facegen {
 namespace {
 
 /// How much blood shows: cheeks, tip and wings of the nose, chin, ears, and a little unevenness
-/// (any finer and the quads would show).
-double flush(const HalfVertex& v, const Vec3& mirrored_position) {
+/// (any finer and the quads would show): more of it on skin that is `mottled`.
+double flush(const HalfVertex& v, const Vec3& mirrored_position, double mottled) {
   const Vec3& p = v.position;
-  double f = 0.20 * (value_noise(mirrored_position * 0.7) - 0.5) +
-             0.10 * (value_noise(mirrored_position * 1.7) - 0.5);
+  double f = mix(0.20, 0.32, mottled) * (value_noise(mirrored_position * 0.7) - 0.5) +
+             mix(0.10, 0.26, mottled) * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
     f += 0.62 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
@@ -250,7 +250,8 @@ void paint_skin(const Identity& who, Skin& skin) {
     Vertex& vertex = skin.part.vertices[i];
     const HalfVertex& v = skin.half.vertices[skin.source[i]];
     const Vec3& p = v.position;
-    Vec3 c = mix(who.colours.skin, who.colours.flush, flush(v, vertex.position));
+    Vec3 c =
+        mix(who.colours.skin, who.colours.flush, flush(v, vertex.position, who.colours.mottled));
     if (p.z > 4)
       c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));

@@ -22,7 +22,8 @@ struct Palette {
   Vec3 iris_outer{0.23, 0.33, 0.30};
   Vec3 cloth{0.13, 0.17, 0.23};
   Vec3 collar{0.10, 0.135, 0.185};
-  double beard = 0;  ///< how much of a shaven beard shows
+  double beard = 0;    ///< how much of a shaven beard shows
+  double mottled = 0;  ///< how unevenly its red is spread, from 0, even, to 1
 };
 
 // Colours that are the same for everybody.

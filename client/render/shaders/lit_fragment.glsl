@@ -146,7 +146,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
 }
 
 #ifdef SURFACE
-const float kRelief = 0.28;  // how far pores tilt what has grain
+const float kRelief = 0.31;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
