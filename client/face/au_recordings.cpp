@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "common/text.h"
@@ -14,6 +15,13 @@ struct Drive {
   std::vector<std::size_t> channels;
   float activation = 0;
 };
+
+/// What a file may ask of a channel. A float holds 1.8 as a little less: what is written as the
+/// largest activation itself is the same float, but not the same double.
+Bounds within(float activation_max) {
+  constexpr double kHalfStep = std::numeric_limits<float>::epsilon() / 2;
+  return Bounds::between(0, activation_max * (1 + kHalfStep));
+}
 
 }  // namespace
 
@@ -52,7 +60,7 @@ std::map<int, AuRecording> read_recordings(TableReader& document, const Face& fa
                                   did_you_mean(name, names));
           continue;
         }
-        const Bounds bounds = Bounds::between(0, face.channels[channels.front()].activation_max);
+        const Bounds bounds = within(face.channels[channels.front()].activation_max);
         TableReader field(*drive_table, problems);
         drives.push_back({channels, field.number(name, bounds)});
       }

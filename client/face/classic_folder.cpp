@@ -115,7 +115,8 @@ Result<void> read_muscles_dat(const std::filesystem::path& path, Face& face) {
       static_cast<void>(scanner.number("the clamp of " + muscle.name));
       shape.cap.reset();
       muscle.shape = shape;
-      face.channels.push_back({muscle.name, side_at(shape.insertion.x), kActivationMax});
+      muscle.activation_max = kActivationMax;
+      face.channels.push_back({muscle.name, side_at(shape.insertion.x), muscle.activation_max});
       face.muscles.push_back(std::move(muscle));
     }
   });

@@ -27,7 +27,7 @@ namespace aucast::face {
 struct Channel {
   std::string name;
   Side side = Side::Both;
-  float activation_max = 2;  ///< muscles 2 (classic folders 4), jaw 4, all others 1
+  float activation_max = kMuscleMax;  ///< muscles 2 or less (classic folders 4), jaw 4, others 1
   /// True for channels that close a lid: the largest demand counts, whichever mixer is chosen.
   /// Otherwise a blink during a smile would leave the eyes half closed.
   bool takes_largest = false;

@@ -15,7 +15,6 @@
 namespace aucast::face {
 namespace {
 
-constexpr float kMuscleMax = 2;
 constexpr float kJawMax = 4;
 /// Further, hair would go through the face, whatever the face.
 constexpr float kSwingDegMax = 15;
@@ -125,7 +124,7 @@ Side side_of(const MeshPart& part, const FaceMesh& mesh) {
 std::vector<Channel> channels_of(const Face& face) {
   std::vector<Channel> channels;
   for (const Muscle& muscle : face.muscles) {
-    channels.push_back({muscle.name, side_at(x_of(muscle.shape)), kMuscleMax});
+    channels.push_back({muscle.name, side_at(x_of(muscle.shape)), muscle.activation_max});
   }
   if (face.jaw) channels.push_back({"jaw", Side::Both, kJawMax});
   const auto add_for_eyes = [&](std::string_view name) {

@@ -13,6 +13,9 @@ namespace aucast::face {
 /// Files give angles in degrees.
 inline constexpr float kRadPerDeg = std::numbers::pi_v<float> / 180.0F;
 
+/// The largest activation of a muscle that says nothing else.
+inline constexpr float kMuscleMax = 2;
+
 // Muscles after Waters 1987 in the clean forms of thesis chapter 4. Lengths are mesh units.
 // The displacement is the shift P' - P of point P of the neutral face at activation a (0..2;
 // classic folders 0..4). It is zero outside the zone of influence and linear in a (for a
@@ -93,6 +96,7 @@ struct Muscle {
   /// True: its activation is multiplied by 1 - lid_close^2 of its side, because a lower lid that
   /// stayed raised would run into the closing upper lid.
   bool yields_to_lids = false;
+  float activation_max = kMuscleMax;  ///< its channel's
 };
 
 /// The displacement per unit of activation, and the activation from which the displacement stays

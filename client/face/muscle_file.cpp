@@ -153,6 +153,8 @@ std::vector<Muscle> read_muscles(TableReader& document, const FaceMesh& mesh, Pr
     muscle.mask_alone = reader.boolean_or("mask_alone", false);
     if (muscle.mask_alone && muscle.mask.empty()) reader.wrong("mask_alone", "needs a mask");
     muscle.yields_to_lids = reader.boolean_or("yields_to_lids", false);
+    muscle.activation_max = reader.number_or("activation_max", kMuscleMax,
+                                             {.low = 0, .high = kMuscleMax, .low_open = true});
     reader.finish();
     if (both_sides && !(x_of(muscle.shape) > 0)) {
       reader.wrong("mirrored", "needs the insertion or centre at x > 0, the left side");

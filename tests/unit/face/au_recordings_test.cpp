@@ -72,6 +72,20 @@ TEST(Recordings, AnActivationMayNotBeMoreThanItsChannelTakes) {
   EXPECT_EQ(complaint("jaw = \"wide\""), "a:3:17: jaw must be a number");
 }
 
+TEST(Recordings, AnActivationMayBeTheLargestAsItIsWritten) {
+  Face face = test::small_face();
+  for (const std::string largest : {"0.7", "1.1", "1.3", "1.8", "1.9"}) {
+    // As a float, some of these are a little more and some a little less than what is written.
+    face.channels[*face.channel_index("mentalis")].activation_max = std::stof(largest);
+    const auto complaint = [&](const std::string& value) {
+      return read_aus(face, "[[au]]\nnumber = 1\ndrive = { mentalis = " + value + " }\n").complaint;
+    };
+    EXPECT_EQ(complaint(largest), "");
+    EXPECT_EQ(complaint(largest + "01"),
+              "a:3:22: mentalis is " + largest + "01, must be from 0 to " + largest);
+  }
+}
+
 TEST(Recordings, AFileForManyFacesTellsWhatThisOneCannotShow) {
   const Face face = test::small_face();
   const std::vector<std::string> names{"jaw", "platysma", "nostril"};

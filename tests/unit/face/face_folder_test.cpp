@@ -157,6 +157,25 @@ TEST(FaceFolder, AMissingFileIsUnreadable) {
   }
 }
 
+TEST(FaceFolder, AMuscleMayGoLessFarThanOthers) {
+  const TempFolder folder;
+  test::write_small_face(folder);
+  const std::string muscles = replaced(test::small_muscles_toml(), "falloff_finish = 4.8",
+                                       "falloff_finish = 4.8\nactivation_max = 1.5");
+  folder.write("muscles.toml", muscles);
+  const auto face = load_face(folder.path(), {});  // its AU 12 drives the muscle by 1.5
+  ASSERT_TRUE(face) << face.error().message;
+  for (const Channel& channel : face->channels) {
+    if (!channel.name.ends_with("zygomaticus_major")) continue;
+    EXPECT_EQ(channel.activation_max, 1.5F) << channel.name;
+  }
+  folder.write("muscles.toml", replaced(muscles, "activation_max = 1.5", "activation_max = 1.4"));
+  const auto refused = load_face(folder.path(), {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, (folder.path() / "aus.toml").string() +
+                                         ":3:31: zygomaticus_major is 1.5, must be from 0 to 1.4");
+}
+
 std::string text_of(const std::string& file) {
   if (file == "face.toml") return test::small_face_toml();
   return file == "muscles.toml" ? test::small_muscles_toml() : test::small_aus_toml();

@@ -99,7 +99,8 @@ TEST(MuscleFile, AKeyThatIsLeftOutIsTheOneThatIsNamed) {
 
 TEST(MuscleFile, AMirroredTableIsTwoMusclesLeftBeforeRight) {
   const ReadMuscles read = read_tables(
-      linear_with("mirrored = true\nmask = \"half\"\nmask_alone = true\nyields_to_lids = true"));
+      linear_with("mirrored = true\nmask = \"half\"\nmask_alone = true\nyields_to_lids = true\n"
+                  "activation_max = 1.3"));
   EXPECT_EQ(read.complaint, "");
   ASSERT_EQ(read.muscles.size(), 2U);
   EXPECT_EQ(read.muscles[0].name, "left_a");
@@ -110,6 +111,7 @@ TEST(MuscleFile, AMirroredTableIsTwoMusclesLeftBeforeRight) {
     EXPECT_EQ(muscle.mask, "half");
     EXPECT_TRUE(muscle.mask_alone);
     EXPECT_TRUE(muscle.yields_to_lids);
+    EXPECT_EQ(muscle.activation_max, 1.3F);
   }
 }
 
@@ -133,6 +135,7 @@ TEST(MuscleFile, WhatIsNotSaidIsAsTheFormatHasIt) {
   EXPECT_EQ(eye_ring.upper_share, 0.3F);
   EXPECT_EQ(eye_ring.lower_share, 0.7F);
   EXPECT_EQ(std::get<MouthSphincter>(read.muscles[3].shape).protrusion, 10.0F);
+  for (const Muscle& muscle : read.muscles) EXPECT_EQ(muscle.activation_max, 2.0F) << muscle.name;
   EXPECT_TRUE(read_tables("").muscles.empty());
 }
 
@@ -144,6 +147,12 @@ TEST(MuscleFile, LimitsHoldToTheLastNumberThatIsAllowed) {
             "m:10:7: cap is 0, must be above 0 to 1");
   EXPECT_EQ(read_tables(linear_with("cap = 1.01")).complaint,
             "m:10:7: cap is 1.01, must be above 0 to 1");
+  EXPECT_EQ(read_tables(linear_with("activation_max = 0.1")).complaint, "");
+  EXPECT_EQ(read_tables(linear_with("activation_max = 2")).complaint, "");
+  EXPECT_EQ(read_tables(linear_with("activation_max = 0")).complaint,
+            "m:10:18: activation_max is 0, must be above 0 to 2");
+  EXPECT_EQ(read_tables(linear_with("activation_max = 2.1")).complaint,
+            "m:10:18: activation_max is 2.1, must be above 0 to 2");
   EXPECT_EQ(read_tables(linear_with("", "0")).complaint,
             "m:6:12: zone_deg is 0, must be above 0 and below 90");
 }
