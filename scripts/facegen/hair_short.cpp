@@ -66,7 +66,7 @@ class Sides {
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.02 + 0.46 * temple + 0.05 * tuft + 0.05 * (1 - grown);
+    const double light = 0.02 + 0.32 * temple + 0.05 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (mix(0.012, 0.03, grown) + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.

@@ -13,8 +13,8 @@ namespace {
 /// (any finer and the quads would show): more of it on skin that is `mottled`.
 double flush(const HalfVertex& v, const Vec3& mirrored_position, double mottled) {
   const Vec3& p = v.position;
-  double f = mix(0.20, 0.32, mottled) * (value_noise(mirrored_position * 0.7) - 0.5) +
-             mix(0.10, 0.26, mottled) * (value_noise(mirrored_position * 1.7) - 0.5);
+  double f = mix(0.20, 0.38, mottled) * (value_noise(mirrored_position * 0.7) - 0.5) +
+             mix(0.10, 0.34, mottled) * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
     f += 0.62 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
