@@ -145,22 +145,9 @@ std::vector<Vec3> hemisphere(int rays) {
 
 /// Half of each vertex' value from its neighbours; without this the quads show.
 void smooth(Part& part) {
-  std::vector<double> sum(part.vertices.size(), 0.0);
-  std::vector<double> count(part.vertices.size(), 0.0);
-  for (const face::Polygon& polygon : part.polygons) {
-    for (std::size_t k = 0; k < polygon.corner_count; ++k) {
-      const std::uint32_t a = polygon.corners[k];
-      const std::uint32_t b = polygon.corners[(k + 1) % polygon.corner_count];
-      sum[a] += part.vertices[b].occlusion;
-      sum[b] += part.vertices[a].occlusion;
-      count[a] += 1;
-      count[b] += 1;
-    }
-  }
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    if (count[i] > 0) {
-      part.vertices[i].occlusion = mix(part.vertices[i].occlusion, sum[i] / count[i], 0.5);
-    }
+  const std::vector<double> means = means_of_neighbours(part, &Vertex::occlusion);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    part.vertices[i].occlusion = mix(part.vertices[i].occlusion, means[i], 0.5);
   }
 }
 

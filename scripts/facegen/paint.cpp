@@ -50,23 +50,11 @@ double inner_socket(const Vec3& p) {
 
 /// How far a vertex lies below its neighbours, mesh units, for every vertex; negative: above them.
 std::vector<double> hollows(const Part& part) {
-  std::vector<Vec3> sum(part.vertices.size(), Vec3{0});
-  std::vector<double> count(part.vertices.size(), 0.0);
-  for (const face::Polygon& polygon : part.polygons) {
-    for (std::size_t k = 0; k < polygon.corner_count; ++k) {
-      const std::uint32_t a = polygon.corners[k];
-      const std::uint32_t b = polygon.corners[(k + 1) % polygon.corner_count];
-      sum[a] += part.vertices[b].position;
-      sum[b] += part.vertices[a].position;
-      count[a] += 1;
-      count[b] += 1;
-    }
-  }
+  const std::vector<Vec3> means = means_of_neighbours(part, &Vertex::position);
   const std::vector<Vec3> normals = normals_of(part);
-  std::vector<double> below(part.vertices.size(), 0.0);
+  std::vector<double> below(means.size());
   for (std::size_t i = 0; i < below.size(); ++i) {
-    if (count[i] > 0)
-      below[i] = glm::dot(sum[i] / count[i] - part.vertices[i].position, normals[i]);
+    below[i] = glm::dot(means[i] - part.vertices[i].position, normals[i]);
   }
   return below;
 }

@@ -70,4 +70,27 @@ struct Part {
 /// Unit normals of a part's vertices, weighted by area.
 [[nodiscard]] std::vector<Vec3> normals_of(const Part& part);
 
+/// For each vertex of a part, the mean of a member, such as &Vertex::occlusion, at the vertices
+/// that it shares an edge with, each counted once for each polygon of that edge; its own if there
+/// are none.
+template <typename Value>
+[[nodiscard]] std::vector<Value> means_of_neighbours(const Part& part, Value Vertex::*member) {
+  std::vector<Value> means(part.vertices.size(), Value{0});
+  std::vector<double> count(part.vertices.size(), 0.0);
+  for (const face::Polygon& polygon : part.polygons) {
+    for (std::size_t k = 0; k < polygon.corner_count; ++k) {
+      const std::uint32_t a = polygon.corners[k];
+      const std::uint32_t b = polygon.corners[(k + 1) % polygon.corner_count];
+      means[a] += part.vertices[b].*member;
+      means[b] += part.vertices[a].*member;
+      count[a] += 1;
+      count[b] += 1;
+    }
+  }
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    means[i] = count[i] > 0 ? means[i] / count[i] : part.vertices[i].*member;
+  }
+  return means;
+}
+
 }  // namespace aucast::facegen
