@@ -103,8 +103,7 @@ Result<void> check_background(const OutputOptions& output) {
 /// Where only the sheet is drawn, its pictures are half as wide and high as others: a page of them
 /// is 3,750 pixels wide at most.
 void settle_sheet(OutputOptions& output) {
-  const bool alone = !output.sheet.empty() && output.frames.empty() && output.record.empty();
-  if (!alone || output.size_given) return;
+  if (output.sheet.empty() || output.film() || output.size_given) return;
   output.width /= 2;
   output.height /= 2;
 }

@@ -78,9 +78,9 @@ struct OutputOptions {
   bool size_given = false;  ///< --size was given; if not, the window chooses its own size
   bool fast = false;
 
-  [[nodiscard]] bool pictures() const {
-    return !frames.empty() || !record.empty() || !sheet.empty();
-  }
+  /// Whether pictures of all times are drawn, not only of the keyframes.
+  [[nodiscard]] bool film() const { return !frames.empty() || !record.empty(); }
+  [[nodiscard]] bool pictures() const { return film() || !sheet.empty(); }
 };
 
 /// Options about sound.

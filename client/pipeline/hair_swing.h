@@ -22,6 +22,9 @@ class HairSwing {
 
   explicit HairSwing(const face::Face& face);
 
+  /// Whether the face has hair that can swing; if not, what is told of its head changes nothing.
+  [[nodiscard]] bool can_swing() const { return head_.has_value(); }
+
   /// The head was moved, and is at `at` as in `activations`, one per channel; in between it goes
   /// straight on. Of two poses of one time the later is where it has jumped to. The times must not
   /// go back.

@@ -58,9 +58,8 @@ struct Sinks {
 
 Sheet::Options sheet_options(const PlayerOptions& options, const playback::Playback& playback) {
   const OutputOptions& output = options.output;
-  const bool shared = !output.frames.empty() || !output.record.empty();
   // Alone, its pictures are drawn smaller.
-  Sheet::Options sheet{.halved = shared && !output.size_given};
+  Sheet::Options sheet{.halved = output.film() && !output.size_given};
   // Of what a server sends, how much has come by now would be chance.
   if (options.command == Command::Play) sheet.keyframes = playback.status().keyframes_received;
   return sheet;
@@ -112,9 +111,8 @@ class VideoRun {
     auto sinks = open_sinks(options_.output, sheet_, stop_);
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
-    const bool sheet_alone = options_.output.frames.empty() && options_.output.record.empty();
     auto maker = PictureMaker::create(assets_.face, options_.output, "front",
-                                      sheet_alone ? Sharpness::Still : Sharpness::Video);
+                                      options_.output.film() ? Sharpness::Video : Sharpness::Still);
     if (!maker) return maker.error();
     maker_ = std::move(*maker);
     return {};
@@ -179,6 +177,7 @@ class VideoRun {
  private:
   /// Tells the hair how the head goes in this keyframe.
   void move_hair(std::int64_t begin_ms, std::int64_t takes_ms) {
+    if (!hair_.can_swing() || !options_.output.film()) return;
     const auto add = [&](std::int64_t ms, double mu) {
       player_.pipeline().at(mu, drawn_);
       hair_.move(Instant(Milliseconds(begin_ms + ms)), drawn_.activations);
