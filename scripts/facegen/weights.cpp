@@ -158,7 +158,7 @@ void weigh_by_position(const Identity& who, Vertex& vertex) {
   vertex[Map::Smile] = smile_field(p);
   vertex[Map::Forehead] = forehead_field(p);
   vertex[Map::LowerLip] = lower_lip_field(who, p);
-  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.65 * nose_tip_field(p)) *
+  vertex[Map::UpperLip] = (1 - vertex[Map::LowerLip]) * (1 - 0.30 * nose_tip_field(p)) *
                           (1 - 0.40 * nose_wing_field(p));
   vertex[Map::UpperRed] = 0;
   vertex[Map::LowerRed] = 0;
