@@ -26,8 +26,8 @@ constexpr Arch kUpperArch{1,
                           3.06,
                           -1.58,
                           0.04,
-                          {.60, .49, .53, .49, .49, .68, .64},
-                          {.96, .88, .88, .775, .68, .57, .48}};
+                          {.63, .46, .53, .49, .49, .68, .64},
+                          {.97, .86, .89, .775, .68, .57, .48}};
 constexpr Arch kLowerArch{-1,
                           2.02,
                           2.90,
@@ -241,12 +241,12 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(5.0, 7.4, p.z) * smooth_step(2.15, 0.45, std::abs(p.x));
+  return smooth_step(4.9, 7.6, p.z) * smooth_step(2.15, 0.25, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.84, 0.76, 0.69};
 /// What is seen of the lower row behind its front: the colour of the walls there, not a grey block.
-constexpr Vec3 kLowerRowBehind{0.27, 0.088, 0.074};
+constexpr Vec3 kLowerRowBehind{0.33, 0.105, 0.088};
 
 void shade_teeth(Part& teeth, const Arch& arch) {
   for (Vertex& vertex : teeth.vertices) {
@@ -254,7 +254,9 @@ void shade_teeth(Part& teeth, const Arch& arch) {
     vertex.occlusion *= mix(0.25, 1.0, light);
     // The shadow of the lip that covers their necks.
     const double from_gum = arch.up * (arch.gum_y - vertex.position.y);
-    vertex.colour *= mix(Vec3{0.25, 0.155, 0.12}, Vec3{1}, light) *
+    // Blue goes first on the way to the back, or teeth in the shade are grey.
+    const Vec3 arriving{light, power(light, 1.05), power(light, 1.14)};
+    vertex.colour *= mix(Vec3{0.27, 0.15, 0.11}, Vec3{1}, arriving) *
                      (arch.up > 0 ? mix(0.52, 1.25, smooth_step(0.34, 0.90, from_gum))
                                   : mix(0.90, 1.26, smooth_step(0.10, 0.90, from_gum)));
     // The lower row lies in the shade of the upper one, where no rim light gets.
@@ -263,7 +265,7 @@ void shade_teeth(Part& teeth, const Arch& arch) {
       const double far = std::max(smooth_step(7.3, 6.2, vertex.position.z),
                                   smooth_step(0.45, 1.10, std::abs(vertex.position.x)));
       vertex.colour = mix(vertex.colour * kLightOnLowerTeeth, kLowerRowBehind, far);
-      vertex.occlusion = mix(std::max(vertex.occlusion * 0.5, 0.3), 0.2, far);
+      vertex.occlusion = mix(std::max(vertex.occlusion * 0.5, 0.3), 0.25, far);
     }
     vertex.gloss *= mix(0.2, 1.0, light);
   }
@@ -275,10 +277,10 @@ void shade_tongue(Part& tongue) {
   for (Vertex& vertex : tongue.vertices) {
     const Vec3& p = vertex.position;
     vertex.occlusion = mix(0.15, 0.85, smooth_step(5.0, 7.0, p.z));
-    vertex.gloss = mix(0.1, 1.6, smooth_step(5.9, 7.0, p.z));
-    vertex.colour *= mix(0.22, 2.0, smooth_step(4.6, 7.1, p.z)) *
-                     mix(0.45, 1.0, smooth_step(1.30, 0.60, std::abs(p.x))) *
-                     (1 - 0.22 * bell(p.x, 0.17) * smooth_step(7.3, 6.6, p.z));
+    vertex.gloss = mix(0.1, 2.6, smooth_step(5.9, 6.9, p.z));
+    vertex.colour *= mix(0.20, 1.7, smooth_step(4.9, 7.2, p.z)) *
+                     mix(0.45, 1.0, smooth_step(1.30, 0.50, std::abs(p.x))) *
+                     (1 - 0.36 * bell(p.x, 0.17) * smooth_step(7.4, 6.9, p.z));
   }
 }
 
@@ -365,7 +367,7 @@ Part make_tongue() {
     const double z = 5.40 + 1.95 * std::cos(b);
     const double width = 1.14 * power(std::sin(b), 0.60) * (1 - 0.36 * std::cos(b));
     // Low, so that it fits between the lips and lies behind the lower teeth in an open mouth.
-    const double height = power(std::sin(b), 0.6) * mix(0.60, 0.25, smooth_step(4.6, 7.1, z));
+    const double height = power(std::sin(b), 0.6) * mix(0.60, 0.25, smooth_step(4.9, 7.25, z));
     std::vector<std::uint32_t> ring;
     for (int i = 0; i < kAround; ++i) {
       const double a = 2 * kPi * i / kAround;
@@ -402,7 +404,7 @@ Part make_mouth_bag(const Skin& skin) {
                                                   {.88, .9, .8, .5, .9, 0}}};
   constexpr double kThroatZ = 3.6;
   /// In the corners, ring by ring: the edge is dark, the walls close behind it are not.
-  static constexpr std::array kCornerLight{0.45, 0.95, 0.65};
+  static constexpr std::array kCornerLight{0.50, 1.0, 0.85};
   const std::vector<LipPlace> loop = lip_loop(skin);
   Part bag;
   bag.name = "mouth_bag";
@@ -427,14 +429,14 @@ Part make_mouth_bag(const Skin& skin) {
       // wedge.
       const Vec3 front_colour = kMouthFront * mix(0.9, k == 0 ? 0.5 : 0.95, place.corner);
       const Vec3 colour =
-          mix(front_colour, kMouthBack, smooth_step(0.0, mix(0.7, 0.85, place.corner), shape.back));
+          mix(front_colour, kMouthBack, smooth_step(0.0, mix(0.8, 0.95, place.corner), shape.back));
       ring.push_back(bag.add(p, colour));
       Vertex& vertex = bag.vertices.back();
       vertex.maps = lip.maps;
       // A trace, that the walls of the open mouth are red and not black; more, and the lights from
       // behind would draw them.
       const double at_corner = kCornerLight[std::min(k, kCornerLight.size() - 1)];
-      vertex.occlusion = mix(0.60, at_corner, place.corner) * smooth_step(1.0, 0.15, shape.back);
+      vertex.occlusion = mix(0.75, at_corner, place.corner) * smooth_step(1.05, 0.25, shape.back);
       vertex.gloss = 0.04;
       if (k > 0) {
         vertex[Map::Muscle] *= shape.muscle;

@@ -104,13 +104,21 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   if (v.ring < kLipBorderRing) return;
   const bool border = v.ring == kLipBorderRing;
   const double to_corner = saturate(v.position.x / kMouthCorner);
-  const double strength = (border ? 0.70 : 1.0) * (1 - 0.25 * to_corner * to_corner) *
-                          (1 - 0.80 * smooth_step(0.74, 1.0, to_corner));
+  // The red tapers towards the corners, from its border inwards: red as far as the border there, a
+  // mouth that is stretched open has a rim of even width, a hole cut in rubber.
+  const double from_border = saturate(static_cast<double>(v.ring - kLipBorderRing) /
+                                      static_cast<double>(kLipContactRing - kLipBorderRing));
+  const double taper =
+      smooth_step(mix(0.40, 0.70, from_border), mix(0.86, 1.0, from_border), to_corner);
+  const double strength = (border ? 0.70 : 1.0) * (1 - 0.20 * to_corner * to_corner) *
+                          (1 - mix(0.92, 0.75, from_border) * taper);
   Vec3 c =
       mix(vertex.colour, who.colours.lip, strength) * (v.spoke < kMouthCornerSpoke ? 0.88 : 1.04);
   // The line between the lips fades out before their corners, or it is drawn with a pen.
   if (v.ring >= kLipContactRing - 1)
-    c = mix(c, kLipInside, 0.8 - 0.55 * smooth_step(0.70, 1.0, to_corner));
+    c = mix(c, kLipInside, 0.8 - 0.65 * smooth_step(0.66, 0.98, to_corner));
+  // The web of skin between the ends of the lips lies in shade: lit, it is a pale rim.
+  c *= mix(Vec3{1}, kLipWeb, smooth_step(0.55, 0.96, to_corner) * mix(0.5, 1.0, from_border));
   if (v.ring > kLipContactRing) {
     // Into the dark of the mouth, sooner at the corners.
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /
@@ -122,7 +130,7 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   vertex.colour = c;
   // The lower lip is the fuller one and catches most light in its middle.
   const double full = (v.spoke > kMouthCornerSpoke ? 1.7 : 0.5) * bell(v.position.x, 0.9);
-  vertex.gloss = (border ? 1.0 : 2.0 + full) * (1 - 0.6 * smooth_step(0.75, 1.0, to_corner));
+  vertex.gloss = (border ? 1.0 : 2.0 + full) * (1 - 0.85 * smooth_step(0.55, 0.95, to_corner));
 }
 
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
@@ -295,8 +303,8 @@ void shade_inner_lips(Skin& skin) {
     if (v.ring <= kLipContactRing) {
       // The groove between the lips ends softly.
       double& occlusion = skin.part.vertices[i].occlusion;
-      const double to_end = smooth_step(0.75, 1.0, v.position.x / kMouthCorner);
-      if (v.ring >= kLipBorderRing) occlusion = mix(occlusion, 1.0, 0.45 * to_end);
+      const double to_end = smooth_step(0.70, 1.0, v.position.x / kMouthCorner);
+      if (v.ring >= kLipBorderRing) occlusion = mix(occlusion, 1.0, 0.6 * to_end);
       continue;
     }
     const double inwards = static_cast<double>(v.ring - kLipContactRing) /

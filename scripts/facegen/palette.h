@@ -35,10 +35,12 @@ inline constexpr Vec3 kUnderHair{0.66, 0.57, 0.53};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
 inline constexpr Vec3 kCaruncle{0.66, 0.34, 0.30};
 inline constexpr Vec3 kLipInside{0.42, 0.13, 0.12};
+/// A factor on the ends of the lips.
+inline constexpr Vec3 kLipWeb{0.62, 0.45, 0.42};
 inline constexpr Vec3 kNostril{0.15, 0.048, 0.036};
 inline constexpr Vec3 kNostrilRim{0.35, 0.14, 0.11};
 inline constexpr Vec3 kMouthFront{0.56, 0.165, 0.145};
-inline constexpr Vec3 kMouthBack{0.29, 0.074, 0.061};
+inline constexpr Vec3 kMouthBack{0.36, 0.082, 0.066};
 inline constexpr Vec3 kGum{0.60, 0.27, 0.25};
 inline constexpr Vec3 kGumBack{0.26, 0.12, 0.105};
 inline constexpr Vec3 kToothNeck{0.83, 0.74, 0.60};

@@ -90,11 +90,11 @@ Vec3 inner_lip(const Identity& who, int which, int spoke) {
     case 0:
       return {c.x, c.y - up * 0.030 * fade - (up > 0 ? 0.02 * bell(c.x, 0.36) : 0), z - 0.05};
     case 1:
-      return {c.x * (0.985 - 0.015 * web), c.y, z - 0.22};
+      return {c.x * (0.985 - 0.040 * web), c.y, z - 0.22};
     case 2:
-      return {c.x * (0.96 - 0.035 * web), c.y + up * 0.28 * fade, z - 0.42 - 0.1 * t};
+      return {c.x * (0.96 - 0.055 * web), c.y + up * 0.28 * fade, z - 0.42 - 0.1 * t};
     default:
-      return {c.x * (0.93 - 0.05 * web), c.y + up * 0.75 * fade, z - 0.62 - 0.2 * t};
+      return {c.x * (0.93 - 0.065 * web), c.y + up * 0.75 * fade, z - 0.62 - 0.2 * t};
   }
 }
 
