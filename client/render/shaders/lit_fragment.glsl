@@ -120,14 +120,14 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
       0.5 + 0.5 * piece_noise(at * 0.16 + 700.0, 0.6 * (v_grain.y - v_grain.x) * kPieces);
   cover *= smoothstep(0.0, 0.10, facing - mix(0.11, 0.06, u_grey) * outline * outline);
   float strand = 0.55 * (fine + (1.0 - 0.5 * grey) * tuft);
-  colour *= 1.0 + mix(0.52, 0.55, grey) * strand;
+  colour *= 1.0 + mix(0.52, 0.42, grey) * strand;
   // White hairs are whole ones, not lighter places of all.
-  colour = mix(colour, vec3(0.27, 0.25, 0.23), 0.42 * grey * smoothstep(0.15, 0.85, fine));
+  colour = mix(colour, vec3(0.27, 0.25, 0.23), 0.24 * grey * smoothstep(0.15, 0.95, fine));
   // Locks: some lie deeper than others, and between them it is dark.
   float lock = strand_noise(at * 0.055 + 12000.0 + 0.5 * tuft);
   lock *= 0.75 + 0.25 * turn;
   float deep = 1.0 - abs(lock);
-  float locks = mix(0.24, 0.34, grey) * lock - mix(0.32, 0.50, grey) * deep * deep * deep * deep;
+  float locks = mix(0.24, 0.30, grey) * lock - mix(0.32, 0.36, grey) * deep * deep * deep * deep;
   // The lighter ones are the ones that the sun has bleached: less red.
   vec3 bleached = mix(vec3(1.0), vec3(0.97, 1.04, 1.12), lock * (1.0 - grey));
   colour *= at > 0.0 ? (1.0 + locks) * bleached : vec3(1.0);
