@@ -25,6 +25,8 @@ constexpr float kPanelWidth = 380;
 constexpr float kPanelShareMax = 0.7F;
 constexpr float kTabPadding = 5;
 constexpr float kTabGap = 3;
+/// With smaller letters nobody could read the tabs' names; ImGui then cuts the names short.
+constexpr float kTabLettersMin = 0.4F;
 
 Tone tone_of(const PlayingView& playing) {
   if (playing.stale || !playing.detail.empty()) return Tone::Bad;
@@ -193,14 +195,14 @@ constexpr Tab kViewTab{"view", "tab.view", "tip.tab_view"};
 constexpr Tab kCameraTab{"camera", "tab.camera", "tip.tab_camera"};
 constexpr std::array kTabs{kPlayTab, kExpressionTab, kEditorTab, kComposeTab, kViewTab, kCameraTab};
 
-/// The scale of the tabs' letters with which all names fit, at most 1.
+/// The scale of the tabs' letters with which all names fit, kTabLettersMin to 1.
 float tab_letters(const Look& look) {
   float names = 0;
   for (const Tab& tab : kTabs) names += ImGui::CalcTextSize(tr(tab.name)).x;
   constexpr auto kCount = static_cast<float>(kTabs.size());
   const float rounded = 2 * kCount;  // up, each of them
   const float between = (kCount * 2 * kTabPadding + (kCount - 1) * kTabGap) * look.scale + rounded;
-  return std::min(1.0F, (ImGui::GetContentRegionAvail().x - between) / names);
+  return std::clamp((ImGui::GetContentRegionAvail().x - between) / names, kTabLettersMin, 1.0F);
 }
 
 /// While it lives, tabs are narrow enough to fit side by side.

@@ -82,7 +82,7 @@ struct Rows {
     return left + (right - left) * static_cast<float>(part);
   }
   [[nodiscard]] Duration place_of(float x, Duration total) const {
-    const float part = std::clamp((x - left) / (right - left), 0.0F, 1.0F);
+    const float part = std::clamp((x - left) / std::max(1.0F, right - left), 0.0F, 1.0F);
     return Duration(std::llround(static_cast<double>(part) * static_cast<double>(total.count())));
   }
 };
