@@ -76,7 +76,12 @@ StreamPlace LocalPlayback::place(Duration position) const {
           static_cast<double>(done.count()) / static_cast<double>((*found - begin).count())};
 }
 
+bool LocalPlayback::played_to_end(Instant now) const {
+  return over(now) && (ended_ || anchor_position_ < total());
+}
+
 void LocalPlayback::anchor(Duration position, Instant now) {
+  ended_ = position == total() && played_to_end(now);
   passed_before_ = passed(now);
   anchor_at_ = now;
   anchor_position_ = position;
@@ -96,7 +101,7 @@ void LocalPlayback::pause(Instant now) {
 
 void LocalPlayback::seek(Duration position, Instant now) {
   const Duration to = std::clamp(position, Duration::zero(), total());
-  if (over(now) && anchor_position_ < total()) pause(now);
+  if (played_to_end(now)) pause(now);
   anchor(to == total() && playing_ && repeats_ ? Duration::zero() : to, now);
 }
 

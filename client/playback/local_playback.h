@@ -98,6 +98,8 @@ class LocalPlayback {
   /// The next place to step to, and the one before, for step_picture().
   [[nodiscard]] Duration picture_after(Duration position) const;
   [[nodiscard]] Duration picture_before(Duration position) const;
+  /// Whether it is over, and came to the end by playing, not by being sought there.
+  [[nodiscard]] bool played_to_end(Instant now) const;
   /// From now on the position is counted from `position` at `now`.
   void anchor(Duration position, Instant now);
 
@@ -107,6 +109,7 @@ class LocalPlayback {
   int speed_percent_ = 100;
   Instant anchor_at_{};
   Duration anchor_position_{0};
+  bool ended_ = false;  ///< the anchor is where playing came to the end
   std::optional<Duration> loop_begin_;
   std::optional<Duration> loop_end_;
   bool repeats_ = false;

@@ -1,5 +1,7 @@
 #include "client/playback/local_playback.h"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/manual_clock.h"
@@ -88,6 +90,27 @@ TEST_F(LocalPlaybackTest, WhatHasPlayedToItsEndStandsWhereItIsSought) {
   // A drag to the end and back does not end playing.
   playback_.play(clock_.now());
   seek(Milliseconds(9000));
+  seek(Milliseconds(200));
+  EXPECT_TRUE(playback_.playing());
+}
+
+TEST_F(LocalPlaybackTest, WhatIsSetAfterTheEndDoesNotMakeASeekPlay) {
+  const auto set_speed = [this] { playback_.set_speed(50, clock_.now()); };
+  const auto mark = [this] { playback_.mark_loop(clock_.now()); };
+  const auto no_repeat = [this] { playback_.set_repeat(false, clock_.now()); };
+  for (const std::function<void()>& set : {std::function<void()>(set_speed), {mark}, {no_repeat}}) {
+    playback_.play(clock_.now());
+    clock_.advance(Milliseconds(9000));
+    set();
+    set();
+    ASSERT_TRUE(playback_.over(clock_.now()));
+    seek(Milliseconds(200));
+    EXPECT_FALSE(playback_.playing());
+  }
+  // The end of a drag is not where playing came to.
+  playback_.play(clock_.now());
+  seek(Milliseconds(9000));
+  set_speed();
   seek(Milliseconds(200));
   EXPECT_TRUE(playback_.playing());
 }
