@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -211,6 +212,15 @@ std::string bytes_text(double bytes) {
 
 std::string bit_rate_text(double bytes_a_second) {
   return scaled(8 * bytes_a_second, tr("unit.bit_rate"));
+}
+
+std::string time_text(Duration time) {
+  // Rounded before it is split, or a moment before a minute would be "0:60.00".
+  const long long hundredths = std::llround(100 * seconds(time));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%lld:%02lld.%02lld", hundredths / 6000,
+                hundredths / 100 % 60, hundredths % 100);
+  return text.data();
 }
 
 std::string seconds_text(double seconds) {

@@ -12,6 +12,7 @@
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "client/playback/playback_controller.h"
+#include "common/time.h"
 #include "protocol/packet.h"
 
 namespace aucast::gui {
@@ -53,6 +54,9 @@ namespace aucast::gui {
 
 /// "320 bit/s", "1.2 kbit/s".
 [[nodiscard]] std::string bit_rate_text(double bytes_a_second);
+
+/// A place in a stream file: "1:05.25".
+[[nodiscard]] std::string time_text(Duration time);
 
 /// With two decimals and the decimal point of the language in use: "1.25".
 [[nodiscard]] std::string seconds_text(double seconds);

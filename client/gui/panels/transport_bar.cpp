@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "client/gui/model/view_text.h"
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/texts.h"
 #include "client/gui/widgets/keyboard_focus.h"
@@ -41,15 +42,6 @@ enum class Icon : std::uint8_t {
   KeyframeOn,
   Repeat
 };
-
-/// "1:05.25"
-std::string time_text(Duration time) {
-  const double all = seconds(time);
-  const int minutes = static_cast<int>(all / 60);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%d:%05.2f", minutes, all - 60.0 * minutes);
-  return text.data();
-}
 
 std::string speed_text(int percent) {
   std::array<char, 16> text{};

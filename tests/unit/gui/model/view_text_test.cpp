@@ -108,6 +108,12 @@ TEST(ViewText, BytesAndSecondsAreWrittenAsInTheLanguage) {
   use_english();
 }
 
+TEST(ViewText, APlaceIsRoundedBeforeItIsSplitIntoMinutes) {
+  EXPECT_EQ(time_text(Milliseconds(65'250)), "1:05.25");
+  EXPECT_EQ(time_text(Milliseconds(59'994)), "0:59.99");
+  EXPECT_EQ(time_text(Milliseconds(59'996)), "1:00.00");
+}
+
 TEST(ViewText, OfAStreamItIsSaidWhetherItIsLiveOrHowLong) {
   EXPECT_EQ(stream_in_words({"a", true, 60'000}), "live") << "how long it was matters less";
   EXPECT_EQ(stream_in_words({"a", false, 83'000}), "1:23");
