@@ -202,14 +202,19 @@ Result<void> load_muscles(const std::filesystem::path& path, Face& face) {
   return problems.result();
 }
 
-/// A muscle may not take the name of another channel, such as jaw.
-Result<void> check_channel_names(const Face& face, const std::filesystem::path& path) {
+/// Neither a muscle nor a crease of the mesh may take the name of another channel, such as jaw.
+Result<void> check_channel_names(const Face& face, const std::filesystem::path& muscles,
+                                 const std::filesystem::path& mesh) {
   std::set<std::string_view> names;
   for (const Channel& channel : face.channels) {
     if (names.insert(channel.name).second) continue;
-    return Error{ErrorKind::BadData, at_place(path.string(), 0, 0,
-                                              "the muscle name '" + channel.name +
-                                                  "' is taken: it is a channel of its own")};
+    const bool crease = std::any_of(
+        face.mesh.parts.begin(), face.mesh.parts.end(),
+        [&](const MeshPart& part) { return is_crease(part) && part.name == channel.name; });
+    return Error{ErrorKind::BadData,
+                 at_place((crease ? mesh : muscles).string(), 0, 0,
+                          std::string(crease ? "the name of the crease '" : "the muscle name '") +
+                              escaped(channel.name) + "' is taken: it is a channel of its own")};
   }
   return {};
 }
@@ -264,9 +269,8 @@ Result<Face> load_face_folder(const std::filesystem::path& folder) {
     return with_owner(loaded.error(), muscles_file);
   }
   face.channels = channels_of(face);
-  if (auto result = check_channel_names(face, folder / muscles_file); !result) {
-    return result.error();
-  }
+  auto named = check_channel_names(face, folder / muscles_file, folder / mesh_file);
+  if (!named) return named.error();
   if (kept_lines != nullptr) read_kept_lines(*kept_lines, face, problems);
   if (auto result = problems.result(); !result) return result.error();
   auto recordings = load_aus(folder / aus_file, face);

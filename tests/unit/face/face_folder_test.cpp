@@ -292,6 +292,25 @@ TEST(FaceFolder, AMeshWithoutTheMapThatAMoverNeedsIsRefused) {
   }
 }
 
+TEST(FaceFolder, ACreaseWithTheNameOfAnotherChannelIsTheMeshsFault) {
+  const TempFolder folder;
+  test::write_small_face(folder);
+  FaceMesh mesh = test::small_mesh();
+  const auto begin = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.parts.push_back({"jaw", Material::Crease, begin, 3, 0, 0});
+  for (const float x : {0.0F, 1.0F, 2.0F}) mesh.positions.emplace_back(x, x * x, 0.0F);
+  mesh.colours.resize(mesh.positions.size(), {0.5F, 0.4F, 0.3F, 1.0F});
+  for (auto& [name, map] : mesh.maps) map.resize(mesh.positions.size());
+  std::vector<Polygon> polygons = test::small_polygons();
+  polygons.push_back({{begin, begin + 1, begin + 2, 0}, 3});
+  folder.write("mesh.ply", format_ply(mesh, polygons));
+  const auto face = load_face(folder.path(), {});
+  ASSERT_FALSE(face.has_value());
+  EXPECT_EQ(face.error().message,
+            (folder.path() / "mesh.ply").string() +
+                ": the name of the crease 'jaw' is taken: it is a channel of its own");
+}
+
 TEST(FaceFolder, AMeshWithANanIsRefusedByVertex) {
   const TempFolder folder;
   test::write_small_face(folder);
