@@ -86,6 +86,21 @@ TEST(PlayerInput, AnExportIsWholeAndTheSameEachTime) {
   EXPECT_TRUE(bytes == *read_file(second));
 }
 
+TEST(PlayerInput, AnExportOfAShippedFaceHasItsLicenceHoweverItsFolderIsWritten) {
+  const TempFolder folder;
+  const std::string glb = (folder.path() / "face.glb").string();
+  const std::string shipped = program("data/faces/default");
+  for (const std::string& face : {std::string("default"), shipped + "/", shipped + "/../marek"}) {
+    const Finished done = run({program("face-player"), "export", "--face", face, glb});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(read_file(glb)->find("MIT licence, AUcast"), std::string::npos) << face;
+  }
+  std::filesystem::copy(shipped, folder.path() / "own");
+  const std::string own = (folder.path() / "own").string();
+  ASSERT_EQ(run({program("face-player"), "export", "--face", own, glb}).exit_code, 0);
+  EXPECT_EQ(read_file(glb)->find("MIT licence, AUcast"), std::string::npos);
+}
+
 TEST(PlayerInput, ExportsThatCannotBeLeaveWhatWasThere) {
   const TempFolder folder;
   const std::string glb = folder.write("face.glb", "mine").string();

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "client/app/missing_aus.h"
 #include "client/glb/drift.h"
@@ -40,10 +42,12 @@ void warn_of_missing(const face::Face& face, const playback::KeyframeList& keyfr
   }
 }
 
-/// The licence of a face. Faces in data/ have the project's own.
+/// The licence of a face. Faces in data/ have the project's own, however their folder is written.
 std::string licence_of(const Assets& assets) {
-  return assets.face_folder.parent_path() == assets.data_folder / "faces" ? "MIT licence, AUcast"
-                                                                          : "";
+  std::error_code ignored;
+  const bool shipped =
+      std::filesystem::equivalent(assets.face_folder / "..", assets.data_folder / "faces", ignored);
+  return shipped ? "MIT licence, AUcast" : "";
 }
 
 std::string glb_summary(const ExportOptions& given, std::size_t bytes,
