@@ -103,7 +103,7 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const auto near = nearest(word, known);
-  return near ? "; did you mean " + *near + "?" : std::string();
+  return near ? "; did you mean " + printable(*near) + "?" : std::string();
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

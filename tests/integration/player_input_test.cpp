@@ -139,6 +139,29 @@ TEST(PlayerInput, FaceFolders) {
                  {"faceline.dat:3"});
 }
 
+TEST(PlayerInput, NoNameOfAFaceReachesTheTerminalAsControlCharacters) {
+  const TempFolder folder;
+  std::filesystem::copy(program("data/faces/default"), folder.path() / "odd");
+  const auto rewrite = [&](const std::string& file, const std::string& from,
+                           const std::string& to) {
+    std::string bytes = folder.read(file);
+    const std::size_t at = bytes.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    folder.write(file, bytes.replace(at, from.size(), to));
+  };
+  rewrite("odd/face.toml", "name = \"default\"", "name = \"a\\u001b[31mface\"");
+  rewrite("odd/mesh.ply", "part left_crease_chin", "part left_crease_chin\x1b[31m");
+  const std::string face = (folder.path() / "odd").string();
+  const PlayerRun list = run_player({"pose", "--list", "--face", face});
+  ASSERT_EQ(list.finished.exit_code, 0) << list.finished.err;
+  EXPECT_EQ(list.finished.out.find('\x1b'), std::string::npos);
+  EXPECT_NE(list.finished.out.find("a\\x1b[31mface"), std::string::npos) << list.finished.out;
+  EXPECT_NE(list.finished.out.find("left_crease_chin\\x1b[31m"), std::string::npos);
+  const PlayerRun muscle =
+      run_player({"pose", "--face", face, "--muscle", "left_crease_chin[31m=1"});
+  expect_failure(muscle, 2, {"a\\x1b[31mface has no", "left_crease_chin\\x1b[31m?"});
+}
+
 TEST(PlayerInput, MusclesAndExpressions) {
   expect_failure(run_player({"pose", "--muscle", "left_zygomaticus_mayor=1"}), 2,
                  {"did you mean left_zygomaticus_major?"});

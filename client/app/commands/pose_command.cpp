@@ -22,9 +22,9 @@ namespace aucast::app {
 namespace {
 
 void print_list(const Assets& assets) {
-  std::printf("Channels of %s (name, range):\n", assets.face.name.c_str());
+  std::printf("Channels of %s (name, range):\n", printable(assets.face.name).c_str());
   for (const face::Channel& channel : assets.face.channels) {
-    std::printf("  %-36s 0..%g\n", channel.name.c_str(),
+    std::printf("  %-36s 0..%g\n", printable(channel.name).c_str(),
                 static_cast<double>(channel.activation_max));
   }
   std::printf("Action Units:\n");
@@ -34,8 +34,9 @@ void print_list(const Assets& assets) {
   }
   std::printf("Expressions:\n");
   for (const Expression& expression : assets.expressions) {
-    std::printf("  %-20s %-24s %s\n", expression.name.c_str(),
-                protocol::format_au_set(expression.aus).c_str(), expression.source.c_str());
+    std::printf("  %-20s %-24s %s\n", printable(expression.name).c_str(),
+                protocol::format_au_set(expression.aus).c_str(),
+                printable(expression.source).c_str());
   }
 }
 
@@ -44,7 +45,7 @@ void print_activations(const Assets& assets, std::span<const float> activations)
   for (std::size_t i = 0; i < activations.size(); ++i) {
     if (activations[i] == 0.0F) continue;
     any = true;
-    std::printf("%-36s %g\n", assets.face.channels[i].name.c_str(),
+    std::printf("%-36s %g\n", printable(assets.face.channels[i].name).c_str(),
                 static_cast<double>(activations[i]));
   }
   if (!any) std::printf("nothing is activated: the neutral face\n");
@@ -57,8 +58,8 @@ Result<void> set_channel(const face::Face& face, const std::string& name, float 
   if (!index) {
     std::vector<std::string> names;
     for (const face::Channel& channel : face.channels) names.push_back(channel.name);
-    return Error{ErrorKind::Usage, "--muscle: " + face.name + " has no '" + escaped(name) + "'" +
-                                       did_you_mean(name, names) +
+    return Error{ErrorKind::Usage, "--muscle: " + printable(face.name) + " has no '" +
+                                       escaped(name) + "'" + did_you_mean(name, names) +
                                        " (face-player pose --list names them)"};
   }
   const float largest = face.channels[*index].activation_max;
