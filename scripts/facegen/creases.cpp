@@ -162,10 +162,10 @@ class Draper {
     }
   }
 
-  /// The foremost place of the skin at (x, y).
+  /// The foremost place of the skin at (x, y). Where there is no skin, it is infinitely far away.
   [[nodiscard]] OnSkin drape(const glm::dvec2& p) const {
     OnSkin best;
-    best.position.z = -std::numeric_limits<double>::max();
+    best.position.z = -std::numeric_limits<double>::infinity();
     for (const auto& t : triangles_) {
       const glm::dvec2 a{at(t[0])};
       const glm::dvec2 ab = glm::dvec2{at(t[1])} - a;

@@ -1,4 +1,3 @@
-
 #include "scripts/facegen/distance.h"
 #include "scripts/facegen/hair.h"
 #include "scripts/facegen/hair_parts.h"

@@ -20,7 +20,6 @@ struct SheetSize {
 inline constexpr SheetSize kUnderSheet{65, 29};
 inline constexpr SheetSize kOuterSheet{161, 41};
 inline constexpr SheetSize kLock{6, 17};
-inline constexpr std::size_t kLocks = 16;
 inline constexpr SheetSize kStray{2, 7};
 inline constexpr std::size_t kStrays = 36;
 inline constexpr std::size_t kWisps = 38;

@@ -1,5 +1,8 @@
 #include "scripts/facegen/head.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "scripts/facegen/asymmetry.h"
@@ -18,7 +21,37 @@
 
 namespace aucast::facegen {
 
-std::vector<Part> make_head(const Identity& who) {
+namespace {
+
+bool is_finite(double number) {
+  return std::isfinite(static_cast<float>(number));  // as the file has it
+}
+
+bool is_finite(const Vertex& vertex) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_finite(vertex.position[axis]) || !is_finite(vertex.colour[axis])) return false;
+  }
+  return is_finite(vertex.alpha) && is_finite(vertex.occlusion) && is_finite(vertex.gloss) &&
+         std::all_of(vertex.maps.begin(), vertex.maps.end(),
+                     [](double value) { return is_finite(value); });
+}
+
+Result<void> check_finite(const Part& part) {
+  const bool good = std::all_of(part.vertices.begin(), part.vertices.end(),
+                                [](const Vertex& vertex) { return is_finite(vertex); });
+  if (good) return {};
+  const bool line = part.material == face::Material::Crease;
+  return Error{ErrorKind::BadData,
+               "these measures give no head, and no mesh was written: the part '" + part.name +
+                   (line ? "' is not on the skin everywhere; lower 'uneven' or 'forehead_up' of "
+                           "[lines], or bring the measures of [form] nearer to those in people/"
+                         : "' has a place that is no number; bring the measures of [form] and "
+                           "[hair] nearer to those in people/")};
+}
+
+}  // namespace
+
+Result<std::vector<Part>> make_head(const Identity& who) {
   HalfHead half = lay_out_half_head(who);
   relax(who, half);
   Skin skin = make_skin(std::move(half));
@@ -28,6 +61,14 @@ std::vector<Part> make_head(const Identity& who) {
   Part right_eye = make_eye(who, -1);
   Part hair = make_hair(who);
   Part shirt = make_shirt(who);
+  // Before rays go there: among places that are no numbers they would not come to an end.
+  for (const Part* const part : std::array<const Part*, 3>{&skin.part, &hair, &shirt}) {
+    if (auto good = check_finite(*part); !good) return good.error();
+  }
+  std::vector<Part> creases = make_creases(who, skin);
+  for (const Part& crease : creases) {
+    if (auto good = check_finite(crease); !good) return good.error();
+  }
   tint_scalp(who, skin, scalp_of(who));
   {
     // Rays from the skin to the hair give blocky patches along the hairline: shade_under_hair.
@@ -46,7 +87,6 @@ std::vector<Part> make_head(const Identity& who) {
   std::vector<Part> parts;
   Part bag = make_mouth_bag(skin);
   Part lashes = make_lashes(who, skin);
-  std::vector<Part> creases = make_creases(who, skin);
   parts.push_back(std::move(skin.part));
   parts.push_back(std::move(left_eye));
   parts.push_back(std::move(right_eye));
@@ -62,6 +102,9 @@ std::vector<Part> make_head(const Identity& who) {
   for (Part& crease : creases) parts.push_back(std::move(crease));
   make_uneven(who.askew, parts);
   shorten_middle(who.form, parts);
+  for (const Part& part : parts) {
+    if (auto good = check_finite(part); !good) return good.error();
+  }
   return parts;
 }
 

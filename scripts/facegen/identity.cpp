@@ -16,6 +16,7 @@ namespace {
 
 /// More than a head can bear, so that a slip of the pen is named.
 constexpr Bounds kMeasure = Bounds::between(-20, 20);
+constexpr Bounds kSize{.low = 0, .high = kMeasure.high, .low_open = true};
 constexpr Bounds kColour = Bounds::between(0, 1);
 
 std::filesystem::path person_file(std::string_view name) {
@@ -30,6 +31,8 @@ struct Named {
 
 /// Left as it is by `varied`.
 constexpr bool kStays = false;
+constexpr bool kVaries = true;
+constexpr bool kAboveZero = true;
 
 constexpr auto kForm = std::to_array<Measure>({
     {"narrowing", &Form::narrowing},
@@ -49,19 +52,19 @@ constexpr auto kForm = std::to_array<Measure>({
     {"throat_drop", &Form::throat_drop, kStays},
     {"short_lip", &Form::short_lip, kStays},
     {"short_nose", &Form::short_nose, kStays},
-    {"neck_width", &Form::neck_width, kStays},
+    {"neck_width", &Form::neck_width, kStays, kAboveZero},
     {"larynx", &Form::larynx, kStays},
     {"collar", &Form::collar, kStays},
-    {"nose_width", &Form::nose_width},
+    {"nose_width", &Form::nose_width, kVaries, kAboveZero},
     {"bridge_width", &Form::bridge_width},
     {"nose_forward", &Form::nose_forward},
     {"nose_up", &Form::nose_up},
     {"nose_tip", &Form::nose_tip},
     {"nose_hump", &Form::nose_hump},
     {"nose_root", &Form::nose_root},
-    {"ear_size", &Form::ear_size, kStays},
+    {"ear_size", &Form::ear_size, kStays, kAboveZero},
     {"ear_up", &Form::ear_up, kStays},
-    {"eye_apart", &Form::eye_apart, kStays},
+    {"eye_apart", &Form::eye_apart, kStays, kAboveZero},
     {"upper_lid", &Form::upper_lid},
     {"lower_lid", &Form::lower_lid},
     {"inner_canthus_up", &Form::inner_canthus_up, kStays},
@@ -163,7 +166,12 @@ class PersonReader {
 
   void read(Identity& who) {
     who.varies_towards = document_.text_or("varies_towards", who.varies_towards);
-    part("form", [&](TableReader& form) { read_named(form, who.form, kForm); });
+    part("form", [&](TableReader& form) {
+      for (const Measure& measure : kForm) {
+        const Bounds& bounds = measure.above_zero ? kSize : kMeasure;
+        read_real(form, measure.name, who.form.*measure.member, bounds);
+      }
+    });
     part("hair", [&](TableReader& hair) { read_hair(hair, who.hair); });
     part("lines", [&](TableReader& lines) {
       who.lines.seed = lines.integer_or("seed", who.lines.seed, 0, 1'000'000);
@@ -190,8 +198,9 @@ class PersonReader {
     reader.finish();
   }
 
-  static void read_real(TableReader& reader, std::string_view key, double& out) {
-    if (reader.has(key)) out = reader.real(key, kMeasure);
+  static void read_real(TableReader& reader, std::string_view key, double& out,
+                        const Bounds& bounds = kMeasure) {
+    if (reader.has(key)) out = reader.real(key, bounds);
   }
   template <typename Owner, typename Table>
   static void read_named(TableReader& reader, Owner& owner, const Table& named) {
@@ -207,6 +216,10 @@ class PersonReader {
                  std::vector<Row>& out, Make make) {
     const TomlValue* const value = reader.value_if(key);
     if (value == nullptr) return;
+    if (value->kind != TomlValue::Kind::Array) {
+      reader.wrong(key, "must be an array of rows");
+      return;
+    }
     out.clear();
     for (const TomlValue& row : value->items) {
       out.push_back(make(numbers_of(row, key, count, kMeasure, problems_)));
@@ -232,11 +245,17 @@ class PersonReader {
     if (hair.hairline.size() < 2 || !ascends) {
       reader.wrong("hairline", "must be two rows or more whose first numbers ascend");
     }
-    const std::size_t lines = hair.guides.empty() ? hair.combed.size() : hair.guides.size();
-    if (!hair.guides.empty() && hair.locks.empty()) {
+    if (hair.locks.size() > kLocks) {
+      reader.wrong("locks", "must be " + std::to_string(kLocks) + " or fewer");
+    }
+    if (hair.guides.empty()) {
+      if (hair.combed.size() >= 2) return;
+      reader.wrong("combed", "must be two lines or more, unless there are guides");
+    } else if (hair.guides.size() < 2) {
+      reader.wrong("guides", "must be two lines or more");
+    } else if (hair.locks.empty()) {
       reader.wrong("locks", "must be one or more, as there are guides");
     }
-    if (lines < 2) reader.wrong("combed", "must be two lines or more, unless there are guides");
   }
 
   TableReader document_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -85,6 +86,7 @@ struct Measure {
   /// `varied` (variation.h) moves it. It leaves alone, first of all, what face.toml, haircut and
   /// shirt must fit. With another set, every number gives another person.
   bool varies = true;
+  bool above_zero = false;  ///< without any of it there is no head
 };
 
 /// All measures of the form.
@@ -101,6 +103,9 @@ struct Lock {
   double over = 0;     ///< height over the rest all along, mesh units
   double cover = 0.9;  ///< how dense it is; below 0.5 single hairs show
 };
+
+/// The number of locks on a head. If there are fewer in a haircut, they come again.
+inline constexpr std::size_t kLocks = 16;
 
 /// A haircut: where the hair grows and how it falls.
 struct Haircut {

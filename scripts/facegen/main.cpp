@@ -42,8 +42,10 @@ Result<void> run(std::span<char*> arguments) {
   const auto person = person_of(arguments.size() > 1 ? arguments[1] : "default",
                                 arguments.size() > 2 ? arguments[2] : "0");
   if (!person) return person.error();
+  const auto head = facegen::make_head(*person);
+  if (!head) return head.error();
   return write_file_atomically(std::filesystem::path{arguments[0]} / "mesh.ply",
-                               facegen::head_file(facegen::make_head(*person)));
+                               facegen::head_file(*head));
 }
 
 }  // namespace

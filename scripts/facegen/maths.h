@@ -70,12 +70,6 @@ inline constexpr double kPi = std::numbers::pi;
   return {c * p.x + s * p.z, p.y, -s * p.x + c * p.z};
 }
 
-[[nodiscard]] inline Vec3 rotated_z(const Vec3& p, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
-}
-
 /// One point of a curve through given values.
 template <typename T>
 struct Key {

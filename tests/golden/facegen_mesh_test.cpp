@@ -30,7 +30,9 @@ class CommittedHead : public ::testing::Test {
     auto committed = face::parse_ply(*bytes, "mesh.ply");
     ASSERT_TRUE(committed) << committed.error().message;
     committed_ = std::move(committed).value();
-    auto made = face::parse_ply(facegen::head_file(facegen::make_head(*who)), "made");
+    const auto head = facegen::make_head(*who);
+    ASSERT_TRUE(head) << head.error().message;
+    auto made = face::parse_ply(facegen::head_file(*head), "made");
     ASSERT_TRUE(made) << made.error().message;
     made_ = std::move(made).value();
   }

@@ -56,7 +56,9 @@ hair = [0.2, 0.1, 0.05]
   const auto committed = read_file(*data / "faces/marek/mesh.ply");
   ASSERT_TRUE(committed) << committed.error().message;
   const auto his = face::parse_ply(*committed, "marek");
-  const auto hers = face::parse_ply(head_file(make_head(*anna)), "anna");
+  const auto head = make_head(*anna);
+  ASSERT_TRUE(head) << head.error().message;
+  const auto hers = face::parse_ply(head_file(*head), "anna");
   ASSERT_TRUE(hers && his);
   EXPECT_TRUE(hers->triangles == his->triangles) << "one set of muscles serves both";
   EXPECT_FALSE(hers->positions == his->positions);
@@ -74,6 +76,51 @@ TEST(Person, MistakesAreNamedWithTheirPlace) {
                 .find("ascend"),
             std::string::npos);
   EXPECT_NE(complaint("[form]\n").find("neither [hair] nor like"), std::string::npos);
+}
+
+TEST(Person, TheKeyThatIsWrongIsTheOneThatIsNamed) {
+  const auto hair = [](const std::string& line) {
+    return complaint("like = \"default\"\n[hair]\n" + line + "\n");
+  };
+  const std::string line =
+      "[[1,1,1], [1,1,1], [1,1,1], [1,1,1], [1,1,1], "
+      "[1,1,1], [1,1,1], [1,1,1], [1,1,1]]";
+  for (const char* const key : {"hairline", "guides", "locks", "combed"}) {
+    for (const char* const value : {" = \"x\"", " = 5"}) {
+      EXPECT_NE(hair(key + std::string(value)).find(std::string(key) + " must be an array of rows"),
+                std::string::npos)
+          << hair(key + std::string(value));
+    }
+  }
+  EXPECT_NE(hair("guides = [" + line + "]").find("guides must be two lines or more"),
+            std::string::npos);
+  std::string locks;
+  for (std::size_t i = 0; i < kLocks; ++i) locks += "[0.5, 0, 0, 1, 0.1, 0, 0, 1],";
+  EXPECT_EQ(hair("locks = [" + locks + "]"), "");
+  EXPECT_NE(hair("locks = [" + locks + "[0.5, 0, 0, 1, 0.1, 0, 0, 1]]").find("must be 16 or fewer"),
+            std::string::npos);
+  for (const char* const measure : {"neck_width", "nose_width", "ear_size", "eye_apart"}) {
+    EXPECT_NE(complaint("like = \"default\"\n[form]\n" + std::string(measure) + " = 0\n")
+                  .find(std::string(measure) + " is 0, must be above 0"),
+              std::string::npos);
+  }
+}
+
+TEST(Person, MeasuresThatGiveNoHeadAreRefused) {
+  const auto who = identity_named("default");
+  ASSERT_TRUE(who) << who.error().message;
+  const auto refused = [](const Identity& person) {
+    const auto head = make_head(person);
+    if (head) return std::string();
+    EXPECT_EQ(head.error().kind, ErrorKind::BadData);
+    return head.error().message;
+  };
+  Identity thin = *who;
+  thin.form.neck_width = 0.6;
+  EXPECT_NE(refused(thin).find("'left_crease_neck' is not on the skin"), std::string::npos);
+  Identity flat = *who;
+  flat.form.nose_width = 0;
+  EXPECT_NE(refused(flat).find("'skin' has a place that is no number"), std::string::npos);
 }
 
 TEST(Person, VariesTowardsAnotherInEveryMeasureThatMayVary) {
