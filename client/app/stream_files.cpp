@@ -19,7 +19,8 @@ namespace {
 constexpr std::uint64_t kPlayedKeyframeBytes = 128;
 /// The same for an AU of it: three times 8 bytes when the list of them has just doubled.
 constexpr std::uint64_t kPlayedAuBytes = 24;
-/// The most bytes that a keyframe takes in the composer, which has each with all AUs.
+/// The most bytes that a keyframe takes in the composer, which has each with all AUs, and its row.
+/// Steps to undo take no more than gui::Composer::kUndoBytesMax besides.
 constexpr std::uint64_t kEditedKeyframeBytes = 1000;
 constexpr std::string_view kShorter = "choose a shorter stream";
 

@@ -1,6 +1,7 @@
 #include "client/gui/editing/composer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace aucast::gui {
@@ -10,6 +11,15 @@ bool same(const Composer::Keyframes& a, const Composer::Keyframes& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     return one == other || *one == *other;
   });
+}
+
+/// How many of the keyframes the others do not share, if they differ in one place.
+std::size_t unshared(const Composer::Keyframes& keyframes, const Composer::Keyframes& others) {
+  const auto begin =
+      std::mismatch(keyframes.begin(), keyframes.end(), others.begin(), others.end());
+  const auto end = std::mismatch(keyframes.rbegin(), std::make_reverse_iterator(begin.first),
+                                 others.rbegin(), std::make_reverse_iterator(begin.second));
+  return static_cast<std::size_t>(end.first.base() - begin.first);
 }
 
 float intensity(int percent) {
@@ -27,8 +37,14 @@ bool Composer::unsaved() const {
   return !same(history_.now().keyframes, history_.now().stored);
 }
 
+std::size_t Composer::size_of(const State& state, const State& next) {
+  const std::size_t alone =
+      unshared(state.keyframes, next.keyframes) + unshared(state.stored, next.stored);
+  const std::size_t places = state.keyframes.size() + state.stored.size();
+  return sizeof(State) + places * sizeof(Keyframes::value_type) + alone * sizeof(ComposedKeyframe);
+}
+
 void Composer::step(State next, bool continued) {
-  ++revision_;
   history_.step(std::move(next), continued);
 }
 
@@ -114,13 +130,10 @@ void Composer::move(int direction) {
   step(std::move(next));
 }
 
-void Composer::load(const std::vector<ComposedKeyframe>& keyframes, std::string file,
-                    std::string title) {
+void Composer::load(Keyframes keyframes, std::string file, std::string title) {
   State next;
-  for (const ComposedKeyframe& keyframe : keyframes) {
-    next.keyframes.push_back(std::make_shared<const ComposedKeyframe>(keyframe));
-  }
-  next.stored = next.keyframes;
+  next.stored = keyframes;
+  next.keyframes = std::move(keyframes);
   next.file = std::move(file);
   next.title = std::move(title);
   if (!next.keyframes.empty()) next.chosen = 0;
@@ -132,7 +145,6 @@ void Composer::begin_anew() {
 }
 
 void Composer::saved(const std::string& file) {
-  ++revision_;
   State& now = history_.now();
   now.stored = now.keyframes;
   now.file = file;
@@ -144,11 +156,11 @@ void Composer::saved(const std::string& file) {
 }
 
 void Composer::undo() {
-  if (history_.undo()) ++revision_;
+  history_.undo();
 }
 
 void Composer::redo() {
-  if (history_.redo()) ++revision_;
+  history_.redo();
 }
 
 }  // namespace aucast::gui

@@ -27,6 +27,8 @@ class Composer {
  public:
   /// The longest time of a keyframe, as the protocol limits it.
   static constexpr std::uint32_t kMsMax = 3'600'000;
+  /// The most bytes of the steps that can be undone, except the last one, which always can.
+  static constexpr std::size_t kUndoBytesMax = 64 << 20;
 
   using Keyframes = std::vector<std::shared_ptr<const ComposedKeyframe>>;
 
@@ -44,8 +46,6 @@ class Composer {
   [[nodiscard]] bool begun() const { return history_.now().fresh_touched; }
   [[nodiscard]] bool can_undo() const { return history_.can_undo(); }
   [[nodiscard]] bool can_redo() const { return history_.can_redo(); }
-  /// A number that grows with every change.
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
   /// Sets the intensity of an AU on both sides, in percent; 0: the AU is absent. `continued`: the
   /// change belongs to the previous step, like the many values of one drag.
@@ -61,7 +61,7 @@ class Composer {
   void remove();
   /// Moves the chosen keyframe one place towards the beginning (-1) or the end (+1).
   void move(int direction);
-  void load(const std::vector<ComposedKeyframe>& keyframes, std::string file, std::string title);
+  void load(Keyframes keyframes, std::string file, std::string title);
   void begin_anew();
   void saved(const std::string& file);
   void undo();
@@ -78,14 +78,15 @@ class Composer {
     std::string title;
   };
 
+  /// For the history, which bounds the steps by it.
+  [[nodiscard]] static std::size_t size_of(const State& state, const State& next);
   void step(State next, bool continued = false);
   void change_current(const ComposedKeyframe& keyframe, bool continued);
 
   /// The number of steps that are kept: more than anybody undoes.
   static constexpr std::size_t kStepsMax = 500;
 
-  History<State> history_{kStepsMax};
-  std::uint64_t revision_ = 0;
+  History<State> history_{kStepsMax, kUndoBytesMax, size_of};
 };
 
 }  // namespace aucast::gui

@@ -10,8 +10,13 @@ namespace aucast::gui {
 template <typename State>
 class History {
  public:
-  /// Keeps the last `steps_max` steps.
-  explicit History(std::size_t steps_max) : steps_max_(steps_max) {}
+  /// The bytes that a state takes besides what it shares with the next one.
+  using Size = std::size_t (*)(const State& state, const State& next);
+
+  /// Keeps the last `steps_max` steps; with `size`, fewer if they take more than `bytes_max`, but
+  /// always the last one.
+  explicit History(std::size_t steps_max, std::size_t bytes_max = 0, Size size = nullptr)
+      : steps_max_(steps_max), bytes_max_(bytes_max), size_(size) {}
 
   [[nodiscard]] const State& now() const { return now_; }
   /// For a change that is not a step.
@@ -26,8 +31,8 @@ class History {
       now_ = std::move(next);
       return;
     }
-    if (past_.size() == steps_max_) past_.erase(past_.begin());
     past_.push_back(std::exchange(now_, std::move(next)));
+    forget_oldest();
   }
   /// Returns false if there is no step to undo.
   bool undo() { return turn(past_, future_); }
@@ -43,6 +48,19 @@ class History {
   }
 
  private:
+  void forget_oldest() {
+    std::size_t kept = 0;
+    std::size_t bytes = 0;
+    const State* next = &now_;
+    for (auto state = past_.rbegin(); state != past_.rend() && kept < steps_max_; ++state) {
+      if (size_ != nullptr) bytes += size_(*state, *next);
+      if (kept > 0 && bytes > bytes_max_) break;
+      next = &*state;
+      ++kept;
+    }
+    past_.erase(past_.begin(), past_.end() - static_cast<std::ptrdiff_t>(kept));
+  }
+
   bool turn(std::vector<State>& from, std::vector<State>& to) {
     if (from.empty()) return false;
     to.push_back(std::exchange(now_, std::move(from.back())));
@@ -51,6 +69,8 @@ class History {
   }
 
   std::size_t steps_max_;
+  std::size_t bytes_max_;
+  Size size_;
   State now_{};
   std::vector<State> past_;
   std::vector<State> future_;

@@ -103,12 +103,18 @@ void ComposerSession::remake() {
 }
 
 void ComposerSession::list_keyframes() {
-  if (rows_ != nullptr && listed_revision_ == composer_.revision()) return;
-  listed_revision_ = composer_.revision();
+  const gui::Composer::Keyframes& keyframes = composer_.keyframes();
+  if (rows_ != nullptr && listed_ == keyframes) return;
   std::vector<gui::TimelineRow> rows;
-  for (const auto& keyframe : composer_.keyframes()) {
-    rows.push_back({protocol::format_au_set(keyframe->aus), time_of(*keyframe)});
+  rows.reserve(keyframes.size());
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    if (i < listed_.size() && listed_[i] == keyframes[i]) {
+      rows.push_back((*rows_)[i]);
+    } else {
+      rows.push_back({protocol::format_au_set(keyframes[i]->aus), time_of(*keyframes[i])});
+    }
   }
+  listed_ = keyframes;
   rows_ = std::make_shared<const std::vector<gui::TimelineRow>>(std::move(rows));
   total_ = total_of(composer_.keyframes());
 }
@@ -116,9 +122,12 @@ void ComposerSession::list_keyframes() {
 Result<void> ComposerSession::load(const std::filesystem::path& file) {
   auto read = read_stream(file);
   if (!read) return read.error();
-  std::vector<gui::ComposedKeyframe> keyframes;
-  for (const playback::Keyframe& timed : read->keyframes) keyframes.push_back(composed(timed));
-  composer_.load(keyframes, file.string(), std::move(read->title));
+  gui::Composer::Keyframes keyframes;
+  keyframes.reserve(read->keyframes.size());
+  for (const playback::Keyframe& timed : read->keyframes) {
+    keyframes.push_back(std::make_shared<const gui::ComposedKeyframe>(composed(timed)));
+  }
+  composer_.load(std::move(keyframes), file.string(), std::move(read->title));
   pad_at_.reset();
   remake();
   list_keyframes();

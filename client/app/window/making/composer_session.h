@@ -63,7 +63,7 @@ class ComposerSession {
   gui::Composer composer_;
   AuFrame blended_;
   std::vector<float> activations_;
-  std::uint64_t listed_revision_ = 0;  ///< the composer's revision that rows_ and total_ show
+  gui::Composer::Keyframes listed_;  ///< the keyframes that rows_ and total_ show
   std::shared_ptr<const std::vector<gui::TimelineRow>> rows_;
   std::string total_;
   std::shared_ptr<const std::vector<gui::PadPoint>> pad_;

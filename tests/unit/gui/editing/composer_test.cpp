@@ -1,5 +1,7 @@
 #include "client/gui/editing/composer.h"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/composed.h"
@@ -79,11 +81,11 @@ TEST_F(ComposerTest, KeyframesAreMovedDoubledAndRemoved) {
 
 TEST_F(ComposerTest, WhatIsNotThereIsIgnored) {
   test::compose(composer_, 1);
-  const auto revision = composer_.revision();
   composer_.choose(5);
   composer_.set_au(0, 50, 50, false);
   composer_.set_au(100, 50, 50, false);
-  EXPECT_EQ(composer_.revision(), revision);
+  composer_.undo();
+  EXPECT_EQ(order(), "") << "none of them was a step";
   composer_.set_au(5, 900, -3, false);
   EXPECT_EQ(composer_.current().aus.left[5], 1.0F);
   EXPECT_EQ(composer_.current().aus.right[5], 0.0F);
@@ -106,12 +108,31 @@ TEST_F(ComposerTest, EveryStepCanBeTakenBackAndDoneAgain) {
   EXPECT_EQ(order(), "2");
 }
 
+TEST_F(ComposerTest, OfALongStreamFewerStepsCanBeUndone) {
+  const auto undone = [this] {
+    int steps = 0;
+    for (; composer_.can_undo(); ++steps) composer_.undo();
+    return steps;
+  };
+  const auto load = [this](std::size_t count) {
+    const auto keyframe = std::make_shared<const ComposedKeyframe>();
+    composer_.load(Composer::Keyframes(count, keyframe), "/tmp/long.txt", "");
+  };
+  constexpr std::size_t kPlace = 2 * sizeof(Composer::Keyframes::value_type);
+  load(Composer::kUndoBytesMax / kPlace / 10);
+  for (std::uint32_t i = 0; i < 30; ++i) composer_.set_time(1000 + i, false);
+  EXPECT_EQ(undone(), 9) << "ten would take more than is kept, with what each step changed";
+  load(Composer::kUndoBytesMax / kPlace);
+  for (std::uint32_t i = 0; i < 3; ++i) composer_.set_time(1000 + i, false);
+  EXPECT_EQ(undone(), 1) << "the last step can be undone whatever it takes";
+}
+
 TEST_F(ComposerTest, AnotherStreamIsAStepToo) {
   test::compose(composer_, 2);
   composer_.begin_anew();
   EXPECT_TRUE(composer_.keyframes().empty());
   EXPECT_FALSE(composer_.unsaved());
-  composer_.load({{{}, 100}}, "/tmp/x.txt", "A talk");
+  composer_.load({std::make_shared<const ComposedKeyframe>()}, "/tmp/x.txt", "A talk");
   EXPECT_EQ(composer_.file(), "/tmp/x.txt");
   EXPECT_EQ(composer_.title(), "A talk");
   EXPECT_EQ(composer_.chosen(), 0U);

@@ -46,6 +46,18 @@ TEST_F(ComposerSessionTest, BeginsWithTheNeutralFaceAndNoKeyframe) {
   EXPECT_FALSE(composer_->unsaved());
 }
 
+TEST_F(ComposerSessionTest, RowsAreMadeAnewOnlyWhenKeyframesChange) {
+  ask(gui::ComposeAu{26, 100, 100, false});
+  ask(gui::AddKeyframe{});
+  ask(gui::AddKeyframe{});
+  const auto rows = composer_->view(true).rows;
+  ask(gui::ChooseKeyframe{0});
+  EXPECT_EQ(composer_->view(true).rows, rows);
+  ask(gui::ComposeAu{12, 50, 50, false});
+  EXPECT_EQ(composer_->view(true).rows->at(0).aus, "12:50,26");
+  EXPECT_EQ(composer_->view(true).rows->at(1), rows->at(1));
+}
+
 TEST_F(ComposerSessionTest, AnAuIsShownAndListedWhenItsKeyframeIsAdded) {
   EXPECT_TRUE(ask(gui::ComposeAu{26, 100, 100, false}));
   EXPECT_GT(jaw(), 0);
