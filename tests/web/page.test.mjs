@@ -365,6 +365,19 @@ for (const name of ['chromium', 'firefox']) {
       await untilState(tab, 'playing');
       await first.kill('SIGKILL');
       await untilState(tab, 'connecting');
+      await tab.evaluate(async () => {
+        const { canvas } = document.querySelector('aucast-player');
+        const driver = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+        const lost = new Promise(resolve => canvas.addEventListener('webglcontextlost', resolve));
+        driver.loseContext();
+        await lost;
+        setTimeout(() => driver.restoreContext());
+      });
+      const said = await tab.waitForFunction(() => {
+        const words = document.querySelector('aucast-player').message.textContent;
+        return words.startsWith('The graphics driver') ? null : { words };
+      }, { polling: 50 });
+      assert.match((await said.jsonValue()).words, /^Connecting/, 'it is still said of the server');
       const before = await tab.evaluate(() => window.keyframes.length);
       const again = await serve([talk], { ports: first.ports });
       await untilState(tab, 'playing');

@@ -368,8 +368,14 @@ class AucastPlayer extends HTMLElement {
         : detail ? `${words}: ${detail}` : words;
     if (state === this.told.state && sentence === this.told.words) return;
     this.told = { state, words: sentence };
-    this.say(state === 'playing' || state === 'idle' ? '' : sentence);
+    this.sayState();
     this.dispatchEvent(new CustomEvent('state', { detail: { state, words: sentence } }));
+  }
+
+  /// A face that plays, or plays nothing, speaks for itself.
+  sayState() {
+    const { state, words } = this.told;
+    this.say(state === 'playing' || state === 'idle' ? '' : words);
   }
 
   tokenSentence() {
@@ -452,7 +458,7 @@ class AucastPlayer extends HTMLElement {
     this.canvas.addEventListener('webglcontextrestored', async () => {
       try {
         await this.engine?.renew();
-        this.say('');
+        this.sayState();
         this.draw();
       } catch (error) {
         this.fail(error);
