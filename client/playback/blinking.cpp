@@ -22,10 +22,4 @@ float blink_closure(const BlinkOptions& options, double seconds) {
   return 1 - ease(options.interpolation, (t - closing - closed) / opening);
 }
 
-float blink_closure(std::uint64_t seed, double seconds) {
-  BlinkOptions options;
-  options.seed = seed;
-  return blink_closure(options, seconds);
-}
-
 }  // namespace aucast::playback

@@ -26,7 +26,4 @@ struct BlinkOptions {
 /// the closure of both lids in [0,1] at `seconds` >= 0.
 [[nodiscard]] float blink_closure(const BlinkOptions& options, double seconds);
 
-/// The same with the default interval and closing time.
-[[nodiscard]] float blink_closure(std::uint64_t seed, double seconds);
-
 }  // namespace aucast::playback

@@ -16,7 +16,7 @@ namespace {
 
 /// More than a head can bear, so that a slip of the pen is named.
 constexpr Bounds kMeasure = Bounds::between(-20, 20);
-constexpr Bounds kSize{.low = 0, .high = kMeasure.high, .low_open = true};
+constexpr Bounds kSize = Bounds::inside(0, kMeasure.high);
 constexpr Bounds kColour = Bounds::between(0, 1);
 
 std::filesystem::path person_file(std::string_view name) {

@@ -131,7 +131,6 @@ void read_table(Fields fields, std::vector<KnownTable>& tables) {
   fields.take("fps", table.fps, 0, kTableFpsMax);
   fields.take("rate", table.rate, 0, 100);
   fields.take("gain_percent", table.gain_percent, 0, kTableGainPercentMax);
-  fields.take("quiet_s", table.neutral_s, 0, kTableNeutralMax);  // its name in older files
   fields.take("neutral_s", table.neutral_s, 0, kTableNeutralMax);
   fields.finish();
   if (tables.size() < kKnownTablesMax) tables.push_back(std::move(known));
@@ -258,7 +257,6 @@ Result<ParsedSettings> parse_settings(std::string_view text, const std::string& 
   if (reading.good()) {
     for (const TomlValue* table : tables) read_table({*table, reading}, settings.tables);
   }
-  section("tables", [](const Fields&) {});  // held for all files once
   section("face", [&](Fields fields) { read_face(std::move(fields), settings); });
   section("animation", [&](Fields fields) { read_animation(std::move(fields), settings); });
   section("rendering",

@@ -10,7 +10,7 @@ TEST(BlinkClosure, BlinksOnceInEveryIntervalAndStaysInRange) {
     int closings = 0;
     bool open = true;
     for (int step = 0; step < 4000; ++step) {
-      const float closure = blink_closure(1, interval * 4.0 + step * 0.001);
+      const float closure = blink_closure({.seed = 1}, interval * 4.0 + step * 0.001);
       ASSERT_GE(closure, 0.0F);
       ASSERT_LE(closure, 1.0F);
       if (open && closure == 1.0F) ++closings;
@@ -21,9 +21,9 @@ TEST(BlinkClosure, BlinksOnceInEveryIntervalAndStaysInRange) {
 }
 
 TEST(BlinkClosure, IsContinuous) {
-  float before = blink_closure(3, 0);
+  float before = blink_closure({.seed = 3}, 0);
   for (int step = 1; step < 20000; ++step) {
-    const float closure = blink_closure(3, step * 0.001);
+    const float closure = blink_closure({.seed = 3}, step * 0.001);
     EXPECT_NEAR(closure, before, 0.011F);
     before = closure;
   }
@@ -54,8 +54,8 @@ TEST(BlinkClosure, DependsOnTheSeedAndNothingElse) {
   int different = 0;
   for (int step = 0; step < 4000; ++step) {
     const double t = step * 0.001;
-    EXPECT_EQ(blink_closure(5, t), blink_closure(5, t));
-    if (blink_closure(5, t) != blink_closure(6, t)) ++different;
+    EXPECT_EQ(blink_closure({.seed = 5}, t), blink_closure({.seed = 5}, t));
+    if (blink_closure({.seed = 5}, t) != blink_closure({.seed = 6}, t)) ++different;
   }
   EXPECT_GT(different, 0);
 }

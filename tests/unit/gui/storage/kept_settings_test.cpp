@@ -46,17 +46,6 @@ TEST(KeptSettings, AreReadAsTheyAreWritten) {
   }
 }
 
-TEST(KeptSettings, AFileOfBeforeTablesWereKeptByFileIsStillGood) {
-  EXPECT_EQ(parse_settings("[tables]\nfps = 25\n", "s.toml").value().settings, KeptSettings{});
-}
-
-TEST(KeptSettings, TheSecondsOfANeutralFaceAreReadUnderTheirOlderName) {
-  const auto read = parse_settings("[[table]]\nfile = \"/a.csv\"\nquiet_s = 2\n", "s.toml");
-  ASSERT_TRUE(read) << read.error().message;
-  ASSERT_EQ(read->settings.tables.size(), 1U);
-  EXPECT_EQ(read->settings.tables[0].settings.neutral_s, 2);
-}
-
 TEST(KeptSettings, NoLayerIsAChoiceToo) {
   KeptSettings settings;
   settings.rendering.layers.textured = false;
