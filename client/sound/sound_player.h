@@ -82,6 +82,15 @@ class SoundPlayer {
   [[nodiscard]] SoundCounts counts() const;
 
  private:
+  // The times while there is sound, and the samples that belong to them:
+  //
+  //     the player's time   begin_ ----------- shown_ <--- lead_ ---> now_
+  //     samples             0 ---------------- heard_ --------------- written_
+  //
+  // heard_ grows by jumps, as the device reports it; line_ makes shown_ of it, which goes evenly
+  // with the steady clock. advanced() writes up to now_. If the device runs out of sound
+  // (starved_), heard_ meets written_ and both times stand until more is written.
+
   void feed();
   void start(Instant steady);
   void stop();
