@@ -191,6 +191,9 @@ void face_part(const Look& look, const GuiModel& model, FaceForm& form, GuiComma
 /// Asks for a face's name, or whether to delete a face, as `form.asks` says.
 void face_dialog(const Look& look, const GuiModel& model, FaceForm& form, GuiCommands& commands);
 
+/// Asks whether to leave although something would be lost.
+void leave_dialog(const Look& look, const GuiModel& model, GuiCommands& commands);
+
 /// The View tab: which face is shown, which parts of it are drawn, and how the window looks.
 void rendering_panel(const Look& look, const GuiModel& model, FaceForm& form,
                      GuiCommands& commands);
