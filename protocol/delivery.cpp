@@ -229,56 +229,80 @@ void Delivery::send_moment(const LiveMoment& moment, std::string& out) {
   const std::uint64_t merged = last_moment_ ? moment.number - *last_moment_ - 1 : 0;
   const bool full = std::exchange(full_next_, false) || merged > 0;
   const bool cut = !last_moment_ || merged > 0;
+  if (!last_moment_) {
+    joined_at_ = moment.begin;
+    next_voice_ = stream_.live()->voice().first_number();
+  }
   sent_.keyframes_merged += merged;
   last_moment_ = moment.number;
   shift_ = sent_to_ - moment.begin;
   if (cut) skip_spoken_before(moment.begin);
-  send_live_spoken(out);
   sent_to_ += moment.time;
+  send_live_spoken(out);
   send_keyframe(packet_of(moment, full), out);
 }
 
 /// What was to be heard before this place is left out; the caption that stands there is not.
 void Delivery::skip_spoken_before(Milliseconds place) {
-  const LiveChannel& channel = *stream_.live();
-  next_voice_ = std::max(next_voice_, channel.voice().first_number());
-  while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
-    if (voice->begin >= place) break;
-    ++next_voice_;
-  }
-  next_caption_ = std::max(next_caption_, channel.captions().first_number());
-  while (const CaptionData* const next = channel.captions().find(next_caption_ + 1)) {
+  heard_from_ = place;
+  const auto& captions = stream_.live()->captions();
+  next_caption_ = std::max(next_caption_, captions.first_number());
+  while (const CaptionData* const next = captions.find(next_caption_ + 1)) {
     if (Milliseconds(next->place_ms) > place) break;
     ++next_caption_;
   }
 }
 
+/// Where on the client's clock the voice and captions end that may be sent now. What comes after
+/// the moments sent has its place there only if the next moment is not left out: so it waits while
+/// a moment waits, or would have to.
+Milliseconds Delivery::live_spoken_end() const {
+  const bool waits = last_moment_ != stream_.live()->newest()->number || !may_send();
+  return waits ? sent_to_ : Milliseconds::max();
+}
+
 void Delivery::send_live_spoken(std::string& out) {
-  if (!sends_spoken() || paused_ || blocked_ || !last_moment_) return;
-  const LiveChannel& channel = *stream_.live();
-  next_caption_ = std::max(next_caption_, channel.captions().first_number());
-  while (const CaptionData* const caption = channel.captions().find(next_caption_)) {
-    if (text_) send_caption(*caption, shift_, out);
-    ++next_caption_;
+  if (paused_ || blocked_ || !last_moment_) return;
+  const Milliseconds end = live_spoken_end();
+  if (text_) {
+    const auto& captions = stream_.live()->captions();
+    next_caption_ = std::max(next_caption_, captions.first_number());
+    for (; const CaptionData* const caption = captions.find(next_caption_); ++next_caption_) {
+      if (Milliseconds(caption->place_ms) + shift_ >= end) break;
+      send_caption(*caption, shift_, out);
+    }
   }
-  next_voice_ = std::max(next_voice_, channel.voice().first_number());
-  while (const EncodedVoice* const voice = channel.voice().find(next_voice_)) {
-    if (voice_) send_voice(*voice, shift_, out);
-    ++next_voice_;
+  if (!voice_) return;
+  const auto& voice = stream_.live()->voice();
+  if (voice.first_number() > next_voice_) {
+    sent_.voice_left_out += voice.first_number() - std::exchange(next_voice_, voice.first_number());
+  }
+  for (; const EncodedVoice* const packet = voice.find(next_voice_); ++next_voice_) {
+    if (packet->begin < heard_from_) {
+      // What was before is nobody's loss.
+      if (packet->begin >= joined_at_) ++sent_.voice_left_out;
+      continue;
+    }
+    if (packet->begin + shift_ >= end) break;
+    send_voice(*packet, shift_, out);
   }
 }
 
 void Delivery::send_voice(const EncodedVoice& voice, Milliseconds shift, std::string& out) {
   const std::size_t before = out.size();
-  if (!voice_cursor_.send(voice, shift, out)) return;
+  if (!voice_cursor_.send(voice, shift, out)) {
+    ++sent_.voice_left_out;
+    return;
+  }
   ++sent_.voice_packets;
   sent_.spoken_bytes += out.size() - before;
 }
 
 void Delivery::send_caption(const CaptionData& caption, Milliseconds shift, std::string& out) {
-  const auto place = std::max(Milliseconds(caption.place_ms) + shift, Milliseconds{0});
+  // The caption that stands where a live client goes on began before that.
+  last_caption_ = std::max(Milliseconds(caption.place_ms) + shift, last_caption_);
   const std::string packet =
-      encode(CaptionData{static_cast<std::uint64_t>(place.count()), caption.text});
+      encode(CaptionData{static_cast<std::uint64_t>(last_caption_.count()), caption.text});
   sent_.spoken_bytes += packet.size();
   out += packet;
 }

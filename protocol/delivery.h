@@ -23,6 +23,8 @@ struct SentCounts {
   /// Keyframes of a live stream that were left out, since the client was too slow for them.
   std::uint64_t keyframes_merged = 0;
   std::uint64_t voice_packets = 0;
+  /// Left out with such keyframes, or since they would begin before the end of the last one.
+  std::uint64_t voice_left_out = 0;
   std::uint64_t spoken_bytes = 0;  ///< of voice packets and captions
 };
 
@@ -102,6 +104,7 @@ class Delivery {
   void send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out);
   void send_moment(const LiveMoment& moment, std::string& out);
   void skip_spoken_before(Milliseconds place);
+  [[nodiscard]] Milliseconds live_spoken_end() const;
   void send_live_spoken(std::string& out);
   void send_voice(const EncodedVoice& voice, Milliseconds shift, std::string& out);
   void send_caption(const CaptionData& caption, Milliseconds shift, std::string& out);
@@ -126,6 +129,7 @@ class Delivery {
   VoiceCursor voice_cursor_;
   std::uint64_t next_voice_ = 0;    ///< recorded: index in the track; live: number in the channel
   std::uint64_t next_caption_ = 0;  ///< likewise
+  Milliseconds last_caption_{0};    ///< place of the last caption sent
 
   // Recorded only.
   std::size_t next_packet_ = 0;
@@ -137,6 +141,9 @@ class Delivery {
   bool full_next_ = true;                     ///< the next packet must not be changes-only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last moment sent
   Milliseconds shift_{0};  ///< what to add to a place on the channel's clock to get the client's
+  // On the channel's clock.
+  Milliseconds joined_at_{0};   ///< where the first moment sent begins
+  Milliseconds heard_from_{0};  ///< what begins before is left out
 };
 
 }  // namespace aucast::protocol

@@ -268,6 +268,7 @@ ClientRecord ClientConnection::so_far() const {
   record.keyframes_merged = sent.keyframes_merged;
   record.voice_packets = sent.voice_packets;
   record.spoken_bytes = sent.spoken_bytes;
+  record.voice_left_out = sent.voice_left_out;
   return record;
 }
 

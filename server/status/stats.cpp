@@ -19,6 +19,7 @@ Json json_of(const ClientRecord& record) {
           {"bytes", record.bytes},
           {"bytes_total", record.bytes_total},
           {"voice_packets", record.voice_packets},
+          {"voice_left_out", record.voice_left_out},
           {"sound_bytes", record.spoken_bytes},
           {"send_seconds", seconds(record.send_time)},
           {"end_reason", name(record.end_reason)}};
@@ -50,6 +51,7 @@ void Totals::add(const ClientRecord& record) {
   bytes_total += record.bytes_total;
   voice_packets += record.voice_packets;
   spoken_bytes += record.spoken_bytes;
+  voice_left_out += record.voice_left_out;
   send_time += record.send_time;
 }
 
@@ -71,6 +73,7 @@ std::string Stats::to_json() const {
                     {"bytes", totals_.bytes},
                     {"bytes_total", totals_.bytes_total},
                     {"voice_packets", totals_.voice_packets},
+                    {"voice_left_out", totals_.voice_left_out},
                     {"sound_bytes", totals_.spoken_bytes},
                     {"send_seconds", seconds(totals_.send_time)},
                     {"clients_omitted", clients_ - records_.size()},

@@ -40,6 +40,7 @@ struct ClientRecord {
   std::uint64_t keyframes_merged = 0;  ///< live ones left out because the client was slow
   std::uint64_t voice_packets = 0;     ///< handed out
   std::uint64_t spoken_bytes = 0;      ///< of voice packets and captions
+  std::uint64_t voice_left_out = 0;    ///< voice packets, with keyframes that were left out
   friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
 };
 
@@ -51,6 +52,7 @@ struct Totals {
   std::uint64_t bytes_total = 0;
   std::uint64_t voice_packets = 0;
   std::uint64_t spoken_bytes = 0;
+  std::uint64_t voice_left_out = 0;
   Duration send_time{0};
 
   void add(const ClientRecord& record);

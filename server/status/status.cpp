@@ -130,8 +130,10 @@ std::vector<std::string> status_lines(const Status& status) {
       "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
   };
   if (status.sent.spoken_bytes > 0) {
-    lines.push_back("status: of that, voice " + text(status.sent.voice_packets) +
-                    " packets; sound and captions " + text(status.sent.spoken_bytes) + " bytes");
+    const std::uint64_t left_out = status.sent.voice_left_out;
+    lines.push_back("status: of that, voice " + text(status.sent.voice_packets) + " packets" +
+                    (left_out > 0 ? ", left out " + text(left_out) : "") + "; sound and captions " +
+                    text(status.sent.spoken_bytes) + " bytes");
   }
   for (const UpstreamStatus& upstream : status.upstreams) {
     lines.push_back("status: upstream " + upstream.stream + " " +
@@ -188,6 +190,8 @@ std::string metrics_text(const Status& status) {
   counter(text, "aucast_bytes_total", "All bytes that the sockets took.", status.sent.bytes_total);
   counter(text, "aucast_voice_packets_total", "Packets of voice handed out.",
           status.sent.voice_packets);
+  counter(text, "aucast_voice_left_out_total",
+          "Packets of live voice dropped because a client was slow.", status.sent.voice_left_out);
   counter(text, "aucast_sound_bytes_total", "Bytes of voice packets and captions.",
           status.sent.spoken_bytes);
   gauge(text, "aucast_queue_bytes", "Bytes that wait for clients to take them.",
@@ -253,6 +257,7 @@ std::string status_json(const Status& status) {
               {"bytes", status.sent.bytes},
               {"bytes_total", status.sent.bytes_total},
               {"voice_packets", status.sent.voice_packets},
+              {"voice_left_out", status.sent.voice_left_out},
               {"sound_bytes", status.sent.spoken_bytes},
               {"queue_bytes", status.queue_bytes},
               {"queue_seconds", status.queue_seconds},

@@ -120,10 +120,10 @@ TEST_F(VoiceInTheMaking, NothingSoundsDuringAPause) {
 class LiveVoice : public ::testing::Test {
  protected:
   LiveVoice() { feed_->add(keyframe_); }
-  void join() {
+  void join(int window = 100) {
     delivery_.emplace(ServedStream{"talk", feed_}, false);
     HelloAsked asked;
-    asked.window = 100;
+    asked.window = window;
     asked.voice = kVoiceCodec;
     asked.text = true;
     const HelloGranted granted = delivery_->grant(asked, 250);
@@ -148,6 +148,7 @@ TEST_F(LiveVoice, PlacesCountFromTheClientsFirstKeyframe) {
   say(920ms);
   join();
   EXPECT_EQ(pump(), "{a@20 WAE}{1;100}");
+  EXPECT_EQ(delivery_->sent().voice_left_out, 0U) << "what was before is nobody's loss";
   say(980ms);
   EXPECT_EQ(pump(), "{a WAE}");
 }
@@ -164,6 +165,74 @@ TEST_F(LiveVoice, OldVoiceIsLeftOutWhileTheSocketIsFull) {
   EXPECT_LE(feed_->voice().size(), 2 + static_cast<std::size_t>(kLiveWindowTime / 100ms));
   delivery_->set_blocked(false);
   EXPECT_EQ(pump(), "{a@100 WAE}{1;100}");
+}
+
+TEST_F(LiveVoice, VoiceOfMomentsThatWaitForAnswersWaitsWithThem) {
+  join(2);
+  EXPECT_EQ(pump(), "{1;100}");
+  feed_->add(keyframe_);
+  say(100ms);
+  EXPECT_EQ(pump(), "{a@100 WAE}{1;100}");
+  for (auto at = 200ms; at < 5000ms; at += 100ms) {
+    feed_->add(keyframe_);
+    say(at);
+    EXPECT_EQ(pump(), "");
+  }
+  delivery_->answer();
+  EXPECT_EQ(pump(), "{a@200 WAE}{1;100}") << "of the newest moment, where the face is then";
+  EXPECT_EQ(delivery_->sent().voice_left_out, 47U) << "from 200 to 4800 ms";
+}
+
+TEST_F(LiveVoice, WithoutRoomForAMomentItsVoiceIsNotSentAhead) {
+  join(1);
+  EXPECT_EQ(pump(), "{1;100}");
+  say(60ms);
+  say(120ms);
+  EXPECT_EQ(pump(), "{a@60 WAE}");
+  feed_->add(keyframe_);
+  feed_->add(keyframe_);
+  say(200ms);
+  delivery_->answer();
+  EXPECT_EQ(pump(), "{1;100}") << "60 ms from 60 ms on reach beyond 100 ms";
+  say(260ms);
+  EXPECT_EQ(pump(), "{a@160 WAE}");
+  EXPECT_EQ(delivery_->sent().voice_left_out, 2U) << "those at 120 and 200 ms";
+}
+
+TEST_F(LiveVoice, LateVoiceOfMomentsLeftOutIsLeftOut) {
+  join(1);
+  EXPECT_EQ(pump(), "{1;100}");
+  for (int i = 0; i < 9; ++i) feed_->add(keyframe_);
+  delivery_->answer();
+  EXPECT_EQ(pump(), "{1;100}");
+  say(840ms);
+  say(900ms);
+  EXPECT_EQ(pump(), "{a@100 WAE}");
+}
+
+TEST_F(LiveVoice, EachMomentOfSeveralComesWithItsVoice) {
+  join(100);
+  EXPECT_EQ(pump(), "{1;100}");
+  feed_->begin_moments();
+  for (const auto at : {100ms, 200ms}) {
+    say(at);
+    feed_->add(keyframe_);
+  }
+  std::string bytes;
+  delivery_->pump_new_moments(bytes);
+  EXPECT_EQ(bytes, "{a@100 WAE}{1;100}{a@200 WAE}{1;100}");
+}
+
+TEST_F(LiveVoice, PlacesOfCaptionsNeverDecrease) {
+  join(1);
+  EXPECT_EQ(pump(), "{1;100}");
+  feed_->add_caption({90, "first"});
+  EXPECT_EQ(pump(), "{t@90 Zmlyc3Q}");
+  feed_->add_caption({250, "second"});
+  for (int i = 0; i < 9; ++i) feed_->add(keyframe_);
+  EXPECT_EQ(pump(), "");
+  delivery_->answer();
+  EXPECT_EQ(pump(), "{t@90 c2Vjb25k}{1;100}") << "by its own place it stands since -550 ms";
 }
 
 TEST_F(LiveVoice, VoiceGoesOnWithoutKeyframes) {

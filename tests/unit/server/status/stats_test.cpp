@@ -31,12 +31,14 @@ TEST(Stats, CountsEveryClientAndAll) {
   second.send_time = 1500ms;
   second.end_reason = protocol::CloseConnection::Why::Stopped;
   second.keyframes_merged = 5;
+  second.voice_left_out = 3;
   stats.add(second);
 
   const auto json = nlohmann::json::parse(stats.to_json());
   EXPECT_EQ(json.at("clients_total"), 2);
   EXPECT_EQ(json.at("packets"), 9);
   EXPECT_EQ(json.at("packets_merged"), 7);
+  EXPECT_EQ(json.at("voice_left_out"), 3);
   EXPECT_EQ(json.at("bytes"), 130);
   EXPECT_EQ(json.at("bytes_total"), 194);
   EXPECT_DOUBLE_EQ(json.at("send_seconds").get<double>(), 1.75);
@@ -48,6 +50,7 @@ TEST(Stats, CountsEveryClientAndAll) {
   EXPECT_EQ(client.at("stream"), "talk");
   EXPECT_EQ(client.at("packets"), 3);
   EXPECT_EQ(client.at("packets_merged"), 5);
+  EXPECT_EQ(client.at("voice_left_out"), 3);
   EXPECT_EQ(client.at("bytes"), 40);
   EXPECT_EQ(client.at("bytes_total"), 100);
   EXPECT_DOUBLE_EQ(client.at("send_seconds").get<double>(), 1.5);

@@ -41,6 +41,11 @@ TEST(Status, LinesSayWhatMatters) {
   heard.sent.spoken_bytes = 4000;
   EXPECT_EQ(status_lines(heard).back(),
             "status: of that, voice 50 packets; sound and captions 4000 bytes");
+  heard.sent.voice_left_out = 7;
+  EXPECT_EQ(status_lines(heard).back(),
+            "status: of that, voice 50 packets, left out 7; sound and captions 4000 bytes");
+  EXPECT_NE(metrics_text(heard).find("\naucast_voice_left_out_total 7\n"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(status_json(heard))["voice_left_out"], 7);
 }
 
 TEST(Status, MetricsAreWellFormed) {
