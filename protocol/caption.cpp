@@ -39,7 +39,7 @@ std::variant<CaptionData, FieldFault> parse_caption(std::string_view text) {
   if (auto* fault = std::get_if<FieldFault>(&fields)) return std::move(*fault);
   auto& [place_ms, bytes, position] = std::get<PlacedData>(fields);
   if (!place_ms) return FieldFault{position, "a caption has a place: {t@PLACE DATA}"};
-  if (!is_caption(bytes)) {
+  if (!is_text(bytes, true)) {
     return FieldFault{position, "a caption is UTF-8 without control characters"};
   }
   return CaptionData{*place_ms, std::move(bytes)};

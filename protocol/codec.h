@@ -31,7 +31,8 @@ namespace aucast::protocol {
 [[nodiscard]] std::string encode(const StreamList& list);
 [[nodiscard]] std::string encode(const StreamsAsked& asked);
 [[nodiscard]] std::string encode(const VoiceData& voice);
-/// {t@PLACE DATA}, or {t@PLACE} for an empty text. The text must be a caption (is_caption()).
+/// {t@PLACE DATA}, or {t@PLACE} for an empty text. The text must be that of a caption; it fits into
+/// a packet with every place if is_caption() says so.
 [[nodiscard]] std::string encode(const CaptionData& caption);
 [[nodiscard]] std::string encode(Code code);
 

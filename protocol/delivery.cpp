@@ -303,6 +303,8 @@ void Delivery::send_caption(const CaptionData& caption, Milliseconds shift, std:
   last_caption_ = std::max(Milliseconds(caption.place_ms) + shift, last_caption_);
   const std::string packet =
       encode(CaptionData{static_cast<std::uint64_t>(last_caption_.count()), caption.text});
+  // Another server's may have been so long that it only fitted with its place there.
+  if (packet.size() > kCaptionBytesMax) return;
   sent_.spoken_bytes += packet.size();
   out += packet;
 }

@@ -48,6 +48,14 @@ TEST(Caption, TheLongestFitsIntoOnePacketWithTheLatestPlace) {
   EXPECT_EQ(parsed(inside(packet)).text, longest);
 }
 
+TEST(Caption, OneThatFitsOnlyWithItsPlaceIsRead) {
+  const std::string text(759, 'x');
+  EXPECT_FALSE(is_caption(text));
+  const std::string packet = encode(CaptionData{0, text});
+  ASSERT_LE(packet.size(), kCaptionBytesMax);
+  EXPECT_EQ(parsed(inside(packet)).text, text);
+}
+
 TEST(Caption, IsUtf8WithoutControlCharactersButLineFeeds) {
   EXPECT_TRUE(is_caption("a\nb"));
   for (const char* wrong : {"a\tb", "a\rb", "\x1b[1m", "\x7f", "\xc2\x85", "\x80", "\xc3",

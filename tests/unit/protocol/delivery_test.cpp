@@ -223,6 +223,16 @@ TEST_F(LiveVoice, EachMomentOfSeveralComesWithItsVoice) {
   EXPECT_EQ(bytes, "{a@100 WAE}{1;100}{a@200 WAE}{1;100}");
 }
 
+TEST_F(LiveVoice, ACaptionThatDoesNotFitWithItsPlaceIsNotSent) {
+  const std::string longest(759, 'x');  // {t@0 DATA} has 1018 bytes, so there is room for 7 digits
+  join();
+  EXPECT_EQ(pump(), "{1;100}");
+  feed_->add_caption({1'000'000, longest});
+  EXPECT_EQ(pump().size(), kCaptionBytesMax);
+  feed_->add_caption({10'000'000, longest});
+  EXPECT_EQ(pump(), "");
+}
+
 TEST_F(LiveVoice, PlacesOfCaptionsNeverDecrease) {
   join(1);
   EXPECT_EQ(pump(), "{1;100}");
