@@ -276,6 +276,7 @@ std::optional<TextError> parse_stream_line(std::string_view content, Keyframe& o
 MendedText mend_stream_text(std::string_view text) {
   MendedText mended;
   bool inside = false;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     // Half a line may look like a whole one.

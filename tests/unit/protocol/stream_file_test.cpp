@@ -159,6 +159,14 @@ TEST(MendStreamText, KeepsWhatIsWholeAndEndsIt) {
   EXPECT_EQ(mend_stream_text("Beg_Stream\n1;40\n" + zeros).lines_left_out, 1U);
 }
 
+TEST(MendStreamText, AByteOrderMarkIsNoPartOfTheFirstLine) {
+  const auto mended = mend_stream_text(
+      "\xef\xbb\xbf"
+      "Beg_Stream\n1;40\n6");
+  EXPECT_EQ(mended.text, "Beg_Stream\n1;40\nEnd_Stream\n");
+  EXPECT_EQ(mended.lines_left_out, 1U);
+}
+
 TEST(MendStreamText, OfAFileThatWasCutAnywhereOnlyWhatWasCutIsLost) {
   const std::string whole = "Beg_Stream\n1:20;40\nL2:33,R2:5;33\n0;33\nEnd_Stream\n";
   const auto all = parse_stream_file(whole, "f")->keyframes;
