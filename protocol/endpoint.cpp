@@ -26,7 +26,8 @@ bool is_v6(std::string_view text) {
 }
 
 bool is_host_byte(char byte) {
-  return byte > ' ' && byte < '\x7f' && byte != '[' && byte != ']';
+  return byte > ' ' && byte < '\x7f' &&
+         std::string_view("[]\"'\\").find(byte) == std::string_view::npos;
 }
 
 std::optional<std::uint16_t> parse_port(std::string_view text) {
@@ -60,7 +61,7 @@ Result<Endpoint> read_endpoint(std::string_view text, std::uint16_t default_port
 
   if (host.empty()) return bad_address("there is no host");
   if (!std::all_of(host.begin(), host.end(), is_host_byte)) {
-    return bad_address("a host has no blanks, brackets or special bytes");
+    return bad_address("a host has no blanks, brackets, quotes, backslashes or special bytes");
   }
   if (port) {
     const auto number = parse_port(*port);

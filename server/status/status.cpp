@@ -44,7 +44,8 @@ class Family {
     text_ += "# TYPE " + name_ + " " + std::string(type) + "\n";
   }
 
-  /// `labels`: empty, or key="value" pairs; our values need no escaping.
+  /// `labels`: empty, or key="value" pairs. Our values need no escaping: they are our
+  /// words, names of streams and addresses, which have neither quotes nor backslashes.
   void sample(const std::string& value, const std::string& labels = {}) {
     text_ += name_ + (labels.empty() ? "" : "{" + labels + "}") + " " + value + "\n";
   }

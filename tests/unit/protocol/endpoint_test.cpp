@@ -58,9 +58,11 @@ TEST(Endpoint, SaysWhatIsWrong) {
       {"[::1]:", "the port must be a number from 1 to 65535"},
       {"a:b:c", "an IPv6 address with a port needs brackets"},
       {"::1::2", "an IPv6 address with a port needs brackets"},
-      {"my host", "a host has no blanks, brackets or special bytes"},
-      {"host]", "a host has no blanks, brackets or special bytes"},
-      {"host\n:1", "a host has no blanks, brackets or special bytes"},
+      {"my host", "a host has no blanks, brackets, quotes, backslashes or special bytes"},
+      {"host]", "a host has no blanks, brackets, quotes, backslashes or special bytes"},
+      {"a\"b", "a host has no blanks, brackets, quotes, backslashes or special bytes"},
+      {"b\\c:9", "a host has no blanks, brackets, quotes, backslashes or special bytes"},
+      {"host\n:1", "a host has no blanks, brackets, quotes, backslashes or special bytes"},
   };
   for (const Wrong& wrong : all) {
     SCOPED_TRACE(wrong.text);
