@@ -18,7 +18,7 @@ namespace aucast::server {
 
 /// Reads a regular file, or another input that epoll cannot wait for, to its end. With `follow` it
 /// goes on as the file grows, and begins again when the file has got shorter, or has been replaced
-/// or changed in a part already read.
+/// or changed just before the place that was read last.
 /// Thread: that of the io_context.
 class FileReader final : public InputReader {
  public:
