@@ -79,11 +79,11 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
   if (hello.loop && *hello.duration_ms == 0) {
     return "its stream takes no time at all, so it cannot start again and again";
   }
-  if (recorded_ && hello.loop != shared_->loop) {
+  if (begun() && hello.loop != shared_->loop) {
     return std::string("its stream ") + end_of(hello.loop) + ", and what is served here " +
            end_of(shared_->loop);
   }
-  if (recorded_ && hello.duration_ms != recorded_->duration_ms) {
+  if (begun() && hello.duration_ms != recorded_->duration_ms) {
     return "its stream takes " + ms_text(*hello.duration_ms) + ", and what is served here " +
            ms_text(recorded_->duration_ms.value_or(0));
   }
@@ -93,10 +93,8 @@ std::optional<std::string> RelayedStream::objection(const protocol::HelloGranted
   return std::nullopt;
 }
 
-/// Forgets a recorded stream without keyframes: no client was sent any of it, so the next parent
-/// may have another one.
+/// Forgets a recorded stream without keyframes.
 void RelayedStream::forget_announced() {
-  if (!recorded_ || shared_->known()) return;
   recorded_.reset();
   spoken_.reset();
   voice_.reset();
@@ -105,7 +103,6 @@ void RelayedStream::forget_announced() {
 }
 
 std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& hello) {
-  forget_announced();
   if (auto wrong = objection(hello)) return wrong;
   shared_->servers = hello.servers;
   caption_again_ = 0;
@@ -115,6 +112,7 @@ std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& he
     if (feed_) shift_ = feed_->end_of_newest();
     return std::nullopt;
   }
+  forget_announced();
   if (shared_->name.empty()) shared_->name = hello.stream;
   shared_->keyframe_ms = hello.keyframe_ms;
   shared_->title = hello.title;
@@ -166,12 +164,12 @@ std::optional<std::string> RelayedStream::keep(const protocol::EncodedKeyframe& 
     --sent_again_;
     return std::nullopt;
   }
-  sent_again_ = 0;
   if (place_ms_ + time_ms > stream.duration_ms.value_or(0)) {
     return "it sends more than the " + ms_text(stream.duration_ms.value_or(0)) +
            " that it announced";
   }
   if (auto full = no_room()) return full;
+  sent_again_ = 0;
   stream.classic.push_back(keyframe.classic);
   stream.negotiated.push_back(keyframe.full);
   if (changes_) stream.changes.push_back(keyframe.changes);
@@ -195,10 +193,12 @@ std::optional<std::string> RelayedStream::no_room() {
   if (bytes > kRelayedBytesMax) {
     return "its stream has more than " + std::to_string(kRelayedBytesMax >> 30U) + " GiB";
   }
-  if (looks_++ % kKeptBetweenLooks > 0) return std::nullopt;
-  // As much again is taken for a moment when the buffers grow.
-  const auto may = options_.may_hold(bytes);
-  return may ? std::nullopt : std::optional(may.error().message);
+  if (looks_ % kKeptBetweenLooks == 0) {
+    // As much again is taken for a moment when the buffers grow.
+    if (const auto may = options_.may_hold(bytes); !may) return may.error().message;
+  }
+  ++looks_;
+  return std::nullopt;
 }
 
 /// Leaves out voice that is here already: a parent repeats the packet that is heard where it was

@@ -71,7 +71,9 @@ class RelayedStream {
   [[nodiscard]] Milliseconds place() const { return Milliseconds(place_ms_); }
 
  private:
-  [[nodiscard]] bool begun() const { return feed_ || recorded_; }
+  /// Of a recorded stream without keyframes no client was sent any, so the next parent may have
+  /// another one.
+  [[nodiscard]] bool begun() const { return shared_->known(); }
   void forget_announced();
   void show_recorded();
   [[nodiscard]] std::optional<std::string> objection(const protocol::HelloGranted& hello) const;

@@ -360,12 +360,14 @@ TEST_F(RelayOfTalk, WhoComesBeforeTheFirstCaptionIsGrantedCaptions) {
   EXPECT_TRUE(stream_.shared()->recorded()->spoken->has_captions());
 }
 
-TEST_F(RelayOfTalk, ARecordingThatLeavesNoMemoryIsLeft) {
+TEST_F(RelayOfTalk, ARecordingThatLeavesNoMemoryIsLeftOfEachParent) {
   full_ = true;
-  connect();
-  hear(kRecorded);
-  hear("{1;40}");
-  EXPECT_EQ(why(), "talk: there is no memory left");
+  for (int parent = 0; parent < 2; ++parent) {
+    connect();
+    hear(kRecorded);
+    hear("{1;40}");
+    EXPECT_EQ(why(), "talk: there is no memory left");
+  }
 }
 
 TEST_F(RelayOfTalk, ASilentParentIsLeft) {
