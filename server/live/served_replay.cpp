@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/earlier.h"
+#include "protocol/limits.h"
 
 namespace aucast::server {
 
@@ -66,6 +67,14 @@ void ServedReplay::take_moments() {
     next_moment_ = moment.number + 1;
     protocol::Keyframe keyframe = protocol::keyframe_of(moment.full);
     const Milliseconds end = moment.begin + moment.time;
+    // After more than an hour, as when the process stood still, one keyframe is not enough.
+    constexpr Milliseconds kLongest{protocol::kKeyframeTimeMsMax};
+    if (end - feed_->end_of_newest() > kLongest) {
+      if (const auto waiting = thinning_.take_last()) feed_->add(*waiting);
+      keyframe.time_ms = static_cast<std::uint32_t>(kLongest.count());
+      while (end - feed_->end_of_newest() > kLongest) feed_->add(keyframe);
+      taken_to_ = feed_->end_of_newest();
+    }
     keyframe.time_ms = static_cast<std::uint32_t>((end - std::exchange(taken_to_, end)).count());
     thinning_.push(std::move(keyframe));
   }

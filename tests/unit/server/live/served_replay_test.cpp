@@ -74,6 +74,20 @@ TEST(ServedReplay, ThinsTheFaceBesideAVoiceOnALinkWithALimit) {
   EXPECT_GT(sent.keyframes, 20);
 }
 
+TEST(ServedReplay, NoKeyframeTakesMoreThanAnHourHoweverLongTheProcessStoodStill) {
+  ServedReplay replay(face(), true, kBegin, voice(), {{24, 180ms, 14, 60ms}, 250, 20});
+  static_cast<void>(replay.advance(kBegin + 1s));
+  for (Milliseconds at = 2h + 30min; at < 2h + 30min + 3s; at += 5ms) {
+    static_cast<void>(replay.advance(kBegin + at));
+    const protocol::LiveMoment* const newest = replay.channel().newest();
+    EXPECT_LE(newest == nullptr ? 0ms : newest->time, 1h);
+  }
+  const protocol::LiveMoment& sent = *replay.channel().newest();
+  const protocol::LiveMoment& begun = *replay.replay().newest();
+  EXPECT_LE(sent.begin + sent.time, begun.begin + begun.time);
+  EXPECT_GE(sent.begin + sent.time, begun.begin - 1s) << "both clocks agree";
+}
+
 TEST(ServedReplay, WithoutALimitOrAVoiceSendsTheStreamAsItIs) {
   EXPECT_EQ(replayed(voice(), {}).keyframes, kKeyframes);
   EXPECT_EQ(replayed(nullptr, {24, 180ms, 14, 60ms}).keyframes, kKeyframes);
