@@ -59,7 +59,7 @@ std::optional<ByteFault> KeyframeParser::add_digit(char byte) {
     case State::Percent:
       bounds = &kPercentBounds;
       break;
-    case State::Duration:
+    case State::Time:
       bounds = &kTimeBounds;
       break;
     case State::Place:
@@ -89,7 +89,7 @@ void KeyframeParser::end_number() {
       keyframe_.terms.back().percent = static_cast<std::uint8_t>(number_);
       state_ = State::AfterIntensity;
       return;
-    case State::Duration:
+    case State::Time:
       keyframe_.time_ms = static_cast<std::uint32_t>(number_);
       state_ = State::AfterTime;
       return;
@@ -111,7 +111,7 @@ bool KeyframeParser::take_mark(char byte) {
       return true;
     case State::TermOrTiming:
       if (byte != ';') return begin_term(byte);
-      state_ = State::Duration;
+      state_ = State::Time;
       return true;
     case State::Term:
       return begin_term(byte);
@@ -150,7 +150,7 @@ bool KeyframeParser::join_term(char byte) {
     return true;
   }
   if (byte != ';') return false;
-  state_ = State::Duration;
+  state_ = State::Time;
   return true;
 }
 
@@ -175,7 +175,7 @@ std::string KeyframeParser::expected(char byte) const {
                                      : "a percent";
     case State::AfterIntensity:
       return separator + " or the end";
-    case State::Duration:
+    case State::Time:
       return "a time in milliseconds";
     case State::AfterTime:
       return "'@' or the end";

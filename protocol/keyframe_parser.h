@@ -45,7 +45,7 @@ class KeyframeParser {
     AfterAu,
     Percent,
     AfterIntensity,
-    Duration,
+    Time,
     AfterTime,
     Place,
     AfterPlace,

@@ -31,7 +31,7 @@ std::string bytes_line(const char* level, const protocol::PacketList& packets) {
     smallest = std::min(smallest, packets[i].size());
     largest = std::max(largest, packets[i].size());
   }
-  return formatted("  %-11s %zu bytes, %.1f a packet (%zu to %zu)\n", level, packets.bytes(),
+  return formatted("  %-11s %zu bytes, %.1f a keyframe (%zu to %zu)\n", level, packets.bytes(),
                    static_cast<double>(packets.bytes()) / static_cast<double>(packets.size()),
                    smallest, largest);
 }
@@ -65,16 +65,16 @@ std::string rate_line(const protocol::EncodedStream& served) {
 }
 
 std::string au_lines(const StreamSummary& summary) {
-  std::string text = "  AU  packets  percent  name\n";
+  std::string text = "  AU  keyframes  percent  name\n";
   for (int number = 0; number < kAuCount; ++number) {
     const StreamSummary::Use& use = summary.uses[static_cast<std::size_t>(number)];
-    if (use.packets == 0) continue;
+    if (use.keyframes == 0) continue;
     const std::string range =
         use.percent_low == use.percent_high
             ? std::to_string(use.percent_high)
             : std::to_string(use.percent_low) + "-" + std::to_string(use.percent_high);
     const std::string name(facs_name(number).value_or("(not a FACS number)"));
-    text += formatted("  %2d  %7zu  %7s  %s\n", number, use.packets, range.c_str(), name.c_str());
+    text += formatted("  %2d  %9zu  %7s  %s\n", number, use.keyframes, range.c_str(), name.c_str());
   }
   return text;
 }
@@ -140,12 +140,12 @@ std::string check_report(const Source& source, std::uint32_t keyframe_ms,
             (protocol::is_title(source.title.text) ? "\n" : " (left out)\n");
   }
   if (source.found) text += sources::found_lines(*source.found);
-  text += formatted("  %-11s %zu, %zu of them untimed\n", "packets", summary.keyframes,
+  text += formatted("  %-11s %zu, %zu of them untimed\n", "keyframes", summary.keyframes,
                     summary.untimed);
   text += formatted("  %-11s %.3f s at %u ms an untimed keyframe\n", "duration",
                     static_cast<double>(summary.duration_ms) / 1000.0, keyframe_ms);
   text += bytes_line("classic", served.classic);
-  text += bytes_line("negotiated", served.negotiated);
+  text += bytes_line("level 2", served.negotiated);
   if (!served.changes.empty()) text += bytes_line("changes", served.changes);
   text += rate_line(served);
   if (source.found) text += turned_away_line(summary);

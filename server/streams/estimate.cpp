@@ -119,7 +119,7 @@ std::string estimate_report(const Source& source, Milliseconds batch, const Voic
   };
   add("classic", served, sizes_of(served.classic));
   add("level 2", served, sizes_of(served.negotiated));
-  if (!served.changes.empty()) add("changes only", served, sizes_of(served.changes));
+  if (!served.changes.empty()) add("changes", served, sizes_of(served.changes));
   if (voice == nullptr) return text;
   const protocol::EncodedStream& voiced = source.voiced ? *source.voiced : served;
   const std::vector<std::size_t> sound = sizes_of(*voice, voiced.times);

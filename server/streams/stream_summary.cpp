@@ -11,7 +11,7 @@ void StreamSummary::add(const protocol::Keyframe& keyframe, std::uint32_t keyfra
   const AuFrame frame = frame_from_terms(keyframe.terms);
   const auto count = [this](std::size_t number, int percent) {
     Use& use = uses[number];
-    ++use.packets;
+    ++use.keyframes;
     use.percent_low = std::min(use.percent_low, percent);
     use.percent_high = std::max(use.percent_high, percent);
   };

@@ -13,7 +13,7 @@ namespace aucast::server {
 struct StreamSummary {
   /// How one AU is used; of its two sides, the stronger counts.
   struct Use {
-    std::size_t packets = 0;
+    std::size_t keyframes = 0;
     int percent_low = 100;
     int percent_high = 0;
   };

@@ -103,7 +103,7 @@ TEST_F(Record, IsWholeWhenTheTransmitterIsKilled) {
   ASSERT_TRUE(server.process().wait(kPatience));
   const Finished check = run({program("au-transmitter"), "--check", kept_.string()});
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_NE(check.out.find("packets     10,"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("keyframes   10,"), std::string::npos) << check.out;
 }
 
 TEST_F(Record, IsNotWrittenOver) {

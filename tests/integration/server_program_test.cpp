@@ -215,9 +215,9 @@ TEST(ServerProgram, CheckPrintsWhatTheSourcesHoldAndServesNothing) {
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_EQ(finished.err, "");
   EXPECT_TRUE(has(finished.out, "six_expressions: "));
-  EXPECT_TRUE(has(finished.out, "  packets     6, 6 of them untimed\n")) << finished.out;
+  EXPECT_TRUE(has(finished.out, "  keyframes   6, 6 of them untimed\n")) << finished.out;
   EXPECT_TRUE(has(finished.out, "  duration    1.500 s"));
-  EXPECT_TRUE(has(finished.out, "  classic     90 bytes, 15.0 a packet (11 to 19)\n"));
+  EXPECT_TRUE(has(finished.out, "  classic     90 bytes, 15.0 a keyframe (11 to 19)\n"));
   EXPECT_TRUE(has(finished.out, "talk: "));
   EXPECT_FALSE(has(finished.out, "listening"));
 }

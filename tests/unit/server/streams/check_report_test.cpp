@@ -20,21 +20,21 @@ std::string report_of(const std::string& packets) {
 TEST(CheckReport, SaysWhatAStreamHolds) {
   EXPECT_EQ(report_of("1:30,L12:80,R12:70;40\n6,12\n0;1000\n"),
             "talk: PATH\n"
-            "  packets     3, 1 of them untimed\n"
+            "  keyframes   3, 1 of them untimed\n"
             "  duration    1.290 s at 250 ms an untimed keyframe\n"
-            "  classic     15 bytes, 5.0 a packet (3 to 6)\n"
-            "  negotiated  37 bytes, 12.3 a packet (6 to 23)\n"
-            "  changes     37 bytes, 12.3 a packet (6 to 23)\n"
+            "  classic     15 bytes, 5.0 a keyframe (3 to 6)\n"
+            "  level 2     37 bytes, 12.3 a keyframe (6 to 23)\n"
+            "  changes     37 bytes, 12.3 a keyframe (6 to 23)\n"
             "  bit rate    0.2 kbit/s\n"
-            "  AU  packets  percent  name\n"
-            "   0        1      100  Neutral Face\n"
-            "   1        1       30  Inner Brow Raiser\n"
-            "   6        1      100  Cheek Raiser\n"
-            "  12        2   80-100  Lip Corner Puller\n");
+            "  AU  keyframes  percent  name\n"
+            "   0          1      100  Neutral Face\n"
+            "   1          1       30  Inner Brow Raiser\n"
+            "   6          1      100  Cheek Raiser\n"
+            "  12          2   80-100  Lip Corner Puller\n");
 }
 
 TEST(CheckReport, NumberWithoutANameIsSaid) {
-  EXPECT_NE(report_of("99\n").find("  99        1      100  (not a FACS number)\n"),
+  EXPECT_NE(report_of("99\n").find("  99          1      100  (not a FACS number)\n"),
             std::string::npos);
 }
 
@@ -68,7 +68,7 @@ TEST(CheckReport, MoreThanAThinLineTakesIsToldWithWhatLowersIt) {
 
 TEST(CheckReport, TableFiveFiveIsInIt) {
   const std::string text = report_of("1,2,5,15,16,20,26\n");
-  EXPECT_NE(text.find("  classic     19 bytes, 19.0 a packet (19 to 19)\n"), std::string::npos)
+  EXPECT_NE(text.find("  classic     19 bytes, 19.0 a keyframe (19 to 19)\n"), std::string::npos)
       << text;
 }
 
