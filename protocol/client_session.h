@@ -11,7 +11,7 @@
 #include "common/action_unit.h"
 #include "common/time.h"
 #include "protocol/packet.h"
-#include "protocol/server_session.h"
+#include "protocol/session_events.h"
 #include "protocol/voice_packet.h"
 
 namespace aucast::protocol {

@@ -7,13 +7,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "common/time.h"
 #include "protocol/delivery.h"
 #include "protocol/packet.h"
 #include "protocol/publishers.h"
+#include "protocol/session_events.h"
 #include "protocol/wrong_tokens.h"
 
 namespace aucast::protocol {
@@ -41,34 +41,6 @@ struct ServerCatalogue {
   /// How long a client waits for a stream that is not here yet; nullopt: no stream can come later.
   std::optional<Milliseconds> patience{};
 };
-
-// Events are instructions to whoever has the connection, to be carried out in the order returned.
-
-struct SendBytes {
-  std::string bytes;
-};
-/// Nothing more is to be sent: close the connection as PROTOCOL.md, section 8, says. Its owner
-/// drains it (link::Link::finish()); what the peer still sends does not concern the session.
-struct CloseConnection {
-  enum class Why : std::uint8_t {
-    Finished,       ///< everything was sent
-    Stopped,        ///< the client's -4, or stop() of the server
-    SentAway,       ///< send_away() of the server: the stream goes on elsewhere
-    PeerGone,       ///< the peer closed or was lost before the end
-    ProtocolError,  ///< the peer broke the protocol; `reason` says how, escaped
-    Refused,        ///< the client is not served; `reason` says why. It was sent an {error ...},
-                    ///< or nothing if it is a classic client
-    BrokenOff,      ///< the stream came from another server, which is lost: the rest cannot be sent
-  };
-  Why why = Why::Finished;
-  std::string reason;
-};
-/// The client offers a stream, and is allowed to. From now on the connection belongs to a
-/// ClientSession, whose hello has `takes`.
-struct HandOver {
-  HelloAsked hello;
-};
-using ServerEvent = std::variant<SendBytes, CloseConnection, HandOver>;
 
 [[nodiscard]] std::string_view name(CloseConnection::Why why);
 
