@@ -99,7 +99,9 @@ struct TextError {
 /// The set as `1,6,R12:80`: canonical terms joined by commas, as `face-player rules` prints them.
 [[nodiscard]] std::string format_au_set(const AuFrame& frame);
 
-/// True for 1-64 letters, digits, '.', '_' or '-'.
+/// What is_stream_name() wants, for messages.
+inline constexpr const char* kStreamNameRule = "1 to 64 letters, digits, '.', '_' or '-'";
+/// Whether the text keeps kStreamNameRule.
 [[nodiscard]] bool is_stream_name(std::string_view name);
 
 }  // namespace aucast::protocol

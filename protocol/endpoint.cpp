@@ -103,8 +103,7 @@ Result<StreamAddress> read_address(const Scheme& scheme, std::string_view text) 
     address.stream = hosts.substr(slash + 1);
     hosts = hosts.substr(0, slash);
     if (!address.stream.empty() && !is_stream_name(address.stream)) {
-      return bad_address(scheme, text,
-                         "a stream's name has 1 to 64 letters, digits, '.', '_' or '-'");
+      return bad_address(scheme, text, std::string("a stream's name has ") + kStreamNameRule);
     }
   }
   for (const std::string_view host : split(hosts, ',')) {

@@ -22,8 +22,7 @@ std::optional<std::string> fault_of(const std::vector<std::string_view>& words) 
   if (!is_field_value(words.front())) return "a token is printable ASCII without braces";
   for (auto name = words.begin() + 1; name != words.end(); ++name) {
     if (!is_stream_name(*name)) {
-      return "'" + escaped(*name) +
-             "' is no stream's name: 1 to 64 letters, digits, '.', '_' or '-'";
+      return "'" + escaped(*name) + "' is no stream's name: " + kStreamNameRule;
     }
   }
   return std::nullopt;

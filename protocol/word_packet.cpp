@@ -171,7 +171,7 @@ std::string rule_of(const Key<Hello>& key, std::string_view found) {
   }
   return name +
          (key.kind == Kind::Name
-              ? " is a name of 1-64 letters, digits, '.', '_' or '-'"
+              ? std::string(" is a name of ") + kStreamNameRule
               : " is a number of " + std::to_string(key.min) + "-" + std::to_string(key.max)) +
          ", found '" + escaped(found) + "'";
 }

@@ -47,8 +47,7 @@ Expression read_expression(const TomlValue& table, const Spellings& spellings, P
   Expression expression;
   expression.name = reader.text("name");
   if (!protocol::is_stream_name(expression.name)) {
-    reader.wrong("name", "'" + escaped(expression.name) +
-                             "' must be 1 to 64 letters, digits, '.', '_' and '-'");
+    reader.wrong("name", "'" + escaped(expression.name) + "' must be " + protocol::kStreamNameRule);
   }
   expression.label = reader.text_or("label", expression.name);
   expression.source = reader.text_or("source", "");

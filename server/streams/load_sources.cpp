@@ -30,12 +30,10 @@ constexpr std::string_view kServeLess = "serve a shorter stream";
 
 Result<void> check_name(const std::filesystem::path& path, const std::string& name) {
   if (protocol::is_stream_name(name)) return {};
-  return Error{
-      ErrorKind::Usage,
-      at_place(path.string(),
-               "'" + escaped(name) +
-                   "' cannot be a stream's name; rename the file: 1 to 64 letters, digits, "
-                   "'.', '_' or '-' before the extension")};
+  return Error{ErrorKind::Usage,
+               at_place(path.string(), "'" + escaped(name) +
+                                           "' cannot be a stream's name; rename the file: " +
+                                           protocol::kStreamNameRule + " before the extension")};
 }
 
 /// After how many keyframes the free memory is checked again.
