@@ -17,7 +17,7 @@ std::vector<Follower::Event> Follower::take_events() {
 
 std::vector<Follower::Event> Follower::on_connected(Instant now) {
   connected_ = true;
-  ask_at_ = now;
+  ask_times_.reset(now);
   want(now);
   return take_events();
 }
@@ -56,8 +56,7 @@ std::vector<Follower::Event> Follower::on_answer(std::string_view bytes, Instant
 void Follower::take_batch(Message message, Instant now) {
   if (!origin_) {
     keep(std::move(message));
-    // Somebody is there now; but one that was left a moment ago may be the same.
-    if (now >= begun_at_ + kSilence) ask_at_ = std::min(ask_at_, asked_at_ + kAskFirst);
+    ask_times_.on_somebody(now);
     want(now);
     return;
   }
@@ -71,7 +70,7 @@ void Follower::take_batch(Message message, Instant now) {
     pass(message);
     drain();
     if (waiting_.empty()) answered(now);
-    if (now >= begun_at_ + kSilence) asked_ = 0;
+    ask_times_.on_gone_on(now);
   } else {
     keep(std::move(message));
     want(now);
@@ -103,7 +102,8 @@ void Follower::take_state(const Message& message, Instant now) {
   origin_ = message.origin;
   last_ = message.seq;
   base_ms_ = message.place_ms;
-  heard_at_ = begun_at_ = now;
+  heard_at_ = now;
+  ask_times_.on_begun(now);
   events_.emplace_back(
       Begin{message.origin, protocol::with_places_earlier(message.packets, base_ms_)});
   drain();
@@ -160,19 +160,17 @@ std::vector<Follower::Event> Follower::on_over(Instant now) {
   return take_events();
 }
 
-/// Asks now, or as soon as ask_at_ allows.
+/// Asks now, or as soon as it may.
 void Follower::want(Instant now) {
   asking_ = true;
-  if (!connected_ || now < ask_at_) return;
+  if (!connected_ || now < ask_times_.next()) return;
   protocol::EngineJoin join;
   if (origin_) {
     join.origin = *origin_;
     join.after = last_;
   }
   events_.emplace_back(Ask{encode(join)});
-  asked_at_ = now;
-  constexpr unsigned kDoublingsMax = 4;
-  ask_at_ = now + std::min(kAskFirst * (1U << std::min(asked_++, kDoublingsMax)), kAskMax);
+  ask_times_.on_asked(now);
 }
 
 /// Ends the request. Batches that still wait are dropped; if any are missing, the next batch shows
@@ -181,7 +179,7 @@ void Follower::answered(Instant now) {
   asking_ = false;
   waiting_.clear();
   waiting_bytes_ = 0;
-  if (asked_ <= 1) ask_at_ = now;
+  ask_times_.on_answered(now);
 }
 
 std::vector<Follower::Event> Follower::on_time(Instant now) {
@@ -191,13 +189,13 @@ std::vector<Follower::Event> Follower::on_time(Instant now) {
     forget();
     want(now);
   }
-  if (asking_ && now >= ask_at_) want(now);
+  if (asking_ && now >= ask_times_.next()) want(now);
   return take_events();
 }
 
 std::optional<Instant> Follower::deadline() const {
   std::optional<Instant> first;
-  if (asking_ && connected_) first = ask_at_;
+  if (asking_ && connected_) first = ask_times_.next();
   if (origin_) first = std::min(first.value_or(heard_at_ + kSilence), heard_at_ + kSilence);
   return first;
 }

@@ -11,6 +11,7 @@
 
 #include "common/time.h"
 #include "protocol/engine_message.h"
+#include "server/engine/ask_times.h"
 #include "server/engine/recurring_complaint.h"
 
 namespace aucast::server {
@@ -23,8 +24,6 @@ namespace aucast::server {
 class Follower {
  public:
   static constexpr Milliseconds kSilence{2'000};  ///< after this silence, an origin counts as lost
-  static constexpr Milliseconds kAskFirst{250};   ///< wait before a request is repeated, ...
-  static constexpr Milliseconds kAskMax{4'000};   ///< ... which doubles each time, up to this
   static constexpr Milliseconds kSayEvery{60'000};  ///< how often a warning is repeated at most
   /// The most batches that wait for an answer. When more come, the oldest are dropped and counted.
   static constexpr std::size_t kWaitingMax = 128;
@@ -91,12 +90,9 @@ class Follower {
   std::uint64_t last_ = 0;     ///< the last batch that was passed on
   std::uint64_t base_ms_ = 0;  ///< place on the origin's clock where ours is 0
   Instant heard_at_{};         ///< when the origin was last heard
-  Instant begun_at_{};         ///< when a state was last taken
   bool connected_ = false;
-  bool asking_ = false;          ///< whether an answer is awaited
-  Instant ask_at_{};             ///< when to ask again at the earliest
-  Instant asked_at_{};           ///< when it last asked
-  unsigned asked_ = 0;           ///< how often it asked since a stream last went on for kSilence
+  bool asking_ = false;  ///< whether an answer is awaited
+  AskTimes ask_times_;
   std::deque<Message> waiting_;  ///< batches that came while an answer was awaited
   std::size_t waiting_bytes_ = 0;
   std::uint64_t left_out_ = 0;
