@@ -65,13 +65,13 @@ void ClientConnection::on_room() {
 }
 
 void ClientConnection::on_moment() {
-  if (!session_ || finishing_) return;
+  if (!session_ || !goes_on()) return;
   carry_out(session_->on_moment(link_->now()));
   go_on();
 }
 
 void ClientConnection::on_voice() {
-  if (!session_ || finishing_) return;
+  if (!session_ || !goes_on()) return;
   auto events = session_->on_voice(link_->now());
   if (events.empty()) return;
   carry_out(std::move(events));
@@ -108,7 +108,7 @@ void ClientConnection::on_failure(const link::Ending& failure) {
 }
 
 void ClientConnection::stop() {
-  if (finishing_ || closed_) return;
+  if (!goes_on()) return;
   if (!session_) {
     note_end(Why::Stopped, "the server stops", true);
     close();
@@ -125,7 +125,7 @@ bool ClientConnection::send_away() {
 }
 
 void ClientConnection::abort() {
-  if (closed_) return;
+  if (state_ == State::Closed) return;
   if (output_bytes() != 0) {
     say(spdlog::level::warn, "client {} {}: {} bytes were not taken in time", record_.number,
         record_.peer, output_bytes());
@@ -162,8 +162,7 @@ void ClientConnection::hand_over(const protocol::HelloAsked& hello) {
   note_end(EndedHere::HandedOver, "it brings the stream '" + hello.publish + "'", true);
   record_.bytes_total = link_->wire_bytes();
   link_->wake_at(std::nullopt);
-  finishing_ = true;
-  closed_ = true;
+  state_ = State::Closed;
   const auto on_publisher = std::move(settings_.on_publisher);
   auto link = std::exchange(link_, nullptr);
   const auto alive = shared_from_this();
@@ -204,8 +203,7 @@ void ClientConnection::flush() {
 /// Whether bytes wait for more before they are written. The first packet, for which a player waits,
 /// and the last bytes do not.
 bool ClientConnection::gathers() {
-  const bool may =
-      !finishing_ && session_->sent().keyframes > 1 && gathered_.size() < kBatchBytesMax;
+  const bool may = goes_on() && session_->sent().keyframes > 1 && gathered_.size() < kBatchBytesMax;
   if (!may) {
     gathered_until_.reset();
     return false;
@@ -219,14 +217,16 @@ bool ClientConnection::gathers() {
 
 /// The last byte was written: from here on the link drains.
 void ClientConnection::finish_sending() {
-  if (std::exchange(finishing_, true)) return;
+  if (!goes_on()) return;
+  state_ = State::Draining;
   if (sending_since_) record_.send_time = link_->now() - *sending_since_;
   flush();
   link_->finish();
 }
 
 void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, bool in_order) {
-  if (std::exchange(end_noted_, true)) return;
+  if (state_ >= State::Noted) return;
+  state_ = State::Noted;
   record_ = so_far();
   record_.end_reason = end_reason;
   const std::string_view ended = name(end_reason);
@@ -241,16 +241,16 @@ void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, b
 void ClientConnection::lose() {
   if (farewell_) {
     note_end(farewell_->why, farewell_->reason, farewell_->why != Why::Refused);
-  } else if (!end_noted_ && session_) {
+  } else if (state_ < State::Noted && session_) {
     carry_out(session_->on_lost(link_->now()));
   }
-  if (!end_noted_) note_end(Why::PeerGone, "the connection was lost", true);
+  if (state_ < State::Noted) note_end(Why::PeerGone, "the connection was lost", true);
   close();
 }
 
 void ClientConnection::close() {
-  if (std::exchange(closed_, true)) return;
-  finishing_ = true;
+  if (state_ == State::Closed) return;
+  state_ = State::Closed;
   record_.bytes_total = link_->wire_bytes();
   link_->close();
   on_closed_(record_, why_);
@@ -278,11 +278,11 @@ std::size_t ClientConnection::output_bytes() const {
 
 /// Does whatever can be done next; called at the end of every call from outside.
 void ClientConnection::go_on() {
-  if (finishing_) return;
+  if (!goes_on()) return;
   flush();
   do {
     carry_out(session_->set_blocked(link_->blocked(), link_->now()));
-    if (finishing_) return;
+    if (!goes_on()) return;
     flush();
   } while (session_->blocked() && !link_->blocked());
   const std::optional<Instant> patience = earlier(session_->deadline(), patience_ends());

@@ -68,7 +68,7 @@ class ClientConnection final : public link::LinkUser,
   /// The server stops: {-2}, then the link drains.
   void stop();
   /// Whether it still serves: it is neither ending nor closed.
-  [[nodiscard]] bool goes_on() const { return !finishing_ && !closed_; }
+  [[nodiscard]] bool goes_on() const { return state_ == State::Serving; }
   /// Whether send_away() would have an effect.
   [[nodiscard]] bool movable() const { return goes_on() && session_ && session_->movable(); }
   /// The server stops and another one takes over: closes without {-2}, see
@@ -87,6 +87,14 @@ class ClientConnection final : public link::LinkUser,
   [[nodiscard]] bool paused() const { return session_ && session_->paused(); }
 
  private:
+  /// In this order; any may be left out.
+  enum class State : std::uint8_t {
+    Serving,
+    Draining,  ///< the last byte was written
+    Noted,     ///< why it ended is known and logged; the link may still drain
+    Closed,
+  };
+
   void on_open() override;
   void on_bytes(std::string_view bytes) override;
   void on_peer_end() override;
@@ -118,10 +126,8 @@ class ClientConnection final : public link::LinkUser,
   std::shared_ptr<link::Link> link_;                            ///< null: it was handed over
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session
   std::optional<protocol::ServerSession> session_;              ///< nullopt: the link is not open
-  bool finishing_ = false;
+  State state_ = State::Serving;
   std::optional<protocol::CloseConnection> farewell_;  ///< what is noted when the link has drained
-  bool end_noted_ = false;
-  bool closed_ = false;
   std::optional<Instant> gathered_until_;
   std::optional<Instant> owed_since_;  ///< since when the client owes an answer
   std::optional<Instant> sending_since_;
