@@ -47,7 +47,7 @@ std::vector<Crease> creases() {
         {{{0.4, 5.97}, {0.9, 6.06}, {1.6, 6.23}, {2.3, 6.24}, {2.9, 6.08}}, 0.29, 0.48, 0.5, 0.7}}},
       // They bulge towards the brows: with the bulge between them they are a pillar.
       {"crease_glabella",
-       {{{{0.52, 4.78}, {0.43, 4.38}, {0.42, 3.92}, {0.52, 3.52}}, 0.22, 1.15, 0.6, 0.45},
+       {{{{0.46, 4.40}, {0.42, 4.14}, {0.43, 3.84}, {0.53, 3.50}}, 0.20, 1.05, 0.6, 0.45},
         {{{0.10, 4.35}, {0.06, 4.00}, {0.08, 3.70}}, 0.14, 0.35, 0.5, 0.5}}},
       // Fine, and away from the corner of the eye: broad ones beside it are scratches.
       {"crease_crows_feet",
