@@ -163,43 +163,55 @@ void end_sentences(const Speech& speech, const Script& script, const GestureOpti
   }
 }
 
-/// Turns the head a little from one phrase to the next.
+/// Turns the head a little from one phrase to the next. Its curves are written once, from the
+/// beginning to the end.
 class Drift {
  public:
   Drift(int plus, int minus, float reach) : plus_(plus), minus_(minus), reach_(reach) {}
 
-  void move(Milliseconds from, Milliseconds at, Dice& dice, Curves& curves) {
-    constexpr Milliseconds kTurnTime{650};
+  /// Call it in the order of time.
+  void move(Milliseconds at, Dice& dice, Curves& curves) {
     const float next = dice.between(-reach_, reach_);
-    for (std::size_t i = curves.index(from); i < curves.index(at); ++i) put_at(curves, i, value_);
-    const float before = value_;
-    for (std::size_t i = curves.index(at); i < curves.steps; ++i) {
-      const float x = share(Curves::kStep * static_cast<int>(i) - at, kTurnTime);
-      put_at(curves, i, before + (next - before) * eased(x));
-    }
+    // A head that is still turning goes on.
+    if (at < since_ + kTurnTime) return;
+    write(curves.index(at), curves);
+    before_ = value_;
     value_ = next;
+    since_ = at;
   }
 
+  /// After the last move.
+  void finish(Curves& curves) { write(curves.steps, curves); }
+
  private:
-  void put_at(Curves& curves, std::size_t i, float value) const {
-    curves.of(plus_)[i] = std::max(0.0F, value);
-    curves.of(minus_)[i] = std::max(0.0F, -value);
+  static constexpr Milliseconds kTurnTime{650};
+
+  void write(std::size_t end, Curves& curves) {
+    std::vector<float>& plus = curves.of(plus_);
+    std::vector<float>& minus = curves.of(minus_);
+    for (; written_ < end; ++written_) {
+      const Milliseconds turned = Curves::kStep * static_cast<int>(written_) - since_;
+      const float value = before_ + (value_ - before_) * eased(share(turned, kTurnTime));
+      plus[written_] = std::max(0.0F, value);
+      minus[written_] = std::max(0.0F, -value);
+    }
   }
 
   int plus_;
   int minus_;
   float reach_;
+  float before_ = 0;
   float value_ = 0;
+  Milliseconds since_ = -kTurnTime;  ///< when it began to turn from `before_` to `value_`
+  std::size_t written_ = 0;          ///< steps
 };
 
 void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
   Drift turn(kHeadLeft, kHeadRight, 0.24F * options.amount);
   Drift tilt(kHeadTiltLeft, kHeadTiltRight, 0.2F * options.amount);
-  Milliseconds from{0};
   for (const Pause& pause : pauses_of(speech)) {
-    turn.move(from, pause.begin, dice, curves);
-    tilt.move(from, pause.begin + Milliseconds(80), dice, curves);
-    from = pause.begin;
+    turn.move(pause.begin, dice, curves);
+    tilt.move(pause.begin + Milliseconds(80), dice, curves);
     const bool long_enough = pause.end - pause.begin > Milliseconds(350);
     if (long_enough && dice.roll() < 0.4F * options.amount) {
       const int side = dice.roll() < 0.5F ? kEyesLeft : kEyesRight;
@@ -209,6 +221,8 @@ void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
       put(curves, kEyesDown, glance, dice.between(0.04F, 0.16F));
     }
   }
+  turn.finish(curves);
+  tilt.finish(curves);
 }
 
 /// A way to look at the listeners: AUs at their full share.

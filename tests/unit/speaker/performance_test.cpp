@@ -108,6 +108,68 @@ TEST(Perform, TheSameSeedGivesTheSameFaceAndAnotherAnother) {
   EXPECT_FALSE(with_seed(1) == with_seed(2));
 }
 
+/// Sounds of `phrase` each, with pauses between them.
+Speech phrases(Milliseconds phrase, int count) {
+  constexpr Milliseconds kPause{300};
+  Speech speech;
+  Milliseconds at{0};
+  for (int i = 0; i < count; ++i) {
+    speech.phonemes.push_back({"a", at});
+    speech.phonemes.push_back({"", at + phrase});
+    at += phrase + kPause;
+  }
+  speech.samples.resize(static_cast<std::size_t>(at.count()) * 22050 / 1000);
+  return speech;
+}
+
+/// How fast the head turns or tilts at most: the greatest change between two steps.
+float fastest(const Curves& curves, int plus, int minus) {
+  const std::vector<float>& to_plus = curves.samples.at({plus, Side::Both});
+  const std::vector<float>& to_minus = curves.samples.at({minus, Side::Both});
+  float most = 0;
+  for (std::size_t i = 1; i < curves.steps; ++i) {
+    const float before = to_plus[i - 1] - to_minus[i - 1];
+    most = std::max(most, std::abs(to_plus[i] - to_minus[i] - before));
+  }
+  return most;
+}
+
+TEST(AddGestures, TheHeadNeverSnapsFromPhraseToPhrase) {
+  // From one end of its reach to the other in 650 ms, eased.
+  constexpr float kTurnMax = 0.48F * 1.571F * 20 / 650;
+  constexpr float kTiltMax = 0.4F * 1.571F * 20 / 650;
+  for (const int phrase_ms : {150, 500, 2000}) {
+    const Speech speech = phrases(Milliseconds(phrase_ms), 40);
+    Curves curves(speech.length());
+    add_gestures(speech, {}, {}, curves);
+    const float turn = fastest(curves, kHeadLeft, kHeadRight);
+    EXPECT_GT(turn, 0.004F) << phrase_ms;
+    EXPECT_LT(turn, kTurnMax) << phrase_ms;
+    EXPECT_LT(fastest(curves, kHeadTiltLeft, kHeadTiltRight), kTiltMax) << phrase_ms;
+  }
+}
+
+TEST(AddGestures, NoAuOfTheHeadOfAScriptSnaps) {
+  const auto script = parse_script(
+      "Good morning, and welcome. What you see is not a video. It is a face.\n\nWhy would one do "
+      "that? Because some links are thin. A boat, a village, an island.\n\nThey have names. Six "
+      "and twelve make a happy face. Brows up. Lips apart.\n",
+      "t");
+  ASSERT_TRUE(script);
+  const auto speech = speak(script->text, {});
+  ASSERT_TRUE(speech) << speech.error().message;
+  Curves curves(speech->length());
+  add_gestures(*speech, *script, {}, curves);
+  // The quickest is a nod of 28 % in 190 ms, eased.
+  constexpr float kNodMax = 0.28F * 1.571F * 20 / 190;
+  for (const auto& [key, samples] : curves.samples) {
+    if (key.first < kHeadLeft || key.first > kHeadTiltRight) continue;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      ASSERT_LT(std::abs(samples[i] - samples[i - 1]), kNodMax) << key.first << " at " << 20 * i;
+    }
+  }
+}
+
 TEST(Perform, CuesShowFromTheirWordToTheEndOfTheParagraph) {
   const Spoken talk = spoken();
   const auto first_end = talk.script.ends.front();
