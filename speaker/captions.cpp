@@ -1,53 +1,104 @@
 #include "speaker/captions.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
+#include <span>
 #include <string_view>
-#include <utility>
+
+#include "common/text.h"
 
 namespace aucast::speaker {
 namespace {
 
 constexpr std::size_t kLineMax = 42;
-constexpr std::size_t kCaptionMax = 2 * kLineMax;
 constexpr Milliseconds kGapMax{900};
+constexpr Milliseconds kWordMax{1500};  ///< a caption stays no longer after the last word begins
 constexpr std::string_view kWhiteSpace = " \t\r\n";
 
-/// The word as it is written, with the marks that follow it.
-std::string written(const Characters& script, const std::vector<Word>& words, std::size_t i) {
-  const std::size_t from = words[i].at;
-  const std::size_t next = i + 1 < words.size() ? words[i + 1].at : script.count();
-  const std::size_t to = std::max(from + words[i].length, next);
-  // An empty line would end a caption.
+/// What stands in one line: what is written between two blanks, or one character of a script that
+/// has no blanks between words.
+struct Piece {
   std::string text;
-  bool blank = false;
-  for (const char c : script.part(from, to - from)) {
-    if (kWhiteSpace.find(c) != std::string_view::npos) {
-      blank = !text.empty();
+  bool after_blank = false;
+  bool spoken = false;  ///< else marks alone
+  Milliseconds begin{0};
+  Milliseconds end{0};  ///< of its last word, if it is spoken
+};
+using Pieces = std::span<const Piece>;
+
+/// From U+3000 on: Chinese and Japanese.
+bool written_without_blanks(std::string_view character) {
+  return byte_at(character, 0) >= 0xE3;
+}
+
+/// All that is written, in pieces. The words of `speech`, some of which overlap, only tell when a
+/// piece is heard.
+std::vector<Piece> pieces_of(const Speech& speech, const Script& script) {
+  const Characters text(script.text);
+  std::vector<Piece> pieces;
+  bool blank = true;
+  std::size_t next = 0;
+  const auto heard = [&](std::size_t word) {
+    return word < speech.words.size() ? speech.words[word].begin : speech.length();
+  };
+  for (std::size_t i = 0; i < text.count(); ++i) {
+    const std::string_view character = text.part(i, 1);
+    if (kWhiteSpace.find(character) != std::string_view::npos) {
+      blank = true;
       continue;
     }
-    if (std::exchange(blank, false)) text += ' ';
-    text += c;
+    const bool word = next < speech.words.size() && speech.words[next].at <= i;
+    if (blank || (word && written_without_blanks(character))) {
+      pieces.push_back({{}, blank, false, heard(next), heard(next)});
+    }
+    blank = false;
+    Piece& piece = pieces.back();
+    piece.text += character;
+    if (word && !piece.spoken) piece.begin = heard(next);
+    for (; next < speech.words.size() && speech.words[next].at <= i; ++next) {
+      piece.spoken = true;
+      piece.end = std::min(heard(next + 1), heard(next) + kWordMax);
+    }
+  }
+  return pieces;
+}
+
+std::string joined(Pieces pieces) {
+  std::string text;
+  for (const Piece& piece : pieces) {
+    if (piece.after_blank && !text.empty()) text += ' ';
+    text += piece.text;
   }
   return text;
 }
 
-bool ends_sentence(const std::string& text) {
-  return !text.empty() && std::string_view(".?!").find(text.back()) != std::string_view::npos;
+bool ends_sentence(std::string_view text) {
+  constexpr std::array<std::string_view, 6> kMarks{".", "?", "!", "。", "？", "！"};
+  return std::any_of(kMarks.begin(), kMarks.end(),
+                     [text](std::string_view mark) { return text.ends_with(mark); });
 }
 
-/// Breaks the text into two lines, near the middle, if it is too long for one.
-std::string in_lines(std::string text) {
-  if (characters(text) <= kLineMax) return text;
-  std::size_t best = std::string::npos;
-  const auto distance = [&](std::size_t at) {
-    return at > text.size() / 2 ? at - text.size() / 2 : text.size() / 2 - at;
-  };
-  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
-    if (best == std::string::npos || distance(at) < distance(best)) best = at;
+/// In one line, or in two of the most equal lengths; nullopt if one of these is too long.
+std::optional<std::string> in_lines(Pieces pieces) {
+  const std::string whole = joined(pieces);
+  const std::size_t length = characters(whole);
+  if (pieces.size() == 1 || length <= kLineMax) return whole;
+  std::size_t best = 0;
+  std::size_t best_length = kLineMax + 1;
+  std::size_t before = characters(pieces.front().text);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const std::size_t blank = pieces[i].after_blank ? 1 : 0;
+    const std::size_t longer = std::max(before, length - before - blank);
+    if (longer < best_length) {
+      best = i;
+      best_length = longer;
+    }
+    before += blank + characters(pieces[i].text);
   }
-  if (best != std::string::npos) text[best] = '\n';
-  return text;
+  if (best == 0) return std::nullopt;
+  return joined(pieces.first(best)) + '\n' + joined(pieces.subspan(best));
 }
 
 std::string clock(Milliseconds time) {
@@ -78,28 +129,26 @@ std::string escaped_for_webvtt(std::string_view text) {
 }  // namespace
 
 std::vector<TimedCaption> captions_of(const Speech& speech, const Script& script) {
-  const Characters characters_of_script(script.text);
+  const std::vector<Piece> pieces = pieces_of(speech, script);
+  const auto last =
+      std::find_if(pieces.rbegin(), pieces.rend(), [](const Piece& piece) { return piece.spoken; });
+  const auto spoken_until = static_cast<std::size_t>(pieces.rend() - last);
   std::vector<TimedCaption> captions;
-  bool fresh = true;
-  for (std::size_t i = 0; i < speech.words.size(); ++i) {
-    const Word& word = speech.words[i];
-    if (word.length == 0) continue;
-    const std::string text = written(characters_of_script, speech.words, i);
-    if (text.empty()) continue;
-    const bool gap = !captions.empty() && word.begin - captions.back().end > kGapMax;
-    const bool full =
-        !captions.empty() && characters(captions.back().text) + 1 + characters(text) > kCaptionMax;
-    if (fresh || gap || full) {
-      captions.push_back({word.begin, word.begin, text});
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
+    const auto lines = in_lines(Pieces(pieces).subspan(first, i + 1 - first));
+    // Marks at the end of the text have no sentence to begin.
+    const bool fresh = i == 0 || (ends_sentence(pieces[i - 1].text) && i < spoken_until);
+    const bool gap = i > 0 && piece.spoken && piece.begin - captions.back().end > kGapMax;
+    if (fresh || gap || !lines) {
+      first = i;
+      captions.push_back({piece.begin, piece.end, piece.text});
     } else {
-      captions.back().text += ' ' + text;
+      captions.back().text = *lines;
+      if (piece.spoken) captions.back().end = piece.end;
     }
-    const Milliseconds next =
-        i + 1 < speech.words.size() ? speech.words[i + 1].begin : speech.length();
-    captions.back().end = std::min(next, word.begin + Milliseconds(1500));
-    fresh = ends_sentence(text);
   }
-  for (TimedCaption& caption : captions) caption.text = in_lines(std::move(caption.text));
   return captions;
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "common/text.h"
 #include "common/voice/webvtt.h"
+#include "speaker/espeak_voice.h"
 
 namespace aucast::speaker {
 namespace {
@@ -21,6 +23,12 @@ Speech words_every(int ms, const Script& script) {
   }
   speech.samples.resize(static_cast<std::size_t>(begin.count()) * 22050 / 1000);
   return speech;
+}
+
+void expect_short_lines(const std::string& caption) {
+  const auto lines = split(caption, '\n');
+  EXPECT_LE(lines.size(), 2U) << caption;
+  for (const std::string_view line : lines) EXPECT_LE(characters(line), 42U) << caption;
 }
 
 TEST(Captions, EndWithTheSentence) {
@@ -42,11 +50,60 @@ TEST(Captions, HaveTwoLinesOfFortyTwoCharactersAtMost) {
   const auto captions = captions_of(words_every(200, *script), *script);
   EXPECT_GT(captions.size(), 5U);
   for (const TimedCaption& caption : captions) {
-    if (caption.text.size() > 42) {
-      EXPECT_LE(caption.text.find('\n'), 48U) << caption.text;
-    }
-    EXPECT_LE(caption.text.size(), 84U) << caption.text;
+    expect_short_lines(caption.text);
   }
+}
+
+TEST(Captions, ABreakLeavesNoLineTooLong) {
+  const std::string word(16, 'w');
+  // The blank nearest to the middle stands after 47 characters.
+  const auto script = parse_script(std::string(30, 'a') + " " + word + " " + word + " end.", "t");
+  ASSERT_TRUE(script);
+  const auto captions = captions_of(words_every(200, *script), *script);
+  ASSERT_EQ(captions.size(), 1U);
+  EXPECT_EQ(captions[0].text, std::string(30, 'a') + "\n" + word + " " + word + " end.");
+
+  const auto three = parse_script(
+      std::string(30, 'a') + " " + std::string(20, 'b') + " " + std::string(30, 'c'), "t");
+  ASSERT_TRUE(three);
+  for (const TimedCaption& caption : captions_of(words_every(200, *three), *three)) {
+    expect_short_lines(caption.text);
+  }
+}
+
+TEST(Captions, AreWhatIsWritten) {
+  const auto text_of = [](const std::string& written, const std::string& language) {
+    const auto script = parse_script(written, "t");
+    EXPECT_TRUE(script);
+    const auto speech = speak(script->text, {.language = language});
+    EXPECT_TRUE(speech);
+    std::string text;
+    for (const TimedCaption& caption : captions_of(*speech, *script)) text += caption.text;
+    return text;
+  };
+  for (const std::string written : {"It costs $5.50 now", "2024-05-01", "3/4 of them",
+                                    "(and others) \"know\"", "« Vous savez ? »", "well — known"}) {
+    EXPECT_EQ(text_of(written, "en"), written);
+  }
+  EXPECT_EQ(text_of("你好，我是人", "cmn"), "你好，我是人");
+}
+
+TEST(Captions, MarksStayWithTheirSentence) {
+  const auto script = parse_script("Really ? - One thing. - Another.", "t");
+  ASSERT_TRUE(script);
+  Speech speech;
+  speech.samples.resize(88200);
+  speech.words = {{Milliseconds(0), 0, 6},
+                  {Milliseconds(500), 11, 3},
+                  {Milliseconds(1000), 15, 5},
+                  {Milliseconds(3000), 24, 7}};
+  const auto captions = captions_of(speech, *script);
+  ASSERT_EQ(captions.size(), 3U);
+  EXPECT_EQ(captions[0].text, "Really ?");
+  EXPECT_EQ(captions[1].text, "- One thing.");
+  EXPECT_EQ(captions[1].begin, Milliseconds(500));
+  EXPECT_EQ(captions[2].text, "- Another.");
+  EXPECT_EQ(captions[2].begin, Milliseconds(3000));
 }
 
 TEST(Captions, HaveNoEmptyLineWhereOnlyMarksStandInAParagraph) {
