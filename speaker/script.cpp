@@ -9,17 +9,31 @@
 namespace aucast::speaker {
 namespace {
 
-/// The position of the first byte that is not UTF-8; npos: there is none.
-std::size_t first_bad_byte(std::string_view bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = utf8_length(bytes.substr(at));
-    if (length == 0) return at;
-    at += length;
-  }
-  return std::string_view::npos;
-}
-
 constexpr std::string_view kBlanks = " \t\r";
+
+/// Refuses bytes that are not UTF-8, and control characters: espeak-ng ends a text at a NUL.
+Result<void> check_characters(std::string_view bytes, std::string_view file) {
+  std::size_t line = 1;
+  std::size_t line_begin = 0;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const auto wrong = [&](const std::string& text) {
+      return Error{ErrorKind::BadData, at_place(file, line, at - line_begin + 1, text)};
+    };
+    const std::size_t length = utf8_length(bytes.substr(at));
+    if (length == 0) return wrong("a byte that is no UTF-8; convert the text to UTF-8");
+    const std::string_view character = bytes.substr(at, length);
+    if (character != "\n" && is_control(character) &&
+        kBlanks.find(character) == std::string_view::npos) {
+      return wrong("a control character (" + escaped(character) +
+                   "), which cannot be spoken; delete it");
+    }
+    at += length;
+    if (character != "\n") continue;
+    ++line;
+    line_begin = at;
+  }
+  return {};
+}
 
 class Reader {
  public:
@@ -79,7 +93,10 @@ class Reader {
 
   void append(std::string_view words) {
     column_ += words.size();
-    script_.text += trimmed(words, kBlanks).empty() ? std::string_view{} : words;
+    const bool after_word =
+        !script_.text.empty() && script_.text.back() != '\n' && script_.text.back() != ' ';
+    // A blank between two cues is one between words, but cues alone are no words.
+    if (after_word || !trimmed(words, kBlanks).empty()) script_.text += words;
     while (!script_.text.empty() && (script_.text.back() == '\r')) script_.text.pop_back();
   }
 
@@ -127,12 +144,7 @@ std::string_view Characters::part(std::size_t at, std::size_t count) const {
 
 Result<Script> parse_script(std::string_view bytes, std::string_view file) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  if (const std::size_t bad = first_bad_byte(bytes); bad != std::string_view::npos) {
-    const auto line = static_cast<std::size_t>(
-        std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bad), '\n'));
-    return Error{ErrorKind::BadData,
-                 at_place(file, line + 1, 0, "a byte that is no UTF-8; convert the text to UTF-8")};
-  }
+  if (auto good = check_characters(bytes, file); !good) return good.error();
   Reader reader(file);
   for (const std::string_view line : split(bytes, '\n')) {
     if (auto taken = reader.take_line(line); !taken) return taken.error();

@@ -33,6 +33,28 @@ TEST(ParseScript, CountsCharactersAndNotBytes) {
   EXPECT_EQ(text.part(1000, 1), "");
 }
 
+TEST(ParseScript, CuesJoinNoWords) {
+  const auto script = parse_script("Hello[smile] [surprise]world.\n\n[fear] [smile]Hm[0]m.", "t");
+  ASSERT_TRUE(script);
+  EXPECT_EQ(script->text, "Hello world.\n\nHmm.\n\n");
+  ASSERT_EQ(script->cues.size(), 5U);
+  EXPECT_EQ(script->cues[0].at, 5U);
+  EXPECT_EQ(script->cues[1].at, 6U);
+}
+
+TEST(ParseScript, RefusesControlCharacters) {
+  using namespace std::string_view_literals;
+  const auto nul = parse_script("one\ntwo\0 three\n"sv, "t.txt");
+  ASSERT_FALSE(nul);
+  EXPECT_EQ(nul.error().kind, ErrorKind::BadData);
+  EXPECT_EQ(nul.error().message,
+            "t.txt:2:4: a control character (\\x00), which cannot be spoken; delete it");
+  EXPECT_FALSE(parse_script("# title: A\x1b[31m talk\none", "t"));
+  EXPECT_FALSE(parse_script("one \x7f two", "t"));
+  EXPECT_FALSE(parse_script("one \xc2\x85 two", "t"));
+  EXPECT_TRUE(parse_script("one\ttwo\r\n\r\nthree\r\n", "t"));
+}
+
 TEST(ParseScript, SaysWhereATextIsWrong) {
   const auto open = parse_script("one\ntwo [smile\n", "t.txt");
   ASSERT_FALSE(open);
