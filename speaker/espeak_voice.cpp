@@ -4,14 +4,25 @@
 
 #include <array>
 #include <cstring>
+#include <exception>
+#include <span>
+#include <utility>
 
 #include "common/text.h"
 
 namespace aucast::speaker {
 namespace {
 
-/// The library's callback adds to this, since it gets no pointer of ours.
-Speech* g_speech = nullptr;
+/// What the library's callback adds to.
+struct Recording {
+  Speech speech;
+  std::size_t samples_max = 0;
+  bool too_long = false;
+  std::exception_ptr failure;  ///< memory ran out
+};
+
+/// The callback gets no pointer of ours.
+Recording* g_recording = nullptr;
 
 Milliseconds at(const espeak_EVENT& event) {
   return Milliseconds(event.audio_position);
@@ -40,15 +51,32 @@ void take_event(const espeak_EVENT& event, Speech& speech) {
   }
 }
 
-int take(short* samples, int count, espeak_EVENT* event) {
+void take_samples(std::span<const short> samples, Speech& speech) {
   constexpr float kFullScale = 32768;
-  if (samples != nullptr) {
-    for (int i = 0; i < count; ++i) {
-      g_speech->samples.push_back(static_cast<float>(samples[i]) / kFullScale);
-    }
+  for (const short sample : samples) {
+    speech.samples.push_back(static_cast<float>(sample) / kFullScale);
   }
-  for (; event->type != espeakEVENT_LIST_TERMINATED; ++event) take_event(*event, *g_speech);
-  return 0;
+}
+
+/// Nothing is thrown through the library, which is C.
+int take(short* samples, int count, espeak_EVENT* event) {
+  constexpr int kGoOn = 0;
+  constexpr int kStop = 1;
+  Recording& recording = *g_recording;
+  if (recording.too_long || recording.failure) return kStop;
+  try {
+    if (samples != nullptr) {
+      take_samples({samples, static_cast<std::size_t>(count)}, recording.speech);
+    }
+    for (; event->type != espeakEVENT_LIST_TERMINATED; ++event) {
+      take_event(*event, recording.speech);
+    }
+  } catch (...) {
+    recording.failure = std::current_exception();
+    return kStop;
+  }
+  recording.too_long = recording.speech.samples.size() > recording.samples_max;
+  return recording.too_long ? kStop : kGoOn;
 }
 
 /// Initialised once in a process: after a second time, espeak-ng 1.51 hangs in the first words.
@@ -93,7 +121,7 @@ void join_pauses(std::vector<Phoneme>& phonemes) {
 
 }  // namespace
 
-Result<Speech> speak(const std::string& text, const VoiceOptions& options) {
+Result<Speech> speak(const std::string& text, const VoiceOptions& options, Milliseconds longest) {
   const auto rate = library().rate();
   if (!rate) return rate.error();
   // The library knows voices by name and by language, and does not try both.
@@ -106,19 +134,28 @@ Result<Speech> speak(const std::string& text, const VoiceOptions& options) {
   }
   espeak_SetParameter(espeakRATE, options.words_per_minute, 0);
   espeak_SetParameter(espeakPITCH, options.pitch, 0);
-  Speech speech;
-  speech.rate = *rate;
-  g_speech = &speech;
+  Recording recording;
+  recording.speech.rate = *rate;
+  recording.samples_max =
+      static_cast<std::size_t>(longest.count()) * static_cast<std::size_t>(*rate) / 1000;
+  g_recording = &recording;
   espeak_SetSynthCallback(take);
   const espeak_ERROR result = espeak_Synth(text.c_str(), text.size() + 1, 0, POS_CHARACTER, 0,
                                            espeakCHARS_UTF8 | espeakENDPAUSE, nullptr, nullptr);
   espeak_Synchronize();
-  g_speech = nullptr;
-  if (result != EE_OK || speech.samples.empty()) {
-    return Error{ErrorKind::Failed, "espeak-ng could not speak the text"};
+  g_recording = nullptr;
+  if (recording.failure) std::rethrow_exception(recording.failure);
+  if (recording.too_long) {
+    return Error{ErrorKind::BadData, "takes more than " + length_text(longest) +
+                                         " to speak, the longest that is spoken; cut it into "
+                                         "parts"};
   }
-  join_pauses(speech.phonemes);
-  return speech;
+  if (result != EE_OK) return Error{ErrorKind::Failed, "espeak-ng could not speak the text"};
+  if (recording.speech.words.empty()) {
+    return Error{ErrorKind::BadData, "there are no words to speak"};
+  }
+  join_pauses(recording.speech.phonemes);
+  return std::move(recording.speech);
 }
 
 Result<std::vector<std::string>> voices() {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
 #include "common/result.h"
+#include "common/time.h"
 #include "speaker/speech.h"
 
 namespace aucast::speaker {
@@ -14,10 +16,15 @@ struct VoiceOptions {
   int pitch = 50;               ///< 0-99
 };
 
-/// Speaks the text with espeak-ng. Fails with a Usage error if there is no such voice, with
-/// ErrorKind::Failed if espeak-ng's data is missing. Do not call it from two threads at once: the
-/// library keeps its state in globals.
-[[nodiscard]] Result<Speech> speak(const std::string& text, const VoiceOptions& options);
+/// The longest speech that is made. It is held in memory, 320 MB for each hour.
+inline constexpr Milliseconds kSpeechMax = std::chrono::hours(3);
+
+/// Speaks the text with espeak-ng. Fails with a Usage error if there is no such voice, with BadData
+/// if the text has no words or takes longer than `longest`, with ErrorKind::Failed if espeak-ng's
+/// data is missing. Do not call it from two threads at once: the library keeps its state in
+/// globals.
+[[nodiscard]] Result<Speech> speak(const std::string& text, const VoiceOptions& options,
+                                   Milliseconds longest = kSpeechMax);
 
 /// One line for every voice, its language and its name with a tab between: "en-gb", tab, "English
 /// (Great Britain)".

@@ -1,7 +1,6 @@
 #include "speaker/script.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "common/text.h"
 #include "common/text_file.h"
@@ -52,14 +51,8 @@ class Reader {
     return {};
   }
 
-  [[nodiscard]] Result<Script> finish() {
+  [[nodiscard]] Script finish() {
     end_paragraph();
-    const bool speaks = std::any_of(script_.text.begin(), script_.text.end(), [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & '\x80') != 0;
-    });
-    if (!speaks) {
-      return Error{ErrorKind::BadData, at_place(file_, "there are no words to speak")};
-    }
     return std::move(script_);
   }
 

@@ -28,8 +28,8 @@ struct Script {
 
 /// Reads a text, which messages call `file`: empty lines separate paragraphs, a line that begins
 /// with # is a comment, a word in brackets such as [smile] is a cue. Fails with BadData for bytes
-/// that are not UTF-8, control characters other than tabs and line ends, a bracket that is not
-/// closed on its line, or a text without words.
+/// that are not UTF-8, control characters other than tabs and line ends, or a bracket that is
+/// not closed on its line.
 [[nodiscard]] Result<Script> parse_script(std::string_view bytes, std::string_view file);
 
 /// The number of characters (code points).

@@ -18,6 +18,7 @@
 #include "common/temporary_file.h"
 #include "common/text.h"
 #include "common/voice/voice_encoder.h"
+#include "protocol/codec.h"
 #include "protocol/stream_file.h"
 #include "speaker/alignment.h"
 #include "speaker/captions.h"
@@ -189,9 +190,13 @@ void say(const std::string& message) {
   std::fprintf(stderr, "au-speaker: %s\n", printable(message).c_str());
 }
 
-Result<Speech> speech_of(const Script& script, const Options& options) {
+Result<Speech> speech_of(const Script& script, const Options& options, const std::string& source) {
   auto spoken = speak(script.text, options.voice);
-  if (!spoken) return spoken;
+  if (!spoken) {
+    const Error& error = spoken.error();
+    if (error.kind != ErrorKind::BadData) return error;
+    return Error{error.kind, at_place(source, error.message)};
+  }
   if (options.narration.empty()) {
     fill_last_packet(*spoken);
     return spoken;
@@ -245,11 +250,15 @@ Result<void> run(const Options& options) {
   const auto expressions = expressions_of(options);
   if (!expressions) return expressions.error();
   if (auto good = check_cues(*script, *expressions, source); !good) return good;
-  const auto speech = speech_of(*script, options);
+  const auto speech = speech_of(*script, options, source);
   if (!speech) return speech.error();
 
   const std::string stem = options.text == "-" ? "speech" : options.text.stem().string();
   const std::string name = options.name.empty() ? stem : options.name;
+  if (!protocol::is_stream_name(name)) {
+    say("au-transmitter will not serve '" + name + "': a stream's name has " +
+        protocol::kStreamNameRule + "; choose another one (--name)");
+  }
   const fs::path folder = options.output.empty() ? fs::path(stem) : options.output;
   std::error_code error;
   fs::create_directories(folder, error);

@@ -67,9 +67,6 @@ TEST(ParseScript, SaysWhereATextIsWrong) {
       "t.txt");
   ASSERT_FALSE(latin);
   EXPECT_NE(latin.error().message.find("t.txt:2"), std::string::npos);
-
-  EXPECT_FALSE(parse_script("", "t"));
-  EXPECT_FALSE(parse_script("# only a comment\n\n[smile]\n", "t"));
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 
 #include "common/voice/sound_file.h"
 #include "protocol/stream_file.h"
+#include "speaker/espeak_voice.h"
+#include "tests/support/process.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::speaker {
@@ -146,6 +149,56 @@ TEST(SpeakerApp, NeverWritesOverTheLabels) {
   EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/../out/talk.txt"}), 2);
   EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/talk.wav"}), 2);
   EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/labels.txt"}), 0);
+}
+
+TEST(SpeakerApp, ATextWithoutWordsIsRefused) {
+  const TempFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  for (const std::string text : {"", "# only a comment\n\n[smile]\n", "...—–\n", "« … »\n"}) {
+    const std::string file = folder.write("talk.txt", text).string();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_speaker({file, "-o", out}), 3) << text;
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "au-speaker: " + file + ": there are no words to speak\n");
+  }
+}
+
+TEST(SpeakerApp, ATextThatIsTooLongToSpeakIsRefused) {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "And so on. ";
+  const auto spoken = speak(text, {}, Milliseconds(5000));
+  ASSERT_FALSE(spoken);
+  EXPECT_EQ(spoken.error().kind, ErrorKind::BadData);
+  EXPECT_EQ(spoken.error().message,
+            "takes more than 0:05 to speak, the longest that is spoken; cut it into parts");
+  EXPECT_TRUE(speak("Good morning.", {}, Milliseconds(5000))) << "the library goes on";
+}
+
+TEST(SpeakerApp, SaysThatThereIsNotEnoughMemory) {
+  if (test::kSanitized) GTEST_SKIP() << "a sanitizer has its own limits";
+  const TempFolder folder;
+  std::string text;
+  for (int i = 0; i < 1500; ++i) text += "And so on. ";
+  const std::string file = folder.write("talk.txt", text).string();
+  const std::string out = (folder.path() / "out").string();
+  const auto done = test::run({"sh", "-c", "ulimit -v 150000; exec \"$0\" \"$@\"",
+                               test::program("au-speaker"), file, "-o", out, "--speed", "80"});
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_EQ(done.err, "au-speaker: there is not enough memory left to go on\n");
+}
+
+TEST(SpeakerApp, WarnsOfANameThatNoStreamCanHave) {
+  const TempFolder folder;
+  const std::string text = folder.write("my talk.txt", "Good morning.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", out}), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "au-speaker: au-transmitter will not serve 'my talk': a stream's name has 1 to 64 "
+            "letters, digits, '.', '_' or '-'; choose another one (--name)\n");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", out, "--name", "talk"}), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(SpeakerApp, ExitCodesAreThoseOfTheOtherPrograms) {
