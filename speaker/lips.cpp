@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "common/au_numbers.h"
 #include "speaker/visemes.h"
 
 namespace aucast::speaker {
@@ -125,18 +126,18 @@ class Mouth {
     const auto reach = [&](int number, float intensity) {
       sum_[number] = std::max(sum_[number], degree * intensity);
     };
-    keep(26, 0.2F);
-    keep(19, 0);
+    keep(kJawDrop, 0.2F);
+    keep(kTongueShow, 0);
     if (contact.teeth) {
-      keep(24, 0);
-      keep(18, 0.5F);
-      keep(22, 0.5F);
-      reach(32, 0.6F);
+      keep(kLipPresser, 0);
+      keep(kLipPucker, 0.5F);
+      keep(kLipFunneler, 0.5F);
+      reach(kBite, 0.6F);
       return;
     }
-    for (const int open : {16, 20, 25, 32}) keep(open, 0);
-    keep(22, 0.4F);
-    reach(24, 0.25F);
+    for (const int open : {kLowerLipDepressor, kLipStretcher, kLipsPart, kBite}) keep(open, 0);
+    keep(kLipFunneler, 0.4F);
+    reach(kLipPresser, 0.25F);
   }
 
   [[nodiscard]] const std::map<int, float>& aus() const { return sum_; }

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "common/au_numbers.h"
 #include "common/number_of.h"
 #include "common/text.h"
 #include "speaker/lips.h"
@@ -15,8 +16,11 @@ namespace {
 
 /// What is kept of an expression while the lips speak: this share of kMouth, nothing of kLipsOnly.
 constexpr float kMouthWhileSpeaking = 0.55F;
-const std::set<int> kMouth{10, 12, 13, 14, 15, 16, 17, 20, 23, 24};
-const std::set<int> kLipsOnly{18, 19, 22, 25, 26, 27, 28, 32};
+const std::set<int> kMouth{kUpperLipRaiser,     kLipCornerPuller,   kSharpLipPuller, kDimpler,
+                           kLipCornerDepressor, kLowerLipDepressor, kChinRaiser,     kLipStretcher,
+                           kLipTightener,       kLipPresser};
+const std::set<int> kLipsOnly{kLipPucker, kTongueShow,   kLipFunneler, kLipsPart,
+                              kJawDrop,   kMouthStretch, kLipsSuck,    kBite};
 
 /// AUs of a cue at full strength.
 std::optional<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
@@ -24,7 +28,8 @@ std::optional<std::vector<AuTerm>> named(std::string_view name, const Expression
   const auto same = std::find_if(expressions.begin(), expressions.end(),
                                  [&](const auto& one) { return lowered(one.first) == word; });
   if (same != expressions.end()) return same->second;
-  if (word == "smile") return std::vector<AuTerm>{{6, Side::Both, 50}, {12, Side::Both, 70}};
+  if (word == "smile")
+    return std::vector<AuTerm>{{kCheekRaiser, Side::Both, 50}, {kLipCornerPuller, Side::Both, 70}};
   protocol::Keyframe keyframe;
   const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.time_ms;
   if (!is_aus) return std::nullopt;

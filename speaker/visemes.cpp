@@ -3,24 +3,33 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/au_numbers.h"
+
 namespace aucast::speaker {
 namespace {
 
 // AUs by class: tried on the project's own faces. Who leads and who dominates: Edwards et al., JALI
 // (SIGGRAPH 2016): rounded and hushing sounds begin early and take over their neighbours.
 constexpr Viseme kPause{"pause", {}, 0.6F, 0};
-constexpr Viseme kClosed{"closed", {{{24, 0.25F}}}, 1.0F, 60, true};
-constexpr Viseme kTeeth{"teeth", {{{32, 0.6F}, {25, 0.2F}}}, 1.0F, 60, false, true};
-constexpr Viseme kRound{"round", {{{18, 0.8F}, {22, 0.8F}}}, 0.9F, 150};
-constexpr Viseme kRoundOpen{"round open", {{{22, 0.75F}, {25, 0.35F}, {26, 0.45F}}}, 0.8F, 130};
-constexpr Viseme kHush{"hush", {{{22, 0.7F}, {25, 0.4F}, {26, 0.05F}}}, 0.85F, 130};
-constexpr Viseme kHiss{"hiss", {{{20, 0.2F}, {25, 0.45F}, {26, 0.05F}}}, 0.6F, 90};
-constexpr Viseme kTongueTeeth{"tongue", {{{19, 0.2F}, {25, 0.45F}, {26, 0.15F}}}, 0.6F, 80};
-constexpr Viseme kWide{"wide", {{{20, 0.6F}, {25, 0.5F}, {26, 0.15F}}}, 0.7F, 100};
-constexpr Viseme kMidFront{"mid front", {{{20, 0.25F}, {25, 0.55F}, {26, 0.5F}}}, 0.7F, 110};
-constexpr Viseme kOpen{"open", {{{25, 0.6F}, {26, 0.8F}}}, 0.75F, 120};
-constexpr Viseme kMid{"mid", {{{25, 0.5F}, {26, 0.4F}}}, 0.4F, 100};
-constexpr Viseme kR{"r", {{{22, 0.25F}, {25, 0.35F}, {26, 0.15F}}}, 0.5F, 100};
+constexpr Viseme kClosed{"closed", {{{kLipPresser, 0.25F}}}, 1.0F, 60, true};
+constexpr Viseme kTeeth{"teeth", {{{kBite, 0.6F}, {kLipsPart, 0.2F}}}, 1.0F, 60, false, true};
+constexpr Viseme kRound{"round", {{{kLipPucker, 0.8F}, {kLipFunneler, 0.8F}}}, 0.9F, 150};
+constexpr Viseme kRoundOpen{
+    "round open", {{{kLipFunneler, 0.75F}, {kLipsPart, 0.35F}, {kJawDrop, 0.45F}}}, 0.8F, 130};
+constexpr Viseme kHush{
+    "hush", {{{kLipFunneler, 0.7F}, {kLipsPart, 0.4F}, {kJawDrop, 0.05F}}}, 0.85F, 130};
+constexpr Viseme kHiss{
+    "hiss", {{{kLipStretcher, 0.2F}, {kLipsPart, 0.45F}, {kJawDrop, 0.05F}}}, 0.6F, 90};
+constexpr Viseme kTongueTeeth{
+    "tongue", {{{kTongueShow, 0.2F}, {kLipsPart, 0.45F}, {kJawDrop, 0.15F}}}, 0.6F, 80};
+constexpr Viseme kWide{
+    "wide", {{{kLipStretcher, 0.6F}, {kLipsPart, 0.5F}, {kJawDrop, 0.15F}}}, 0.7F, 100};
+constexpr Viseme kMidFront{
+    "mid front", {{{kLipStretcher, 0.25F}, {kLipsPart, 0.55F}, {kJawDrop, 0.5F}}}, 0.7F, 110};
+constexpr Viseme kOpen{"open", {{{kLipsPart, 0.6F}, {kJawDrop, 0.8F}}}, 0.75F, 120};
+constexpr Viseme kMid{"mid", {{{kLipsPart, 0.5F}, {kJawDrop, 0.4F}}}, 0.4F, 100};
+constexpr Viseme kR{
+    "r", {{{kLipFunneler, 0.25F}, {kLipsPart, 0.35F}, {kJawDrop, 0.15F}}}, 0.5F, 100};
 
 constexpr std::pair<std::string_view, const Viseme*> kLetters[] = {
     {"tʃ", &kHush},     {"dʒ", &kHush},       {"tɕ", &kHush},       {"dʑ", &kHush},
