@@ -319,7 +319,10 @@ void ServerSession::State::settle_peer_end() {
     case Phase::Hello:
       close(Why::PeerGone, "the client ended within its hello");
       break;
-    default:
+    case Phase::AwaitingStream:
+    case Phase::Streaming:
+    case Phase::HeldBack:
+    case Phase::Closed:
       break;
   }
   if (phase != Phase::Streaming && phase != Phase::AwaitingStream) return;
@@ -385,7 +388,8 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
     case State::Phase::HeldBack:
       state_->refuse(state_->held_back.code, state_->held_back.text);
       break;
-    default:
+    case State::Phase::Streaming:
+    case State::Phase::Closed:
       break;
   }
   return state_->take_events();
