@@ -5,6 +5,7 @@
 #include <csignal>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace aucast::view {
 namespace {
 
 constexpr int kGifFpsMax = 50;  ///< browsers slow down what asks for more
+constexpr int kSignal = 128;    ///< of Child::wait(), with the number of a signal added
+/// After the last picture ffmpeg encodes those that it keeps, dozens of them, and then writes.
+constexpr int kEndPatience = 4;
 
 enum class Format : std::uint8_t { Mp4, Webm, Gif };
 
@@ -150,9 +154,8 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
   return {};
 }
 
-/// `code`: of Child::wait(), where 128 and more is the signal that killed it.
+/// `code`: of Child::wait().
 std::string how_it_ended(int code, const std::string& words) {
-  constexpr int kSignal = 128;
   // The limit leaves it no time for words of its own.
   if (code == kSignal + SIGXFSZ) {
     return "was killed: the video is larger than a file may be here (ulimit -f)";
@@ -175,28 +178,46 @@ struct VideoEncoder::State {
   int height = 0;
   Format format = Format::Mp4;
   GivenUp stop;
-  Milliseconds patience{0};             ///< for one picture, once the user wants to stop
-  std::optional<Instant> adding_since;  ///< nullopt: ffmpeg is not being given a picture
-  std::unique_ptr<Child> ffmpeg;        ///< after the file that it writes, so that it ends before
+  Milliseconds patience{0};
+  Milliseconds idle_max{0};  ///< how long it may seem to do nothing once the user wants to stop
+  Instant busy_at;           ///< when it was given something to do, or was seen to have written
+  std::filesystem::file_time_type written_at;
+  std::unique_ptr<Child> ffmpeg;  ///< after the file that it writes, so that it ends before
   std::size_t pictures = 0;
   std::optional<Error> failure;
 
-  [[nodiscard]] bool stuck() const;
+  [[nodiscard]] bool stuck();
+  void give_it_time(Milliseconds most);
   [[nodiscard]] Result<void> give_up();
   [[nodiscard]] Result<void> add_sound(const std::filesystem::path& sound);
 };
 
-/// While it is given no picture, it may take its time, as for the end of a long video.
-bool VideoEncoder::State::stuck() const {
-  if (!adding_since || !stop || !stop()) return false;
-  return std::chrono::steady_clock::now() - *adding_since >= patience;
+void VideoEncoder::State::give_it_time(Milliseconds most) {
+  idle_max = most;
+  busy_at = std::chrono::steady_clock::now();
+}
+
+/// The end of a long video takes its time, in which ffmpeg writes.
+bool VideoEncoder::State::stuck() {
+  const Instant now = std::chrono::steady_clock::now();
+  std::error_code ignored;
+  const auto written = std::filesystem::last_write_time(temporary.path(), ignored);
+  if (std::exchange(written_at, written) != written) busy_at = now;
+  return stop && stop() && now - busy_at >= idle_max;
 }
 
 /// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
+  const bool hung = stuck();
+  const Instant begin = std::chrono::steady_clock::now();
   const int code = ffmpeg->wait(patience);
-  failure = Error{ErrorKind::Failed,
-                  at_place(path.string(), "ffmpeg " + how_it_ended(code, ffmpeg->error_tail()))};
+  const bool killed_here = hung || std::chrono::steady_clock::now() - begin >= patience;
+  const std::string words = ffmpeg->error_tail();
+  const std::string how =
+      killed_here && code == kSignal + SIGKILL
+          ? "hung and was killed when the video was to end" + (words.empty() ? "" : ": " + words)
+          : how_it_ended(code, words);
+  failure = Error{ErrorKind::Failed, at_place(path.string(), "ffmpeg " + how)};
   ffmpeg.reset();
   temporary.remove();
   return *failure;
@@ -208,9 +229,11 @@ Result<void> VideoEncoder::State::add_sound(const std::filesystem::path& sound) 
   auto whole = TemporaryFile::beside(path);
   if (!whole) return whole.error();
   const TemporaryFile silent = std::exchange(temporary, std::move(*whole));
-  auto started = Child::start(muxing_arguments(format, silent.path(), sound, temporary.path()));
+  auto started = Child::start(muxing_arguments(format, silent.path(), sound, temporary.path()),
+                              Child::Flow::Fed, [this] { return stuck(); });
   if (!started) return not_started(path, started.error());
   ffmpeg = std::move(*started);
+  give_it_time(patience);
   if (ffmpeg->wait() != 0) return give_up();
   ffmpeg.reset();
   return {};
@@ -255,11 +278,10 @@ Result<void> VideoEncoder::add(const Image& picture) {
   AUCAST_CHECK(picture.height == state.height);
   const bool fits = state.format == Format::Gif ||
                     (even(state.width) == state.width && even(state.height) == state.height);
-  state.adding_since = std::chrono::steady_clock::now();
+  state.give_it_time(state.patience);
   const bool taken =
       fits ? state.ffmpeg->feed(picture.rgba)
            : state.ffmpeg->feed(grown(picture, even(state.width), even(state.height)));
-  state.adding_since.reset();
   if (!taken) return state.give_up();
   ++state.pictures;
   return {};
@@ -274,8 +296,8 @@ Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
     state.temporary.remove();
     return {};
   }
-  const int code = state.ffmpeg->wait();
-  if (code != 0) return state.give_up();
+  state.give_it_time(kEndPatience * state.patience);
+  if (state.ffmpeg->wait() != 0) return state.give_up();
   state.ffmpeg.reset();
   if (!sound.empty() && state.format != Format::Gif) {
     if (auto added = state.add_sound(sound); !added) {

@@ -21,13 +21,15 @@ inline constexpr int kVideoFpsMax = 240;
 /// keeps all its pictures in memory until the end to find one palette for them.
 class VideoEncoder {
  public:
-  /// How long ffmpeg may take for a picture when the user wants to stop. Large ones take seconds.
+  /// How long ffmpeg may seem to do nothing when the user wants to stop. Large pictures take
+  /// seconds.
   static constexpr Milliseconds kPatience{15'000};
 
   /// Fails with ErrorKind::Failed if ffmpeg is missing (the message says what to install) or the
   /// file cannot be written there; with Usage if the ending is unknown, a side is not 1 to
-  /// kVideoSideMax, or fps is not 1 to kVideoFpsMax. Once `stop` returns true, an ffmpeg that does
-  /// not take a picture within `patience` is killed.
+  /// kVideoSideMax, or fps is not 1 to kVideoFpsMax. Once `stop` returns true, an ffmpeg that has
+  /// neither taken a picture nor written anything for `patience` is killed;
+  /// after the last picture, for four times as long.
   [[nodiscard]] static Result<std::unique_ptr<VideoEncoder>> open(
       const std::filesystem::path& path, int width, int height, int fps, GivenUp stop = {},
       Milliseconds patience = kPatience);
