@@ -466,6 +466,12 @@ for (const name of ['chromium', 'firefox']) {
                 sessionStorage.length, document.cookie];
       }), [true, '', closed.at('http'), 0, 0, '']);
       assert.deepEqual(tab.faults, []);
+      assert.deepEqual(await tab.evaluate(() => {
+        const player = document.querySelector('aucast-player');
+        const { token } = player;
+        player.setAttribute('server', 'ws://localhost:1');
+        return [token, player.token];
+      }), ['a-token-of-some-length', ''], 'another server is not shown it');
       await tab.close();
       const far = await openTab(browser, closed.at('http').replace('localhost', 'a.localhost'), small);
       await untilState(far, 'lost');

@@ -166,6 +166,8 @@ class AucastPlayer extends HTMLElement {
   attributeChangedCallback(name, before, now) {
     if (before === now) return;
     if (name === 'server' || name === 'stream') this.asked = null;
+    // A server's token is for nobody else. The first server is that of a token set before.
+    if (name === 'server' && before !== null) this.token = '';
     if (name === 'muted') {
       this.muted = now !== null;
     } else if (name === 'volume') {
