@@ -10,6 +10,7 @@
 #include "client/app/commands/clocked_run.h"
 #include "client/app/commands/export_command.h"
 #include "client/app/commands/pose_command.h"
+#include "client/app/files_read.h"
 #include "client/app/gallery/gallery_command.h"
 #include "client/app/player_options.h"
 #include "client/app/player_stats.h"
@@ -195,6 +196,7 @@ Result<void> play_and_count(const PlayerOptions& options, const net::Security& s
 
 Result<void> run(const PlayerOptions& options) {
   if (auto log = set_up_log("face-player", options.log_level); !log) return log;
+  if (auto kept = check_outputs(options); !kept) return kept;
   switch (options.command) {
     case Command::Help:
       std::fputs(options.text.c_str(), stdout);

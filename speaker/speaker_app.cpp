@@ -13,6 +13,7 @@
 #include "common/files.h"
 #include "common/manual.h"
 #include "common/options.h"
+#include "common/overwriting.h"
 #include "common/result.h"
 #include "common/standard_output.h"
 #include "common/temporary_file.h"
@@ -217,18 +218,6 @@ Result<Expressions> expressions_of(const Options& options) {
   return sets_of(*read);
 }
 
-/// Refuses to overwrite a file that is also read.
-Result<void> check_output(const fs::path& output, const Options& options) {
-  std::error_code none;
-  for (const fs::path& input : {options.text, options.narration}) {
-    if (output.empty() || input.empty() || !fs::equivalent(output, input, none)) continue;
-    return Error{ErrorKind::Usage, printable(output.string()) + " would be written over " +
-                                       printable(input.string()) +
-                                       ", which is read; choose another name or folder"};
-  }
-  return {};
-}
-
 /// Refuses labels that another file would be written over.
 Result<void> check_labels(const fs::path& labels, const std::vector<fs::path>& others) {
   std::error_code none;
@@ -272,9 +261,8 @@ Result<void> run(const Options& options) {
   const fs::path stream_file = folder / (name + ".txt");
   const fs::path caption_file = folder / (name + ".vtt");
   const fs::path sound_file = options.narration.empty() ? folder / (name + ".wav") : fs::path();
-  for (const fs::path& output : {stream_file, caption_file, sound_file, options.labels}) {
-    if (auto good = check_output(output, options); !good) return good;
-  }
+  const std::vector<fs::path> outputs{stream_file, caption_file, sound_file, options.labels};
+  if (auto good = check_not_read(outputs, {options.text, options.narration}); !good) return good;
   if (auto good = check_labels(options.labels, {stream_file, caption_file, sound_file}); !good) {
     return good;
   }

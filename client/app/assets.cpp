@@ -10,9 +10,7 @@
 #include "protocol/codec.h"
 
 namespace aucast::app {
-namespace {
 
-/// The folder that --face names: a path, or the name of one in data/faces.
 std::filesystem::path face_folder(const FaceOptions& options, const std::filesystem::path& data) {
   std::error_code ignored;
   const std::filesystem::path shipped = data / "faces" / options.face;
@@ -20,8 +18,6 @@ std::filesystem::path face_folder(const FaceOptions& options, const std::filesys
   if (is_name && std::filesystem::is_directory(shipped, ignored)) return shipped;
   return options.face;
 }
-
-}  // namespace
 
 Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file) {
   const auto document = read_toml(file);

@@ -28,6 +28,10 @@ struct Assets {
 /// Reads from data/action_units.toml what each AU looks like, by AU number.
 [[nodiscard]] Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file);
 
+/// The folder that --face names: a path, or the name of one in data/faces.
+[[nodiscard]] std::filesystem::path face_folder(const FaceOptions& options,
+                                                const std::filesystem::path& data);
+
 /// Reads face, rules and expressions, and logs Face::remarks.
 [[nodiscard]] Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options);
 

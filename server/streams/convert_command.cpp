@@ -8,6 +8,7 @@
 #include "common/files.h"
 #include "common/film_name.h"
 #include "common/memory.h"
+#include "common/overwriting.h"
 #include "common/sources/found_report.h"
 #include "common/sources/openface_table.h"
 #include "common/sources/source_reader.h"
@@ -180,12 +181,10 @@ Result<Converted> write_out(const ConvertOptions& options, const protocol::Strea
 }
 
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
-  std::error_code not_there;
-  if (std::filesystem::equivalent(options.in, options.out, not_there)) {
-    return convert_usage(at_place(
-        options.in.string(), "would be replaced by what it is converted to; choose another name"));
-  }
   const SignalOptions& signal = options.source.signal;
+  if (auto kept = check_not_read({options.out, signal.save_profile}, {options.in}); !kept) {
+    return convert_usage(kept.error().message);
+  }
   const auto conditioning = conditioning_of(signal);
   if (!conditioning) return conditioning.error();
   std::string said = at_place(options.in.string(), "");
@@ -227,11 +226,17 @@ Result<Converted> convert_each(const ConvertOptions& options, const SayProgress&
                                                          "' too; convert one of them alone"));
     }
   }
+  const auto made_of = [&](const std::filesystem::path& source) {
+    return options.to / (source.stem().string() + ".txt");
+  };
+  std::vector<std::filesystem::path> made;
+  for (const std::filesystem::path& source : sources) made.push_back(made_of(source));
+  if (auto kept = check_not_read(made, sources); !kept) return convert_usage(kept.error().message);
   Converted all;
   for (const std::filesystem::path& source : sources) {
     ConvertOptions one = options;
     one.in = source;
-    one.out = options.to / (source.stem().string() + ".txt");
+    one.out = made_of(source);
     auto converted = convert(one, say);
     if (!converted) {
       return Error{converted.error().kind, all.said + converted.error().message};

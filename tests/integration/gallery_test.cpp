@@ -10,6 +10,7 @@
 #include "client/view/image.h"
 #include "tests/integration/player_run.h"
 #include "tests/support/eventually.h"
+#include "tests/support/fake_ffmpeg.h"
 
 namespace aucast::test {
 namespace {
@@ -102,6 +103,35 @@ TEST(Gallery, StoppedInTheMiddleItSaysSoAndLeavesNothingHalfWritten) {
     }
     std::filesystem::remove_all(gallery);
   }
+}
+
+TEST(Gallery, AStuckFfmpegDoesNotKeepTheUserWaiting) {
+  const TempFolder folder;
+  const auto gallery = folder.path() / "g";
+  // It takes all pictures, and does not end.
+  const FakeFfmpeg fake("cat > /dev/null; exec sleep 1000");
+  Process player({program("face-player"), "gallery", gallery.string(), "--only", "sweeps",
+                  "--sweep", "12", "--size", "48x60"});
+  const auto last = gallery / "sweeps" / "au12" / "frame_000041.png";
+  EXPECT_TRUE(eventually([&] { return std::filesystem::exists(last); }));
+  player.signal(SIGINT);
+  EXPECT_EQ(player.wait(std::chrono::seconds(60)), 1);
+  EXPECT_NE(player.err().find("stopped after 4"), std::string::npos) << player.err();
+  for (const std::string& file : files_below(gallery)) {
+    EXPECT_TRUE(file.ends_with(".png")) << file;
+  }
+}
+
+TEST(Gallery, NeverWritesOverItsRules) {
+  const TempFolder folder;
+  const auto rules = folder.write("rules.toml", folder.read(program("data/rules/facs.toml")));
+  std::filesystem::create_directory(folder.path() / "g");
+  std::filesystem::create_hard_link(rules, folder.path() / "g" / "index.html");
+  const PlayerRun run = run_player({"gallery", (folder.path() / "g").string(), "--only", "coverage",
+                                    "--size", "16x20", "--rules", rules.string()});
+  EXPECT_EQ(run.finished.exit_code, 2) << run.finished.err;
+  EXPECT_NE(run.finished.err.find(" would be written over "), std::string::npos)
+      << run.finished.err;
 }
 
 TEST(Gallery, TheBackgroundIsTheOneThatWasAskedFor) {

@@ -57,6 +57,28 @@ TEST(PlayerInput, StreamFiles) {
   EXPECT_EQ(run.stats["end_reason"], "failed");
 }
 
+TEST(PlayerInput, WhatIsReadIsNeverWrittenOver) {
+  const TempFolder folder;
+  const std::string text = "Beg_Stream\n12;100\nEnd_Stream\n";
+  const std::string stream = folder.write("talk.txt", text).string();
+  const std::string voice = folder.write("talk.wav", "voice").string();
+  const std::string player = program("face-player");
+  for (const std::vector<std::string>& outputs :
+       {std::vector<std::string>{"--stats", stream}, {"--sound", voice}}) {
+    std::vector<std::string> words{player, "play", stream, "--headless", "--fast"};
+    words.insert(words.end(), outputs.begin(), outputs.end());
+    const Finished done = run(words);
+    EXPECT_EQ(done.exit_code, 2);
+    EXPECT_NE(done.err.find(" would be written over "), std::string::npos) << done.err;
+  }
+  // Statistics are written of runs that fail, too.
+  const std::string bad = folder.write("bad.txt", "Beg_Stream\n1,100\n").string();
+  EXPECT_EQ(run({player, "play", bad, "--headless", "--stats", bad}).exit_code, 2);
+  EXPECT_EQ(folder.read("bad.txt"), "Beg_Stream\n1,100\n");
+  EXPECT_EQ(folder.read("talk.txt"), text);
+  EXPECT_EQ(folder.read("talk.wav"), "voice");
+}
+
 TEST(PlayerInput, WhatTheFaceCannotShowIsSaidOnceInARun) {
   const TempFolder folder;
   const auto stream =

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "client/app/assets.h"
+#include "client/app/files_read.h"
 #include "client/app/progress_line.h"
 #include "client/app/steady.h"
 #include "client/app/video/picture_maker.h"
@@ -23,6 +24,7 @@
 #include "client/view/video_encoder.h"
 #include "common/ffmpeg.h"
 #include "common/files.h"
+#include "common/overwriting.h"
 
 namespace aucast::app {
 namespace {
@@ -63,6 +65,15 @@ bool ffmpeg_is_there() {
   return false;
 }
 
+constexpr const char* kManifest = "manifest.csv";
+constexpr const char* kPage = "index.html";
+
+std::filesystem::path video_file(const gallery::GallerySweep& sweep) {
+  return std::filesystem::path("sweeps") / (sweep.name + ".mp4");
+}
+
+/// A video that is stopped is not kept: ffmpeg needs no time for its end.
+constexpr Milliseconds kStopPatience{1'000};
 constexpr const char* kVideosMissing = "no videos of the sweeps: install ffmpeg for them";
 
 /// Draws a plan into its folder, one picture at a time.
@@ -160,9 +171,9 @@ class GalleryWriter {
     const gallery::GallerySweep& sweep = plan_.sweeps[number];
     std::unique_ptr<view::VideoEncoder> video;
     if (with_video) {
-      auto opened = view::VideoEncoder::open(
-          options_.gallery.folder / "sweeps" / (sweep.name + ".mp4"), options_.output.width,
-          options_.output.height, gallery::kSweepFps);
+      auto opened = view::VideoEncoder::open(options_.gallery.folder / video_file(sweep),
+                                             options_.output.width, options_.output.height,
+                                             gallery::kSweepFps, stop_, kStopPatience);
       if (!opened) return opened.error();
       video = std::move(*opened);
     }
@@ -189,11 +200,10 @@ class GalleryWriter {
     setting.width = options_.output.width;
     setting.height = options_.output.height;
     const auto& folder = options_.gallery.folder;
-    auto manifest = write_file_atomically(folder / "manifest.csv",
+    auto manifest = write_file_atomically(folder / kManifest,
                                           gallery::format_manifest(plan_, setting, videos_));
     if (!manifest) return manifest;
-    return write_file_atomically(folder / "index.html",
-                                 gallery::format_page(plan_, setting, videos_));
+    return write_file_atomically(folder / kPage, gallery::format_page(plan_, setting, videos_));
   }
 
   const Assets& assets_;
@@ -222,6 +232,18 @@ Result<gallery::GalleryPlan> plan_of(const Assets& assets, const PlayerOptions& 
   return gallery::plan_gallery(input);
 }
 
+Result<void> check_pictures(const PlayerOptions& options, const gallery::GalleryPlan& plan) {
+  const std::filesystem::path& folder = options.gallery.folder;
+  std::vector<std::filesystem::path> outputs{folder / kManifest, folder / kPage};
+  for (const gallery::GalleryPicture& picture : plan.pictures) {
+    outputs.push_back(folder / picture.file);
+  }
+  for (const gallery::GallerySweep& sweep : plan.sweeps) {
+    outputs.push_back(folder / video_file(sweep));
+  }
+  return check_not_read(outputs, files_read(options));
+}
+
 /// A sentence about what was made, and which AUs the face lacks or cannot show well.
 std::string summary(const std::filesystem::path& folder, const gallery::GalleryPlan& plan) {
   std::size_t recorded = 0;
@@ -235,10 +257,9 @@ std::string summary(const std::filesystem::path& folder, const gallery::GalleryP
     if (!row.recorded) list(missing, row.number);
     if (gallery::is_limited(row)) list(limited, row.number);
   }
-  std::string text = (folder / "index.html").string() + ": " +
-                     std::to_string(plan.pictures.size()) + " pictures; " +
-                     std::to_string(recorded) + " of " + std::to_string(plan.coverage.size()) +
-                     " Action Units are recorded";
+  std::string text = (folder / kPage).string() + ": " + std::to_string(plan.pictures.size()) +
+                     " pictures; " + std::to_string(recorded) + " of " +
+                     std::to_string(plan.coverage.size()) + " Action Units are recorded";
   if (!missing.empty()) text += ", not " + missing;
   if (!limited.empty()) text += "; in their best form only: " + limited;
   return text;
@@ -252,6 +273,7 @@ Result<std::string> make_gallery(const PlayerOptions& options, const std::functi
   if (!assets) return assets.error();
   const auto plan = plan_of(**assets, options);
   if (!plan) return plan.error();
+  if (auto kept = check_pictures(options, *plan); !kept) return kept.error();
   if (auto made = make_folders(options.gallery.folder, *plan); !made) return made.error();
   GalleryWriter writer(**assets, options, *plan, stop, on_drawn);
   if (auto written = writer.write(); !written) return written.error();

@@ -42,6 +42,32 @@ TEST(Convert, KeepsAStreamFileWhole) {
       << gain->said;
 }
 
+TEST(Convert, NeverWritesOverWhatItReads) {
+  const TempFolder folder;
+  const std::string text = "Beg_Stream\n12;40\nEnd_Stream\n";
+  const std::string in = folder.write("in.txt", text).string();
+  const std::string other = folder.write("other/b.txt", text).string();
+  const std::string to = (folder.path() / "to").string();
+  const std::string hard = to + "/b.txt";
+  std::filesystem::create_directory(to);
+  std::filesystem::create_hard_link(in, hard);
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{in, in},
+                                             {in, hard},
+                                             {in, to + "/new", "--save-profile", in},
+                                             {"--to", to, in, other}}) {
+    const auto refused = run_convert(arguments);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
+    EXPECT_TRUE(refused.error().message.ends_with(
+        " would be written over " + in +
+        ", which is read; choose another name or folder (try convert --help)"))
+        << refused.error().message;
+  }
+  EXPECT_EQ(folder.read("in.txt"), text);
+  EXPECT_FALSE(std::filesystem::exists(to + "/in.txt"));
+}
+
 TEST(Convert, WhatDoesNotFitIntoMemoryIsRefusedBeforeItIsRead) {
   const TempFolder folder;
   constexpr std::size_t kKeyframes = 1'000'000;

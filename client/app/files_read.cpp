@@ -1,0 +1,77 @@
+#include "client/app/files_read.h"
+
+#include <string>
+#include <system_error>
+
+#include "client/app/assets.h"
+#include "client/face/face_folder.h"
+#include "client/sound/file_track.h"
+#include "common/files.h"
+#include "common/overwriting.h"
+#include "common/text.h"
+#include "common/toml_document.h"
+
+namespace aucast::app {
+namespace {
+
+using Paths = std::vector<std::filesystem::path>;
+
+/// Adds what may be data. Other files of a folder may be what was made of a face.
+void add_folder(const std::filesystem::path& folder, Paths& files) {
+  std::error_code none;
+  for (std::filesystem::directory_iterator at(folder, none), end; at != end; at.increment(none)) {
+    const std::string ending = file_ending(at->path());
+    if (ending == ".toml" || ending == ".ply" || ending == ".dat") files.push_back(at->path());
+  }
+}
+
+/// A stream file or table, and what belongs to it.
+void add_stream(const std::filesystem::path& stream, Paths& files) {
+  if (stream.empty()) return;
+  files.push_back(stream);
+  if (auto sound = sound::sound_beside(stream)) files.push_back(*std::move(sound));
+  files.push_back(std::filesystem::path(stream).replace_extension(".vtt"));
+}
+
+/// A face may have files of other faces.
+void add_face(const std::filesystem::path& folder, Paths& files) {
+  add_folder(folder, files);
+  const auto face = read_toml(folder / face::kFaceFile);
+  if (!face) return;
+  for (const char* key : {"mesh", "muscles", "aus"}) {
+    const TomlValue* const file = face->find(key);
+    if (file != nullptr && !file->text.empty()) files.push_back(folder / file->text);
+  }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> files_read(const PlayerOptions& options) {
+  Paths files{options.face.rules, options.playback.security.token, options.mirror.token,
+              options.mirror.certificate, options.mirror.key};
+  for (const auto& file :
+       {options.playback.security.files.certificate, options.playback.security.files.key,
+        options.playback.security.files.authorities}) {
+    files.push_back(file);
+  }
+  add_stream(options.playback.file, files);
+  add_stream(options.exported.stream(), files);
+  const auto data = find_data_folder(options.face.data);
+  if (!data) return files;
+  add_folder(*data, files);
+  add_folder(*data / "faces", files);
+  add_folder(*data / "languages", files);
+  add_folder(*data / "rules", files);
+  add_face(face_folder(options.face, *data), files);
+  return files;
+}
+
+Result<void> check_outputs(const PlayerOptions& options) {
+  Paths outputs{options.output.record, options.output.sheet, options.output.stats,
+                options.output.onsets, options.sound.file,   options.pose.png,
+                options.pose.obj};
+  if (options.command == Command::Export) outputs.push_back(options.exported.glb());
+  return check_not_read(outputs, files_read(options));
+}
+
+}  // namespace aucast::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "client/app/player_options.h"
+#include "common/result.h"
+
+namespace aucast::app {
+
+/// The files that a command may read, without regard to whether they are there: the stream with its
+/// sound and captions, rules, the face, what comes with it in the data folder, and secrets.
+[[nodiscard]] std::vector<std::filesystem::path> files_read(const PlayerOptions& options);
+
+/// Refuses options that would write over a file that is read; see check_not_read(). What a gallery
+/// writes is known only to itself.
+[[nodiscard]] Result<void> check_outputs(const PlayerOptions& options);
+
+}  // namespace aucast::app
