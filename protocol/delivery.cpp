@@ -47,13 +47,10 @@ std::uint64_t Delivery::begin_at(std::uint64_t from_ms) {
   const auto [keyframe, begin] = entry_at(recorded(), from_ms, loops());
   next_packet_ = next_answered_ = keyframe;
   sent_to_ = answered_to_ = Milliseconds(begin);
+  // The packet that is sounding at the beginning, and the caption that stands there, belong to it.
+  heard_from_ = sent_to_;
   const SpokenTrack* const track = spoken();
   if (track == nullptr || begin == 0) return begin;
-  // The packet that is sounding at the beginning, and the caption that stands there, belong to it.
-  if (track->voice) {
-    const auto voice = track->voice->packets();
-    while (next_voice_ < voice.size() && voice[next_voice_].end <= sent_to_) ++next_voice_;
-  }
   const auto& captions = track->captions;
   while (next_caption_ + 1 < captions.size() && captions[next_caption_ + 1].place_ms <= begin) {
     ++next_caption_;
@@ -160,16 +157,13 @@ void Delivery::pump_new_moments(std::string& out) {
 
 void Delivery::send_recorded(std::string& out) {
   while (may_send() && has_next()) {
-    if (out.size() >= kOutputBytesMax) {
-      blocked_ = true;
-      return;
-    }
+    if (is_full(out)) return;
     if (next_packet_ == packets().size()) begin_turn();
     if (sends_spoken()) {
       const Milliseconds end = sent_to_ + recorded().times[next_packet_];
       if (!spoken_may_reach(end)) return;
       const bool turns = in_loop() && ends_turn(end - turn_begin_);
-      send_spoken(end, turns ? end : Milliseconds::max(), out);
+      if (!send_spoken(end, turns ? end : Milliseconds::max(), out)) return;
       sent_to_ = end;
     }
     // The first one names the whole face, wherever the stream begins.
@@ -178,7 +172,15 @@ void Delivery::send_recorded(std::string& out) {
     send_keyframe(encoded[next_packet_++], out);
   }
   // What sounds on after the last keyframe, while the face holds.
-  if (sends_spoken() && complete()) send_spoken(Milliseconds::max(), Milliseconds::max(), out);
+  if (sends_spoken() && complete()) {
+    static_cast<void>(send_spoken(Milliseconds::max(), Milliseconds::max(), out));
+  }
+}
+
+/// Whether `out` has all that one call may put out. Then the rest waits for set_blocked(false).
+bool Delivery::is_full(const std::string& out) {
+  if (out.size() >= kOutputBytesMax) blocked_ = true;
+  return blocked_;
 }
 
 void Delivery::begin_turn() {
@@ -204,22 +206,27 @@ bool Delivery::spoken_may_reach(Milliseconds end) const {
 }
 
 /// The sound that begins before `end`. Of the voice, what is over by `turn_end`: in a loop what
-/// would reach into the next turn would cost the beginning of that.
-void Delivery::send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out) {
+/// would reach into the next turn would cost the beginning of that. Returns false if not all of it
+/// is sent, since there is no more room in `out`.
+bool Delivery::send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out) {
   if (text_) {
     const auto& captions = spoken()->captions;
     for (; next_caption_ < captions.size(); ++next_caption_) {
       if (Milliseconds(captions[next_caption_].place_ms) + turn_begin_ >= end) break;
+      if (is_full(out)) return false;
       send_caption(captions[next_caption_], turn_begin_, out);
     }
   }
-  if (!voice_) return;
+  if (!voice_) return true;
   const auto voice = spoken()->voice->packets();
   for (; next_voice_ < voice.size(); ++next_voice_) {
     if (voice[next_voice_].begin + turn_begin_ >= end) break;
     if (voice[next_voice_].end + turn_begin_ > turn_end) break;
+    if (voice[next_voice_].end + turn_begin_ <= heard_from_) continue;
+    if (is_full(out)) return false;
     send_voice(voice[next_voice_], turn_begin_, out);
   }
+  return true;
 }
 
 // === Live

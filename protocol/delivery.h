@@ -101,7 +101,8 @@ class Delivery {
   void begin_turn();
   [[nodiscard]] bool ends_turn(Milliseconds place) const;
   [[nodiscard]] bool spoken_may_reach(Milliseconds end) const;
-  void send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out);
+  [[nodiscard]] bool is_full(const std::string& out);
+  [[nodiscard]] bool send_spoken(Milliseconds end, Milliseconds turn_end, std::string& out);
   void send_moment(const LiveMoment& moment, std::string& out);
   void skip_spoken_before(Milliseconds place);
   [[nodiscard]] Milliseconds live_spoken_end() const;
@@ -130,6 +131,9 @@ class Delivery {
   std::uint64_t next_voice_ = 0;    ///< recorded: index in the track; live: number in the channel
   std::uint64_t next_caption_ = 0;  ///< likewise
   Milliseconds last_caption_{0};    ///< place of the last caption sent
+  /// Recorded, on the client's clock: what is over by then is left out. Live, on the channel's:
+  /// what begins before is.
+  Milliseconds heard_from_{0};
 
   // Recorded only.
   std::size_t next_packet_ = 0;
@@ -141,9 +145,7 @@ class Delivery {
   bool full_next_ = true;                     ///< the next packet must not be changes-only
   std::optional<std::uint64_t> last_moment_;  ///< the number of the last moment sent
   Milliseconds shift_{0};  ///< what to add to a place on the channel's clock to get the client's
-  // On the channel's clock.
-  Milliseconds joined_at_{0};   ///< where the first moment sent begins
-  Milliseconds heard_from_{0};  ///< what begins before is left out
+  Milliseconds joined_at_{0};  ///< on the channel's clock: where the first moment sent begins
 };
 
 }  // namespace aucast::protocol

@@ -62,11 +62,11 @@ enum class Silence : std::uint8_t {
 /// windowed sending, pause, stop, end. Whenever a client of a live stream may be sent
 /// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
 /// and no clock: bytes and the current time go in, events come out. After CloseConnection or
-/// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax of
-/// keyframes; if more is left, the session is blocked() until set_blocked(false) is called. Whoever
-/// has the connection must not read on while much of what has come out is still unsent: a peer that
-/// answers without reading would fill the memory. Follows the table in PROTOCOL.md, section
-/// "Server". Thread: none of its own; one session per connection.
+/// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax;
+/// if more is left, the session is blocked() until set_blocked(false) is called. Whoever has the
+/// connection must not read on while much of what has come out is still unsent: a peer that answers
+/// without reading would fill the memory. Follows the table in PROTOCOL.md, section "Server".
+/// Thread: none of its own; one session per connection.
 class ServerSession {
  public:
   /// `round_trip`: measured on the connection, zero if unknown; sets the grace for a first byte.

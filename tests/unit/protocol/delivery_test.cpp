@@ -29,11 +29,12 @@ class VoiceInTheMaking : public ::testing::Test {
     deliver(false);
   }
 
-  void deliver(bool loop) {
+  void deliver(bool loop, std::uint64_t from_ms = 0) {
     delivery_.emplace(stream_, loop);
     HelloAsked asked;
     asked.window = 8;
     asked.voice = kVoiceCodec;
+    asked.from_ms = from_ms;
     EXPECT_EQ(delivery_->grant(asked, 250).voice, kVoiceCodec);
   }
 
@@ -105,6 +106,31 @@ TEST_F(VoiceInTheMaking, WhereALoopStillArrivesTheVoiceGoesOutBeforeItsKeyframe)
   track_->add({0ms, kOpus60});
   track_->add({170ms, kOpus60});
   EXPECT_EQ(pump(), "{a@0 WAE}{1;100}{a@170 WAE}{1;100}") << "200 ms are not the end of the turn";
+}
+
+TEST_F(VoiceInTheMaking, WhatIsEncodedOfTheTimeBeforeTheBeginningIsLeftOut) {
+  deliver(true, 200);
+  for (const auto at : {0ms, 60ms, 120ms, 180ms}) track_->add({at, kOpus60});
+  track_->finish();
+  EXPECT_TRUE(pump().starts_with("{a@180 WAE}{1;100}{a@300 WAE}{a WAE}{1;100}"))
+      << "the next turn has it";
+  EXPECT_EQ(delivery_->sent().voice_left_out, 0U);
+}
+
+TEST_F(VoiceInTheMaking, OfALongTailNoMoreComesAtOnceThanMayBePutOut) {
+  const std::string loud = kOpus60 + std::string(900, 'x');
+  constexpr std::uint64_t kPackets = 200;
+  for (std::uint64_t i = 0; i < kPackets; ++i) track_->add({300ms + i * 60ms, loud});
+  track_->finish();
+  EXPECT_EQ(pump(), "{1;100}{1;100}{1;100}");
+  for (int i = 0; i < 3; ++i) delivery_->answer();
+  do {
+    delivery_->set_blocked(false);
+    const std::size_t bytes = pump().size();
+    ASSERT_GT(bytes, 0U);
+    EXPECT_LT(bytes, kOutputBytesMax + 2 * loud.size());
+  } while (!delivery_->complete());
+  EXPECT_EQ(delivery_->sent().voice_packets, kPackets);
 }
 
 TEST_F(VoiceInTheMaking, NothingSoundsDuringAPause) {
