@@ -11,7 +11,7 @@ namespace aucast::protocol {
 HelloGranted Delivery::grant(const HelloAsked& asked, std::uint32_t keyframe_ms) {
   const LiveChannel* const live = stream_.live().get();
   const SpokenTrack* const track = live != nullptr ? nullptr : spoken();
-  level_ = Level::Negotiated;
+  granted_ = true;
   window_ = window_for(asked.window);
   if (live != nullptr) {
     delta_ = asked.delta && live->has_changes();
@@ -81,12 +81,12 @@ const EncodedStream& Delivery::recorded() const {
 }
 
 const PacketList& Delivery::packets() const {
-  if (level_ == Level::Classic) return stream_.recorded()->encoded->classic;
+  if (!granted_) return stream_.recorded()->encoded->classic;
   return delta_ ? recorded().changes : recorded().negotiated;
 }
 
 std::string_view Delivery::packet_of(const LiveMoment& moment, bool full) const {
-  if (level_ == Level::Classic) return moment.classic;
+  if (!granted_) return moment.classic;
   return delta_ && !full ? moment.changes : moment.full;
 }
 

@@ -30,8 +30,8 @@ struct SentCounts {
 
 /// Sends one stream, with its voice and captions, to one client. Knows what was sent and what may
 /// be sent now: follows the window of section 6 of PROTOCOL.md, stops while the client pauses, and
-/// merges live moments. Classic until grant(). Appends bytes to the caller's string.
-/// Thread: none of its own.
+/// merges live moments. Sends the classic form unless grant() was called. Appends bytes to the
+/// caller's string. Thread: none of its own.
 class Delivery {
  public:
   /// `loop`: a recorded stream starts again at its end. If it comes from another server that loops
@@ -41,8 +41,8 @@ class Delivery {
   /// Replaces the stream. Call it only before anything was sent; answers and pauses received so far
   /// are kept.
   void choose(ServedStream stream) { stream_ = std::move(stream); }
-  /// Changes to level 2 and grants as much of `asked` as possible. `keyframe_ms` is only copied
-  /// into the answer.
+  /// Changes to the form of level 2 and grants as much of `asked` as possible. `keyframe_ms` is
+  /// only copied into the answer.
   [[nodiscard]] HelloGranted grant(const HelloAsked& asked, std::uint32_t keyframe_ms);
 
   /// Appends everything that may be sent now. With a recorded stream it calls set_blocked(true) as
@@ -73,7 +73,6 @@ class Delivery {
   [[nodiscard]] bool waits_for_voice() const { return voice_ && !stream_.live(); }
 
   [[nodiscard]] const ServedStream& stream() const { return stream_; }
-  [[nodiscard]] Level level() const { return level_; }
   [[nodiscard]] bool answers() const { return window_ > 0; }
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] bool blocked() const { return blocked_; }
@@ -113,7 +112,7 @@ class Delivery {
   ServedStream stream_;
   bool loop_;
   bool one_turn_ = false;  ///< only one turn is sent, and the client repeats it
-  Level level_ = Level::Classic;
+  bool granted_ = false;   ///< else in the classic form
   std::size_t window_ = 1;
   bool delta_ = false;  ///< the changes-only form was granted
   bool voice_ = false;

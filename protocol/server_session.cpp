@@ -83,6 +83,7 @@ struct ServerSession::State {
   void begin_call(Instant at);
   [[nodiscard]] std::vector<ServerEvent> take_events() { return std::exchange(events, {}); }
   [[nodiscard]] std::string& output();
+  [[nodiscard]] Level level() const { return asked ? Level::Negotiated : Level::Classic; }
   void send(std::string_view bytes) { output() += bytes; }
   void close(Why why, std::string reason);
   void say_last(std::string_view bytes, Why why, std::string reason);
@@ -247,7 +248,7 @@ void ServerSession::State::handle_code(Code code) {
     case Code::Pause:
       if (!spend_spare_code() || delivery.paused()) return;
       delivery.pause();
-      if (delivery.level() == Level::Classic) take_answer();
+      if (level() == Level::Classic) take_answer();
       break;
     case Code::Resume:
       if (!spend_spare_code()) return;
@@ -454,7 +455,7 @@ std::optional<Instant> ServerSession::deadline() const {
 }
 
 Level ServerSession::level() const {
-  return state_->delivery.level();
+  return state_->level();
 }
 
 bool ServerSession::paused() const {

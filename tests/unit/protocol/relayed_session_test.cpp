@@ -107,6 +107,14 @@ TEST_F(RelayedSession, WhoEndsWhilePausedDoesNotWaitForTheStream) {
   EXPECT_EQ(half_close(), "!peer gone");
 }
 
+TEST_F(RelayedSession, APauseWhileWaitingIsNoAnswerInLevel2) {
+  EXPECT_EQ(hear("{hello v=2 window=1}-1-3"), "");
+  EXPECT_EQ(session_->level(), Level::Negotiated);
+  append(*grow(), "{2;40}", 40);
+  EXPECT_EQ(wake(), "{hello v=2 window=1 stream=talk duration=120 keyframe=250}{1;40}");
+  EXPECT_EQ(hear("1"), "{2;40}");
+}
+
 TEST_F(RelayedSession, StopWhileWaitingIsTheEnd) {
   EXPECT_EQ(hear("{hello v=2}-4"), "{-2}!stopped");
 }
