@@ -38,8 +38,18 @@ FileReader::FileReader(asio::io_context& io, std::filesystem::path path, Descrip
       chunk_(kFileChunkBytes) {}
 
 void FileReader::start() {
+  find_place();
   watch();
   await();
+}
+
+/// Begins where whoever gave us the file has left it, with what is before that as the tail.
+void FileReader::find_place() {
+  position_ = std::max<std::int64_t>(::lseek(file_.get(), 0, SEEK_CUR), 0);
+  tail_.resize(std::min(static_cast<std::size_t>(position_), kTailBytes));
+  const auto begin = position_ - static_cast<std::int64_t>(tail_.size());
+  const ssize_t got = ::pread(file_.get(), tail_.data(), tail_.size(), begin);
+  if (got < static_cast<ssize_t>(tail_.size())) tail_.clear();
 }
 
 void FileReader::watch() {
@@ -94,9 +104,7 @@ void FileReader::read() {
   if (const std::string why = follow_ ? changed() : ""; !why.empty() && !begin_anew(why)) {
     return look_again();
   }
-  // stdin has its own place, which whoever gave it to us may have chosen.
-  const ssize_t got = is_stdin() ? ::read(file_.get(), chunk_.data(), chunk_.size())
-                                 : ::pread(file_.get(), chunk_.data(), chunk_.size(), position_);
+  const ssize_t got = ::pread(file_.get(), chunk_.data(), chunk_.size(), position_);
   if (got < 0) events_.on_failure(unreadable_now(path_));
   if (got > 0) {
     pass_on({chunk_.data(), static_cast<std::size_t>(got)});

@@ -22,8 +22,8 @@ namespace aucast::server {
 /// Thread: that of the io_context.
 class FileReader final : public InputReader {
  public:
-  /// `path`: where to look for a file that replaces this one; "-" for stdin, which is read from its
-  /// present position and is never replaced. `follow`: the file may grow. `events` must outlive it.
+  /// `file` is read from its present position on. `path`: where to look for one that replaces it;
+  /// "-" for stdin, which is never replaced. `follow`: the file may grow. `events` must outlive it.
   FileReader(asio::io_context& io, std::filesystem::path path, Descriptor file, bool follow,
              const Events& events);
 
@@ -35,6 +35,7 @@ class FileReader final : public InputReader {
 
  private:
   [[nodiscard]] bool is_stdin() const { return path_ == "-"; }
+  void find_place();
   void watch();
   void watch_file();
   void await();

@@ -236,6 +236,37 @@ TEST_F(LiveInputTest, AFollowedFileWhoseReplacementCannotBeOpenedIsAnErrorUntilO
   EXPECT_FALSE(input.failure());
 }
 
+/// Opens the file as a shell does that has read this much of it.
+LiveInput::Opener opened_at(const std::filesystem::path& path, int place) {
+  return [path, place]() -> Result<Descriptor> {
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    EXPECT_EQ(::lseek(file.get(), place, SEEK_SET), place);
+    return file;
+  };
+}
+
+TEST_F(LiveInputTest, AFollowedStdinIsReadFromItsPlaceOnAndAnew) {
+  const auto path = folder_.write("a.txt", "past one");
+  ASSERT_TRUE(make("-", true, opened_at(path, 5)).start());
+  EXPECT_TRUE(comes("one"));
+  std::ofstream(path, std::ios::app) << " two";
+  EXPECT_TRUE(comes("one two"));
+  EXPECT_TRUE(anew_.empty());
+  folder_.write("a.txt", "2nd");
+  EXPECT_TRUE(comes("2nd"));
+  folder_.write("a.txt", "3rd");
+  EXPECT_TRUE(comes("3rd"));
+  EXPECT_EQ(anew_, (std::vector<std::string>{"it got shorter", "it was rewritten"}));
+}
+
+TEST_F(LiveInputTest, WhatStdinHadBeforeItsPlaceIsComparedToo) {
+  const auto path = folder_.write("a.txt", "past");
+  ASSERT_TRUE(make("-", true, opened_at(path, 4)).start());
+  EXPECT_TRUE(catches_up());
+  folder_.write("a.txt", "another");
+  EXPECT_TRUE(comes("another"));
+}
+
 /// How many files inotify watches for this process.
 std::size_t watched_files() {
   std::size_t count = 0;
