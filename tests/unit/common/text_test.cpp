@@ -50,6 +50,15 @@ TEST(Nearest, FindsTheTypoAndNothingFar) {
   EXPECT_FALSE(nearest("x", {}).has_value());
 }
 
+TEST(Nearest, OfAShortWordMostLettersAreRight) {
+  const std::vector<std::string> known{"-v", "--fps", "facs"};
+  EXPECT_FALSE(nearest("-o", known).has_value());
+  EXPECT_FALSE(nearest("--foo", known).has_value());
+  EXPECT_EQ(nearest("--fp", known), "--fps");
+  EXPECT_EQ(nearest("fasc", known), "facs");
+  EXPECT_EQ(nearest("-v", known), "-v");
+}
+
 TEST(Split, KeepsEmptyParts) {
   using Parts = std::vector<std::string_view>;
   EXPECT_EQ(split("1,5,", ','), (Parts{"1", "5", ""}));
