@@ -164,6 +164,25 @@ for (const name of ['chromium', 'firefox']) {
       });
     }
 
+    test('a decoder that did not come is asked for again', async () => {
+      const site = mkdtempSync(path.join(folder, 'decoder-'));
+      symlinkSync(path.join(root, 'client/web/page/voice_decoders.js'), path.join(site, 'voice.js'));
+      writeFileSync(path.join(site, 'page.html'), '<title>nothing</title>');
+      const files = await serveFiles(site);
+      try {
+        const tab = await browser.newPage();
+        await tab.goto(files.at('page.html'));
+        const load = () => tab.evaluate(async () => (await import('/voice.js')).loadOpus(true));
+        assert.equal(await load(), false);
+        writeFileSync(path.join(site, 'opus-decoder.min.js'),
+                      "globalThis['opus-decoder'] = { OpusDecoder: class { free() {} } };");
+        assert.equal(await load(), true);
+        await tab.close();
+      } finally {
+        files.close();
+      }
+    });
+
     test('a first visit downloads little, and gets all of it', async t => {
       const stranger = await browser.createBrowserContext();  // who has kept nothing
       const tab = await openTab(stranger, server.at('http', '?stream=lecture'), small);
@@ -281,7 +300,7 @@ for (const name of ['chromium', 'firefox']) {
         const prepare = async tab => {
           await tab.setRequestInterception(true);
           tab.on('request', request => {
-            const wanted = request.url().endsWith('/opus-decoder.min.js') && answers[how];
+            const wanted = /\/opus-decoder\.min\.js(\?|$)/.test(request.url()) && answers[how];
             if (!wanted) request.continue();
             else request.respond({ contentType: 'text/javascript', ...wanted });
           });

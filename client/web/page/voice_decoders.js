@@ -5,17 +5,26 @@ const MONO_48K = { channels: 1, sampleRate: 48_000 };
 const NOTHING = new Float32Array(0);
 
 let opus;  // a promise of its class, or of nothing; one for all faces of the page
+let failures = 0;
 
-/// Whether voice can be decoded. `there`: the page was built with the decoder.
+async function load() {
+  // An address that has failed is never asked again by Firefox.
+  await import(`./opus-decoder.min.js${failures > 0 ? `?${failures}` : ''}`);
+  const { OpusDecoder } = globalThis['opus-decoder'];
+  const first = new OpusDecoder(MONO_48K);  // compiles it, which takes longest
+  await first.ready;
+  first.free();
+  return OpusDecoder;
+}
+
+/// Whether voice can be decoded. `there`: the page was built with the decoder. After a failure the
+/// next call tries again.
 export async function loadOpus(there) {
-  opus ??= there ? import('./opus-decoder.min.js').then(
-      async () => {
-        const { OpusDecoder } = globalThis['opus-decoder'];
-        const first = new OpusDecoder(MONO_48K);  // compiles it, which takes longest
-        await first.ready;
-        first.free();
-        return OpusDecoder;
-      }) : Promise.resolve(null);
+  opus ??= there ? load().catch(error => {
+    opus = undefined;
+    ++failures;
+    throw error;
+  }) : Promise.resolve(null);
   try {
     return await opus !== null;
   } catch (error) {
