@@ -52,7 +52,7 @@ double& middle_of(Measures& measures, MiddleMeasure what) {
   return measures.middle[static_cast<std::size_t>(what)];
 }
 
-TEST(AuReader, TellsSidesApartAndSharesTheMiddle) {
+TEST(ReadAus, TellsSidesApartAndSharesTheMiddle) {
   Measures seen;
   left_of(seen, SideMeasure::CornerUp) = 0.05;
   middle_of(seen, MiddleMeasure::ChinUp) = -0.1;
@@ -63,7 +63,7 @@ TEST(AuReader, TellsSidesApartAndSharesTheMiddle) {
   EXPECT_NEAR(double{frame.right[26]}, 0.5, kTolerance);
 }
 
-TEST(AuReader, ComparesWithTheNeutralFace) {
+TEST(ReadAus, ComparesWithTheNeutralFace) {
   Measures neutral;
   left_of(neutral, SideMeasure::CornerUp) = 0.04;
   Measures seen = neutral;
@@ -72,7 +72,7 @@ TEST(AuReader, ComparesWithTheNeutralFace) {
   EXPECT_NEAR(double{read_aus(weights(), seen, neutral).left[12]}, 0.3, kTolerance);
 }
 
-TEST(AuReader, LeavesNoiseOutAndStaysWithinFullIntensity) {
+TEST(ReadAus, LeavesNoiseOutAndStaysWithinFullIntensity) {
   Measures neutral;
   left_of(neutral, SideMeasure::Aperture) = right_of(neutral, SideMeasure::Aperture) = 0.5;
   Measures seen = neutral;
@@ -86,7 +86,7 @@ TEST(AuReader, LeavesNoiseOutAndStaysWithinFullIntensity) {
   EXPECT_EQ(frame.right[45], 1.0F);
 }
 
-TEST(AuReader, NarrowEyesAreShutAsWideOnesAre) {
+TEST(ReadAus, NarrowEyesAreShutAsWideOnesAre) {
   Measures neutral;
   left_of(neutral, SideMeasure::Aperture) = 0.4;
   right_of(neutral, SideMeasure::Aperture) = 0.2;
@@ -98,7 +98,7 @@ TEST(AuReader, NarrowEyesAreShutAsWideOnesAre) {
   EXPECT_NEAR(double{frame.right[45]}, 0.5, kTolerance);
 }
 
-TEST(AuReader, ATurnIsOneOfTwoOppositesAndMayBeMoreThanFull) {
+TEST(ReadAus, ATurnIsOneOfTwoOppositesAndMayBeMoreThanFull) {
   Measures seen;
   seen.turn = {0.2, -0.3, 0};
   const AuFrame frame = read_aus(weights(), seen, Measures{});
@@ -109,7 +109,7 @@ TEST(AuReader, ATurnIsOneOfTwoOppositesAndMayBeMoreThanFull) {
   EXPECT_NEAR(double{frame.left[54]}, 1.2, kTolerance);
 }
 
-TEST(AuReader, WeighsPartsAboveAndProducts) {
+TEST(ReadAus, WeighsPartsAboveAndProducts) {
   Measures seen;
   left_of(seen, SideMeasure::CornerUp) = 0.1;    // -0.3 + 0.3 + 0.07
   right_of(seen, SideMeasure::CornerUp) = -0.1;  // 0.3 + 0 + 0.07
@@ -118,7 +118,7 @@ TEST(AuReader, WeighsPartsAboveAndProducts) {
   EXPECT_NEAR(double{frame.right[15]}, 0.37, kTolerance);
 }
 
-TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
+TEST(ReadAus, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
   auto read = parse_au_weights(
       "raised-side 0 0 0 0 0 0 0 0.1 0 0 0 0 0 0 0 0 0 0\n"
       "raised-middle 0 0 0 0 0 0 0 0 -0.3 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n" +
@@ -139,7 +139,7 @@ TEST(AuReader, WhatOnlySeemsToMoveWhenTheHeadIsRaisedDoesNotCount) {
   EXPECT_NEAR(double{frame.left[53]}, 0.8, kTolerance);
 }
 
-TEST(AuReader, WhatPeopleDifferInWhenTheHeadTurnsDoesNotCount) {
+TEST(ReadAus, WhatPeopleDifferInWhenTheHeadTurnsDoesNotCount) {
   const std::string others(" 0 0 0 0 0 0 0");
   const std::string zeros(" 0 0 0 0 0 0 0 0 0 0");
   auto read =
