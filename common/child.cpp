@@ -23,6 +23,7 @@ namespace {
 constexpr std::size_t kErrorBytesKept = 2048;  ///< kept; the last line may have all of it
 constexpr std::size_t kErrorBytesShown = 300;
 constexpr int kSendBufferBytes = 1 << 20;
+constexpr int kSignal = 128;  ///< plus its number: the code of a child that a signal killed
 /// How often a function that waits looks whether it is to wait on.
 constexpr Milliseconds kLookEvery{50};
 /// How long the pipes of a child that has ended may stay open.
@@ -214,7 +215,7 @@ void Child::end_input() const {
 }
 
 bool Child::reaped() const {
-  return exit_code_.with([](const auto& code) { return code.has_value(); });
+  return end_.with([](const End& end) { return end.code.has_value(); });
 }
 
 /// It may not be reaped yet.
@@ -235,14 +236,20 @@ bool Child::ends_within(Milliseconds patience) const {
   return true;
 }
 
-void Child::stop() const {
-  exit_code_.with([this](const auto& code) {
-    if (!code) ::kill(-pid_, SIGKILL);
+void Child::stop() {
+  end_.with([this](End& end) {
+    if (end.code) return;
+    end.stopped = true;
+    ::kill(-pid_, SIGKILL);
   });
 }
 
+bool Child::killed() const {
+  return end_.with([](const End& end) { return end.stopped && end.code == kSignal + SIGKILL; });
+}
+
 int Child::wait(Milliseconds patience) {
-  if (const auto code = exit_code_.with([](const auto& known) { return known; })) return *code;
+  if (const auto code = end_.with([](const End& end) { return end.code; })) return *code;
   flow_ = Descriptor();
   const Instant begin = std::chrono::steady_clock::now();
   while ((errors_.open() || !has_ended()) && goes_on(true)) {
@@ -261,12 +268,12 @@ int Child::wait(Milliseconds patience) {
   while (::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT) < 0 &&
          errno == EINTR) {
   }
-  return exit_code_.with([this](auto& code) {
+  return end_.with([this](End& end) {
     int status = 0;
     const pid_t waited = ::waitpid(pid_, &status, 0);
     AUCAST_CHECK(waited == pid_);
-    code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return *code;
+    end.code = WIFEXITED(status) ? WEXITSTATUS(status) : kSignal + WTERMSIG(status);
+    return *end.code;
   });
 }
 

@@ -58,10 +58,13 @@ class Child {
   [[nodiscard]] bool ends_within(Milliseconds patience) const;
   /// Kills it and what it has started, so that read() finds the end. From any thread, before
   /// destruction.
-  void stop() const;
+  void stop();
   /// Closes the pipes, waits for the child to end, and kills it after `patience`. Returns its exit
   /// code, or 128 + the signal that killed it; a further call returns the same.
   [[nodiscard]] int wait(Milliseconds patience = Milliseconds::max());
+  /// After wait(): whether the child was killed from here, as it was given up or stopped, or since
+  /// it did not end within the patience.
+  [[nodiscard]] bool killed() const;
   /// The last 300 bytes that the child wrote to stderr, or fewer, joined into one line and safe to
   /// print.
   [[nodiscard]] std::string error_tail() const;
@@ -87,8 +90,12 @@ class Child {
   std::string error_tail_;
   GivenUp given_up_;
   std::optional<Instant> left_open_since_;  ///< the child has ended, and its pipes are open
-  /// Set when the child is reaped: from then on its number may be that of another process.
-  Shared<std::optional<int>> exit_code_;
+  struct End {
+    /// Set when the child is reaped: from then on its number may be that of another process.
+    std::optional<int> code;
+    bool stopped = false;
+  };
+  Shared<End> end_;
 };
 
 }  // namespace aucast

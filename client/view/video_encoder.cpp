@@ -19,7 +19,6 @@ namespace aucast::view {
 namespace {
 
 constexpr int kGifFpsMax = 50;  ///< browsers slow down what asks for more
-constexpr int kSignal = 128;    ///< of Child::wait(), with the number of a signal added
 /// After the last picture ffmpeg encodes those that it keeps, dozens of them, and then writes.
 constexpr int kEndPatience = 4;
 
@@ -154,8 +153,9 @@ Result<void> check_request(const std::filesystem::path& path, int width, int hei
   return {};
 }
 
-/// `code`: of Child::wait().
+/// `code`: of Child::wait(), where 128 and more is the signal that killed it.
 std::string how_it_ended(int code, const std::string& words) {
+  constexpr int kSignal = 128;
   // The limit leaves it no time for words of its own.
   if (code == kSignal + SIGXFSZ) {
     return "was killed: the video is larger than a file may be here (ulimit -f)";
@@ -208,15 +208,11 @@ bool VideoEncoder::State::stuck() {
 
 /// Makes an error of ffmpeg's last messages, after it has stopped reading.
 Result<void> VideoEncoder::State::give_up() {
-  const bool hung = stuck();
-  const Instant begin = std::chrono::steady_clock::now();
   const int code = ffmpeg->wait(patience);
-  const bool killed_here = hung || std::chrono::steady_clock::now() - begin >= patience;
   const std::string words = ffmpeg->error_tail();
-  const std::string how =
-      killed_here && code == kSignal + SIGKILL
-          ? "hung and was killed when the video was to end" + (words.empty() ? "" : ": " + words)
-          : how_it_ended(code, words);
+  const std::string how = ffmpeg->killed() ? "hung and was killed when the video was to end" +
+                                                 (words.empty() ? "" : ": " + words)
+                                           : how_it_ended(code, words);
   failure = Error{ErrorKind::Failed, at_place(path.string(), "ffmpeg " + how)};
   ffmpeg.reset();
   temporary.remove();

@@ -157,7 +157,9 @@ TEST(Child, SaysItsLastLineWholeAndInItsLetters) {
 }
 
 TEST(Child, TellsTheSignalThatKilledIt) {
-  EXPECT_EQ(shell("kill -9 $$")->wait(), 128 + SIGKILL);
+  const auto child = shell("kill -9 $$");
+  EXPECT_EQ(child->wait(), 128 + SIGKILL);
+  EXPECT_FALSE(child->killed()) << "from here";
 }
 
 TEST(Child, BeginsWithNoSignalIgnored) {
@@ -211,6 +213,7 @@ TEST(Child, IsKilledWhenItIsGivenUp) {
   const auto fed = begin("sleep 60", Child::Flow::Fed);
   EXPECT_FALSE(fed->feed(bytes));
   EXPECT_EQ(fed->wait(), 128 + SIGKILL);
+  EXPECT_TRUE(fed->killed());
   const auto read = begin("sleep 60", Child::Flow::Read);
   EXPECT_EQ(read->read(bytes), 0U);
   EXPECT_EQ(read->wait(), 128 + SIGKILL);
@@ -223,6 +226,7 @@ TEST(Child, IsKilledWhenItTakesTooLongToEnd) {
   const Waited waited;
   const auto child = shell("echo stuck >&2; sleep 60");
   EXPECT_EQ(child->wait(Milliseconds(300)), 128 + SIGKILL);
+  EXPECT_TRUE(child->killed());
   EXPECT_EQ(child->error_tail(), "stuck");
   EXPECT_FALSE(waited);
 }
@@ -309,6 +313,7 @@ TEST(Child, IsStoppedWhileItIsRead) {
   while ((*child)->read(chunk) > 0) {
   }
   EXPECT_EQ((*child)->wait(), 128 + 9);
+  EXPECT_TRUE((*child)->killed());
 }
 
 }  // namespace

@@ -213,6 +213,14 @@ TEST(VideoEncoder, ReportsTheLastWordsOfADyingFfmpeg) {
   EXPECT_EQ(files_in(folder), 0U);
 }
 
+void expect_hung(const Result<void>& done, const test::TempFolder& folder) {
+  ASSERT_FALSE(done.has_value());
+  EXPECT_TRUE(
+      done.error().message.ends_with("a.mp4: ffmpeg hung and was killed when the video was to end"))
+      << done.error().message;
+  EXPECT_EQ(files_in(folder), 0U);
+}
+
 TEST(VideoEncoder, IsNotKeptWaitingByAHungFfmpegWhenTheUserStops) {
   const test::TempFolder folder;
   const test::FakeFfmpeg fake("sleep 60");
@@ -222,11 +230,7 @@ TEST(VideoEncoder, IsNotKeptWaitingByAHungFfmpegWhenTheUserStops) {
   const auto begin = std::chrono::steady_clock::now();
   const auto added = (*encoder)->add(picture(2048, 2048, 0));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
-  ASSERT_FALSE(added.has_value());
-  EXPECT_TRUE(added.error().message.ends_with(
-      "a.mp4: ffmpeg hung and was killed when the video was to end"))
-      << added.error().message;
-  EXPECT_EQ(files_in(folder), 0U);
+  expect_hung(added, folder);
 }
 
 TEST(VideoEncoder, ReportsAnFfmpegThatFailsAtTheEnd) {
@@ -283,11 +287,7 @@ TEST(VideoEncoder, IsNotKeptWaitingByAnFfmpegThatHangsAtTheEnd) {
     const auto begin = std::chrono::steady_clock::now();
     const auto done = stopped_at_its_end(folder, script);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
-    ASSERT_FALSE(done.has_value());
-    EXPECT_TRUE(done.error().message.ends_with(
-        "a.mp4: ffmpeg hung and was killed when the video was to end"))
-        << done.error().message;
-    EXPECT_EQ(files_in(folder), 0U);
+    expect_hung(done, folder);
   }
 }
 
