@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -15,9 +14,6 @@ struct VoiceOptions {
   int words_per_minute = 150;   ///< 80-450
   int pitch = 50;               ///< 0-99
 };
-
-/// The longest speech that is made. It is held in memory, 320 MB for each hour.
-inline constexpr Milliseconds kSpeechMax = std::chrono::hours(3);
 
 /// Speaks the text with espeak-ng. Fails with a Usage error if there is no such voice, with BadData
 /// if the text has no words or takes longer than `longest`, with ErrorKind::Failed if espeak-ng's

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "common/result.h"
 #include "common/time.h"
+#include "speaker/speech.h"
 
 namespace aucast::speaker {
-
-/// The longest narration that is read. It is held in memory, 230 MB for each hour.
-inline constexpr Milliseconds kNarrationMax = std::chrono::hours(3);
 
 struct Narration {
   std::vector<float> samples;  ///< mono, in [-1,1], at voice::kEncoderRate
@@ -23,6 +20,6 @@ struct Narration {
 /// is damaged, or if it lasts longer than `longest`, less than a quarter of `said` or more than
 /// four times `said`.
 [[nodiscard]] Result<Narration> read_narration(const std::filesystem::path& path, Milliseconds said,
-                                               Milliseconds longest = kNarrationMax);
+                                               Milliseconds longest = kSpeechMax);
 
 }  // namespace aucast::speaker

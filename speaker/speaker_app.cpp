@@ -239,9 +239,6 @@ Result<void> run(const Options& options) {
   const auto expressions = expressions_of(options);
   if (!expressions) return expressions.error();
   if (auto good = check_cues(*script, *expressions, source); !good) return good;
-  const auto speech = speech_of(*script, options, source);
-  if (!speech) return speech.error();
-
   const std::string stem = options.text == "-" ? "speech" : options.text.stem().string();
   const std::string name = options.name.empty() ? stem : options.name;
   if (!protocol::is_stream_name(name)) {
@@ -249,6 +246,16 @@ Result<void> run(const Options& options) {
         protocol::kStreamNameRule + "; choose another one (--name)");
   }
   const fs::path folder = options.output.empty() ? fs::path(stem) : options.output;
+  const fs::path stream_file = folder / (name + ".txt");
+  const fs::path caption_file = folder / (name + ".vtt");
+  const fs::path sound_file = options.narration.empty() ? folder / (name + ".wav") : fs::path();
+  const std::vector<fs::path> outputs{stream_file, caption_file, sound_file, options.labels};
+  if (auto good = check_not_read(outputs, {options.text, options.narration}); !good) return good;
+  if (auto good = check_labels(options.labels, {stream_file, caption_file, sound_file}); !good) {
+    return good;
+  }
+  const auto speech = speech_of(*script, options, source);
+  if (!speech) return speech.error();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
@@ -257,14 +264,6 @@ Result<void> run(const Options& options) {
     const std::string why = fs::exists(folder, unknown) ? "a file has this name" : error.message();
     return Error{ErrorKind::Failed, at_place(folder.string(), "no folder can be made: " + why +
                                                                   "; name another one (--output)")};
-  }
-  const fs::path stream_file = folder / (name + ".txt");
-  const fs::path caption_file = folder / (name + ".vtt");
-  const fs::path sound_file = options.narration.empty() ? folder / (name + ".wav") : fs::path();
-  const std::vector<fs::path> outputs{stream_file, caption_file, sound_file, options.labels};
-  if (auto good = check_not_read(outputs, {options.text, options.narration}); !good) return good;
-  if (auto good = check_labels(options.labels, {stream_file, caption_file, sound_file}); !good) {
-    return good;
   }
   if (!options.labels.empty()) {
     if (auto written = write_file_atomically(options.labels, labels_of(*speech)); !written) {

@@ -28,7 +28,7 @@ class NarrationTest : public ::testing::Test {
     sf_writef_float(file, samples.data(), static_cast<sf_count_t>(samples.size()));
     sf_close(file);
   }
-  [[nodiscard]] Error refusal(Milliseconds said, Milliseconds longest = kNarrationMax) const {
+  [[nodiscard]] Error refusal(Milliseconds said, Milliseconds longest = kSpeechMax) const {
     const auto read = read_narration(path_, said, longest);
     return read ? Error{ErrorKind::Failed, "it was read"} : read.error();
   }
