@@ -7,13 +7,14 @@
 namespace aucast::server {
 
 /// When a Follower may ask: at once, and again after waits that double from kFirst to kMax, until a
-/// stream has gone on for kCalm.
+/// stream has gone on for `calm`.
 /// Thread: none of its own.
 class AskTimes {
  public:
   static constexpr Milliseconds kFirst{250};
   static constexpr Milliseconds kMax{4'000};
-  static constexpr Milliseconds kCalm{2'000};
+
+  explicit AskTimes(Milliseconds calm) : calm_(calm) {}
 
   /// When it may ask at the earliest.
   [[nodiscard]] Instant next() const { return next_; }
@@ -31,18 +32,19 @@ class AskTimes {
   void on_begun(Instant now) { begun_ = now; }
   /// A stream that was joined goes on.
   void on_gone_on(Instant now) {
-    if (now >= begun_ + kCalm) asked_ = 0;
+    if (now >= begun_ + calm_) asked_ = 0;
   }
   /// Somebody is there who could answer; but one that was left a moment ago may be the same.
   void on_somebody(Instant now) {
-    if (now >= begun_ + kCalm) next_ = std::min(next_, last_ + kFirst);
+    if (now >= begun_ + calm_) next_ = std::min(next_, last_ + kFirst);
   }
 
  private:
+  Milliseconds calm_;
   Instant next_{};
   Instant last_{};      ///< when it last asked
   Instant begun_{};     ///< when a stream was last joined
-  unsigned asked_ = 0;  ///< how often it asked since a stream last went on for kCalm
+  unsigned asked_ = 0;  ///< how often it asked since a stream last went on for calm_
 };
 
 }  // namespace aucast::server

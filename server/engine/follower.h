@@ -92,7 +92,7 @@ class Follower {
   Instant heard_at_{};         ///< when the origin was last heard
   bool connected_ = false;
   bool asking_ = false;  ///< whether an answer is awaited
-  AskTimes ask_times_;
+  AskTimes ask_times_{kSilence};
   std::deque<Message> waiting_;  ///< batches that came while an answer was awaited
   std::size_t waiting_bytes_ = 0;
   std::uint64_t left_out_ = 0;
