@@ -59,6 +59,7 @@ void MuscleSums::Making::add(const Muscle& muscle) {
   const FaceMesh& mesh = face_.mesh;
   const auto* const reach = muscle.mask_alone ? nullptr : find_map(mesh, "muscle");
   const auto* const mask = muscle.mask.empty() ? nullptr : find_map(mesh, muscle.mask);
+  const auto* const root_below = find_map(mesh, "root_below");
   const auto number = static_cast<std::uint32_t>(sums_.reaches_.size());
   Reach& reaches = sums_.reaches_.emplace_back();
   reaches.blocks = BlockSet(sums_.rest_.size());
@@ -67,7 +68,8 @@ void MuscleSums::Making::add(const Muscle& muscle) {
     pulls_[i] = glm::vec3(0);
     const float factor = map_at(reach, i, 1) * map_at(mask, i, 1);
     if (factor == 0) continue;
-    const LinearInfluence linear = influence(muscle.shape, mesh.positions[i]);
+    const glm::vec3 root = mesh.positions[i] - glm::vec3(0, map_at(root_below, i, 0), 0);
+    const LinearInfluence linear = influence(muscle.shape, root);
     if (linear.per_unit == glm::vec3(0)) continue;
     reaches.activation_cap = linear.activation_cap;  // the same at every vertex of a muscle
     reaches.blocks.insert(i / kLanes);

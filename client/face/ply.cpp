@@ -29,9 +29,10 @@ struct MapRange {
   float low;
   float high;
 };
-constexpr MapRange kMapRanges[] = {{"muscle", 0, 1},    {"jaw", 0, 1},
-                                   {"head", 0, 1},      {"lid_angle", -1.5707964F, 1.5707964F},
-                                   {"occlusion", 0, 1}, {"gloss", 0, 4}};
+constexpr MapRange kMapRanges[] = {{"muscle", 0, 1},     {"jaw", 0, 1},
+                                   {"head", 0, 1},       {"lid_angle", -1.5707964F, 1.5707964F},
+                                   {"occlusion", 0, 1},  {"gloss", 0, 4},
+                                   {"root_below", -1, 1}};
 
 template <typename T>
 T read_at(std::string_view bytes, std::size_t position) {

@@ -262,6 +262,20 @@ Vec3 laid_on_skin(const Identity& who, const Vec3& flat, double height, int side
   return p;
 }
 
+/// Sets the maps of a vertex of a brow. Muscles move it nearly as they move the brow's spine: where
+/// they squeeze the skin across the brow, its hairs stay long.
+void weigh_by_spine(const Identity& who, Vertex& vertex) {
+  constexpr double kShare = 0.6;  // with all of it, a frown's brows are too heavy
+  const double begin = brow_spine(who, 0).x;
+  const double t = (std::abs(vertex.position.x) - begin) / (brow_spine(who, 1).x - begin);
+  const double below = kShare * (vertex.position.y - brow_spine(who, saturate(t)).y);
+  Vertex root = vertex;
+  root.position.y -= below;
+  weigh_by_position(who, root);
+  vertex.maps = root.maps;
+  vertex[Map::RootBelow] = below;
+}
+
 /// The soft ground under the hairs.
 void add_brow_ground(Part& brow, const Identity& who, int side) {
   constexpr int kAlong = 40;
@@ -280,7 +294,7 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
       // The lower edge is the softer one.
       const double alpha = 0.66 * fade * smooth_step(1.0, s < 0 ? 0.0 : 0.22, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
-      weigh_by_position(who, brow.vertices.back());
+      weigh_by_spine(who, brow.vertices.back());
     }
     if (i > 0) {
       if (side > 0) {
@@ -331,7 +345,7 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
       const bool tip = k == 2;
       corner[k] = brow.add(laid_on_skin(who, flat[k], tip ? 0.034 : 0.026, side), colour,
                            alpha * (tip ? 0.25 : 1));
-      weigh_by_position(who, brow.vertices.back());
+      weigh_by_spine(who, brow.vertices.back());
     }
     if (side > 0) {
       brow.add_triangle(corner[0], corner[1], corner[2]);

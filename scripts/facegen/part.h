@@ -29,11 +29,13 @@ enum class Map : std::uint8_t {
   Glabella,    ///< mask: the two upright lines between the brows
   Tongue,      ///< mask: the free part of the tongue
   Strand,      ///< position across the hair; it is the same all along a strand
+  RootBelow,   ///< of brows: how far the spine lies below, in mesh units; muscles move the vertex
+               ///< as they move the place there
 };
-inline constexpr std::array<std::string_view, 15> kMapNames{
-    "muscle",    "jaw",        "head",      "lid_angle", "smile",
-    "forehead",  "upper_lip",  "lower_lip", "upper_red", "lower_red",
-    "lower_lid", "nasolabial", "glabella",  "tongue",    "strand"};
+inline constexpr std::array<std::string_view, 16> kMapNames{
+    "muscle",    "jaw",       "head",      "lid_angle", "smile",     "forehead",
+    "upper_lip", "lower_lip", "upper_red", "lower_red", "lower_lid", "nasolabial",
+    "glabella",  "tongue",    "strand",    "root_below"};
 
 using Maps = std::array<double, kMapNames.size()>;
 

@@ -142,6 +142,30 @@ TEST_F(DefaultFaceRecordings, KeepsTheBrowsAboveTheSkin) {
   }
 }
 
+TEST_F(DefaultFaceRecordings, KeepsTheBrowsAsWideAsTheyAre) {
+  const face::MeshPart& hairs = part("left_brow");
+  const auto& rest = face().mesh.positions;
+  // From the lowest to the highest vertex, in slices along the brow.
+  const auto widths = [&](const std::vector<glm::vec3>& positions) {
+    std::map<int, std::pair<float, float>> slices;
+    for (std::size_t i = hairs.vertex_begin; i < hairs.vertex_begin + hairs.vertex_count; ++i) {
+      const auto [slice, first] =
+          slices.try_emplace(static_cast<int>(rest[i].x / 0.25F), positions[i].y, positions[i].y);
+      slice->second.first = std::min(slice->second.first, positions[i].y);
+      slice->second.second = std::max(slice->second.second, positions[i].y);
+    }
+    return slices;
+  };
+  const auto at_rest = widths(rest);
+  for (const auto& posed_face : {posed({{4}}), posed({{1}, {4}}), posed({{1}, {2}, {4}, {5}})}) {
+    for (const auto& [slice, edges] : widths(posed_face)) {
+      const auto& [low, high] = at_rest.at(slice);
+      if (high - low < 0.2F) continue;  // the very ends
+      EXPECT_GT(edges.second - edges.first, 0.7F * (high - low)) << "slice " << slice;
+    }
+  }
+}
+
 TEST_F(DefaultFaceRecordings, MovesTheCornersOfTheMouthAsFacsSays) {
   EXPECT_GT(way(mouth_corner(), 12).y, 0.25F);
   EXPECT_GT(way(mouth_corner(), 12).x, 0.20F);

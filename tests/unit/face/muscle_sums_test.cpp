@@ -59,6 +59,38 @@ TEST(MuscleSums, AddEachMusclesDisplacement) {
   }
 }
 
+TEST(MuscleSums, MoveAVertexAsThePlaceOfItsRoot) {
+  Face face = test::small_face();
+  constexpr float kBelow = 0.4F;
+  face.mesh.maps["root_below"].assign(face.mesh.positions.size(), 0.0F);
+  for (std::size_t i = 0; i < face.mesh.positions.size(); i += 2) {
+    face.mesh.maps["root_below"][i] = kBelow;
+  }
+  BlockSet moved(block_count(face.mesh.positions.size()));
+  for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+    const Muscle& muscle = face.muscles[m];
+    MuscleSums sums(face);
+    std::vector<float> activations(face.muscles.size(), 0.0F);
+    activations[m] = 0.75F;
+    sums.take(activations, moved);
+    sums.list(every_block(face));
+    const auto* const reach = muscle.mask_alone ? nullptr : find_map(face.mesh, "muscle");
+    const auto* const mask = muscle.mask.empty() ? nullptr : find_map(face.mesh, muscle.mask);
+    for (std::size_t i = 0; i < face.mesh.positions.size(); ++i) {
+      VertexBlock place;
+      sums.at(i / kLanes, place);
+      const std::size_t lane = i % kLanes;
+      const glm::vec3& rest = face.mesh.positions[i];
+      const glm::vec3 root = rest - glm::vec3(0, i % 2 == 0 ? kBelow : 0.0F, 0);
+      const glm::vec3 expected = rest + map_at(reach, i, 1) * map_at(mask, i, 1) *
+                                            displacement(muscle.shape, root, activations[m]);
+      ASSERT_LT(glm::distance({place.x[lane], place.y[lane], place.z[lane]}, expected),
+                kSumTolerance)
+          << muscle.name << ", vertex " << i;
+    }
+  }
+}
+
 TEST(MuscleSums, ForgetWhatActedBefore) {
   Seeded seeded;
   SCOPED_TRACE(seeded.trace());

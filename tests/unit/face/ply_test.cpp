@@ -203,6 +203,7 @@ TEST(Ply, MapsKeepTheirOwnRanges) {
       {"muscle", {0, 1}},
       {"head", {0, 1}},
       {"lid_angle", {-1.5707964F, 1.5707964F}},
+      {"root_below", {-1, 1}},
       {"anything", {-1e6F, 1e6F}}};
   for (const auto& [map, range] : ranges) {
     for (const float value : {range.first, range.second}) {
