@@ -37,52 +37,58 @@ Reload::~Reload() {
 Result<void> Reload::read_credentials() {
   auto loaded = load_credentials(files_);
   if (!loaded) return loaded.error();
-  certificates_ = std::move(loaded->certificates);
-  programme_.set_tokens(std::move(loaded->token), std::move(loaded->publishers));
+  use(*std::move(loaded));
   return {};
 }
 
+void Reload::use(Credentials credentials) {
+  certificates_ = std::move(credentials.certificates);
+  programme_.set_tokens(std::move(credentials.token), std::move(credentials.publishers));
+}
+
 void Reload::start() {
-  const auto read = read_credentials();
-  if (!read) {
-    spdlog::error("{}; the certificates and token in use stay", read.error().message);
-  } else {
-    spdlog::info("certificates and token were read again");
-  }
-  programme_.condition_sources_anew();
   if (running_) {
-    next_failed_ = !read;
+    again_ = true;
   } else {
-    read_sources(!read);
+    read();
   }
 }
 
-void Reload::read_sources(bool failed) {
-  failed_ = failed;
+void Reload::read() {
   // A failure to load is a Result; what else can be thrown is the lack of memory.
   const auto result =
-      std::make_shared<Result<Repertoire>>(Error{ErrorKind::Failed, "not enough memory"});
+      std::make_shared<Result<Loaded>>(Error{ErrorKind::Failed, "not enough memory"});
   auto started = start_thread([this, result] { load(result); });
   if (started) {
     thread_ = std::move(*started);
     running_ = true;
   } else {
     ++failures_;
-    spdlog::error("the sources were not read again: {}", started.error().message);
+    spdlog::error("nothing was read again: {}", started.error().message);
     on_done_({});
   }
 }
 
-void Reload::load(const std::shared_ptr<Result<Repertoire>>& result) {
+void Reload::load(const std::shared_ptr<Result<Loaded>>& result) {
   try {
-    *result = load_(stop_.get_token());
+    *result = loaded();
   } catch (const std::bad_alloc&) {
   }
   // Who waits for the end of the reload must learn of it, if only when there is memory again.
   while (!post(result) && !stop_.stop_requested()) std::this_thread::sleep_for(kPostAgainAfter);
 }
 
-bool Reload::post(const std::shared_ptr<Result<Repertoire>>& result) {
+Result<Reload::Loaded> Reload::loaded() const {
+  auto credentials = load_credentials(files_);
+  auto repertoire = load_(stop_.get_token());
+  if (credentials && repertoire) return Loaded{*std::move(credentials), *std::move(repertoire)};
+  if (credentials) return repertoire.error();
+  if (repertoire) return credentials.error();
+  return Error{credentials.error().kind,
+               credentials.error().message + "\n" + repertoire.error().message};
+}
+
+bool Reload::post(const std::shared_ptr<Result<Loaded>>& result) {
   try {
     gate_->post([this, result] { done(std::move(*result)); });
     return true;
@@ -91,21 +97,28 @@ bool Reload::post(const std::shared_ptr<Result<Repertoire>>& result) {
   }
 }
 
-void Reload::done(Result<Repertoire> loaded) {
+void Reload::done(Result<Loaded> loaded) {
   running_ = false;
   if (programme_.stopped()) return;
   const bool changed = take_over(std::move(loaded));
-  const auto next_failed = std::exchange(next_failed_, std::nullopt);
-  on_done_({changed, !next_failed});
-  if (next_failed) read_sources(*next_failed);
+  const bool again = std::exchange(again_, false);
+  on_done_({changed, !again});
+  if (again) read();
 }
 
-bool Reload::take_over(Result<Repertoire> loaded) {
-  ++(loaded && !failed_ ? successes_ : failures_);
-  if (loaded) return programme_.take_over(std::move(*loaded));
+bool Reload::take_over(Result<Loaded> loaded) {
+  ++(loaded ? successes_ : failures_);
+  if (loaded) {
+    use(std::move(loaded->credentials));
+    spdlog::info("certificates and token were read again");
+    programme_.condition_sources_anew();
+    return programme_.take_over(std::move(loaded->repertoire));
+  }
   std::istringstream lines(loaded.error().message);
   for (std::string line; std::getline(lines, line);) spdlog::error("{}", line);
-  spdlog::error("the sources were not taken over; what was served before is served on");
+  spdlog::error(
+      "nothing was taken over: the certificates and token in use stay, and what was served before "
+      "is served on");
   return false;
 }
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <thread>
 
@@ -17,11 +16,11 @@
 
 namespace aucast::server {
 
-/// Reads settings and sources again on SIGHUP: certificates, tokens and profile at once, the
-/// sources on a thread of their own, so that no client waits for a disk. What cannot be read stays
-/// as it was. Thread: that of the io_context, where `on_done` is called too. The load function runs
-/// on the other thread, must not touch what the io_context's thread uses, and returns soon when
-/// asked to stop.
+/// Reads certificates, tokens, profile and sources again on SIGHUP, on a thread of its own, so that
+/// no client waits for a disk. Takes over all of it or, if anything cannot be read, nothing.
+/// Thread: that of the io_context, where `on_done` is called too. The load function runs on the
+/// other thread, must not touch what the io_context's thread uses, and returns soon when asked to
+/// stop.
 class Reload {
  public:
   using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;
@@ -40,27 +39,33 @@ class Reload {
   Reload(const Reload&) = delete;
   Reload& operator=(const Reload&) = delete;
 
-  /// Reads the certificates and tokens; to be called at the start too.
+  /// Reads the certificates and tokens alone, for the start.
   [[nodiscard]] Result<void> read_credentials();
-  /// Reads everything again. If the sources are being read already, they are read once more
-  /// afterwards.
+  /// Reads everything again. If that is being done already, it is done once more afterwards.
   void start();
   /// Reads no more; a load that is under way is asked to stop.
   void stop() { stop_.request_stop(); }
 
-  /// Whether sources are being read.
+  /// Whether anything is being read.
   [[nodiscard]] bool running() const { return running_; }
-  /// How many reloads took over everything, and how many did not.
+  /// How many reloads took over everything, and how many nothing.
   [[nodiscard]] std::uint64_t successes() const { return successes_; }
   [[nodiscard]] std::uint64_t failures() const { return failures_; }
 
  private:
-  void read_sources(bool failed);
-  // These two run on the other thread. `result`: what is told if nothing else can be.
-  void load(const std::shared_ptr<Result<Repertoire>>& result);
-  [[nodiscard]] bool post(const std::shared_ptr<Result<Repertoire>>& result);
-  void done(Result<Repertoire> loaded);
-  [[nodiscard]] bool take_over(Result<Repertoire> loaded);
+  struct Loaded {
+    Credentials credentials;
+    Repertoire repertoire;
+  };
+
+  void read();
+  // These three run on the other thread. `result`: what is told if nothing else can be.
+  void load(const std::shared_ptr<Result<Loaded>>& result);
+  [[nodiscard]] Result<Loaded> loaded() const;
+  [[nodiscard]] bool post(const std::shared_ptr<Result<Loaded>>& result);
+  void done(Result<Loaded> loaded);
+  [[nodiscard]] bool take_over(Result<Loaded> loaded);
+  void use(Credentials credentials);
 
   std::shared_ptr<link::LoopGate> gate_;
   const CredentialFiles& files_;
@@ -70,9 +75,8 @@ class Reload {
   OnDone on_done_;
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
-  bool failed_ = false;  ///< the certificates and tokens of the present reload could not be read
   bool running_ = false;
-  std::optional<bool> next_failed_;  ///< failed_ of the next reload; nullopt: none is waiting
+  bool again_ = false;  ///< another reload waits for the end of this one
   std::stop_source stop_;
   std::jthread thread_;
 };

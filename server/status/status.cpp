@@ -202,7 +202,7 @@ std::string metrics_text(const Status& status) {
   gauge(text, "aucast_lag_seconds", "How late the latest live keyframe was sent.",
         status.lag_seconds);
   counter(text, "aucast_reloads_total", "Reloads by SIGHUP that worked.", status.reloads);
-  counter(text, "aucast_reload_failures_total", "Reloads of which something was not taken over.",
+  counter(text, "aucast_reload_failures_total", "Reloads by SIGHUP that took over nothing.",
           status.reload_failures);
   add_upstreams(text, status.upstreams);
   add_pushes(text, status.pushes);

@@ -57,8 +57,8 @@ struct Status {
   std::size_t queue_bytes = 0;                       ///< bytes that wait to be taken
   double queue_seconds = 0;               ///< longest time for which a client has taken none
   double lag_seconds = 0;                 ///< how late the latest live moment was sent
-  std::uint64_t reloads = 0;              ///< by SIGHUP, with everything taken over
-  std::uint64_t reload_failures = 0;      ///< by SIGHUP, with something not taken over
+  std::uint64_t reloads = 0;              ///< by SIGHUP
+  std::uint64_t reload_failures = 0;      ///< by SIGHUP, which took over nothing
   std::vector<UpstreamStatus> upstreams;  ///< one for each stream of another server
   std::vector<PushStatus> pushes;         ///< one for each --push
   std::optional<EngineStatus> engine;     ///< nullopt: none is in use

@@ -91,16 +91,35 @@ TEST_F(ReloadTest, TooLittleMemoryChangesNothing) {
   EXPECT_EQ(reload.failures(), 1U);
 }
 
-TEST_F(ReloadTest, WithoutItsFileTheTokenStaysAndTheSourcesAreReadNevertheless) {
+TEST_F(ReloadTest, WithoutTheFileOfTheTokenTheSourcesStayToo) {
   files_.token = folder_.write("token", "0123456789abcdef\n");
   Reload& reload = make([](const std::stop_token&) { return only("b"); });
   ASSERT_TRUE(reload.read_credentials());
-  EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
   std::filesystem::remove(files_.token);
+  EXPECT_FALSE(reloaded());
+  EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
+  EXPECT_EQ(served(), "a") << "who has the old token would see what it is not for";
+  EXPECT_EQ(reload.failures(), 1U);
+  EXPECT_EQ(reload.successes(), 0U);
+}
+
+TEST_F(ReloadTest, WithBrokenSourcesTheTokenStaysToo) {
+  files_.token = folder_.write("token", "0123456789abcdef\n");
+  Reload& reload = make([](const std::stop_token&) -> Result<Repertoire> {
+    return Error{ErrorKind::BadData, "b.txt:1:1: broken"};
+  });
+  ASSERT_TRUE(reload.read_credentials());
+  folder_.write("token", "fedcba9876543210\n");
+  EXPECT_FALSE(reloaded());
+  EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
+}
+
+TEST_F(ReloadTest, TokenAndSourcesAreTakenOverTogether) {
+  files_.token = folder_.write("token", "0123456789abcdef\n");
+  make([](const std::stop_token&) { return only("b"); });
   EXPECT_TRUE(reloaded());
   EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
-  EXPECT_EQ(reload.failures(), 1U);
-  EXPECT_EQ(reload.successes(), 0U) << "one order counts once";
+  EXPECT_EQ(served(), "b");
 }
 
 TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
@@ -112,11 +131,13 @@ TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {
   EXPECT_EQ(reload.successes(), 2U);
 }
 
-TEST_F(ReloadTest, EachOfTwoOrdersCountsWithItsOwnToken) {
+TEST_F(ReloadTest, EachOfTwoOrdersReadsTheTokenAsItIsThen) {
   files_.token = folder_.write("token", "0123456789abcdef\n");
-  Reload& reload = make([](const std::stop_token&) { return only("b"); });
+  Reload& reload = make([this](const std::stop_token&) {
+    std::filesystem::remove(files_.token);
+    return only("b");
+  });
   reload.start();
-  std::filesystem::remove(files_.token);
   reload.start();
   run();
   EXPECT_EQ(reload.successes(), 1U);
