@@ -19,7 +19,7 @@ class PublishSession {
   struct Asked {
     std::string stream;  ///< the name under which it is offered
     std::string token;   ///< empty: none
-    std::string id;      ///< ID of this server, to tell it from other publishers
+    std::string id;      ///< to tell this publisher from others
   };
   /// The stream is taken. `bytes` is everything that has come, for a ServerSession.
   struct Taken {

@@ -4,16 +4,22 @@
 #include <variant>
 
 #include "common/log.h"
+#include "common/random_digits.h"
 #include "server/settings/limits.h"
 
 namespace aucast::server {
 
 using protocol::PublishSession;
 
-Pusher::Pusher(asio::io_context& io, DialledAddress to, std::string id, int held_back_max,
-               Hooks hooks)
+namespace {
+
+constexpr std::size_t kIdDigits = 12;
+
+}  // namespace
+
+Pusher::Pusher(asio::io_context& io, DialledAddress to, int held_back_max, Hooks hooks)
     : to_(std::move(to)),
-      id_(std::move(id)),
+      id_(random_digits(kIdDigits)),
       hooks_(std::move(hooks)),
       redialler_(
           io,

@@ -37,8 +37,8 @@ class Pusher {
         serve;
   };
 
-  /// `id`: of this server. `held_back_max`: see link::tcp_link().
-  Pusher(asio::io_context& io, DialledAddress to, std::string id, int held_back_max, Hooks hooks);
+  /// `held_back_max`: see link::tcp_link().
+  Pusher(asio::io_context& io, DialledAddress to, int held_back_max, Hooks hooks);
   ~Pusher() { stop(); }
   Pusher(const Pusher&) = delete;
   Pusher& operator=(const Pusher&) = delete;
@@ -60,7 +60,9 @@ class Pusher {
   void on_served(const ClientRecord& record, const std::string& why);
 
   DialledAddress to_;
-  std::string id_;
+  /// By which the other server knows this Pusher when it comes back. Not the ID of this server: of
+  /// two Pushers that bring streams of one name, each would displace the other for ever.
+  const std::string id_;
   Hooks hooks_;
   Redialler redialler_;
   std::unique_ptr<Introduction> introduction_;  ///< while the answer is awaited; else null

@@ -6,7 +6,7 @@
 
 namespace aucast::server {
 
-Result<void> Pushers::open(const PushSettings& settings, const std::string& id, int held_back_max) {
+Result<void> Pushers::open(const PushSettings& settings, int held_back_max) {
   for (const std::string& address : settings.addresses) {
     auto to = dialled_address(address, {settings.token, settings.tls, "--push-tls"});
     if (!to) return to.error();
@@ -16,8 +16,7 @@ Result<void> Pushers::open(const PushSettings& settings, const std::string& id, 
     hooks.serve = [this, name](auto peer, auto link, auto bytes, auto on_served) {
       hooks_.serve(name, std::move(peer), std::move(link), bytes, std::move(on_served));
     };
-    all_.push_back(
-        std::make_unique<Pusher>(io_, *std::move(to), id, held_back_max, std::move(hooks)));
+    all_.push_back(std::make_unique<Pusher>(io_, *std::move(to), held_back_max, std::move(hooks)));
   }
   return {};
 }

@@ -32,10 +32,9 @@ class Pushers {
 
   Pushers(asio::io_context& io, Hooks hooks) : io_(io), hooks_(std::move(hooks)) {}
 
-  /// Reads the addresses, and the secrets for them. `id` and `held_back_max` as Pusher's. Errors
-  /// are those of dialled_address().
-  [[nodiscard]] Result<void> open(const PushSettings& settings, const std::string& id,
-                                  int held_back_max);
+  /// Reads the addresses, and the secrets for them. `held_back_max` as Pusher's. Errors are those
+  /// of dialled_address().
+  [[nodiscard]] Result<void> open(const PushSettings& settings, int held_back_max);
   void start();
   /// Dials no more. Streams that are being sent go on.
   void stop();

@@ -75,8 +75,7 @@ class Transmitter {
     if (stopping()) return result();
     if (!sources) return sources.error();
     if (auto opened = open_engine_origin(); !opened) return opened.error();
-    const auto pushers =
-        pushers_.open(options_.push, programme_.catalogue()->id, programme_.held_back_max());
+    const auto pushers = pushers_.open(options_.push, programme_.held_back_max());
     if (!pushers) return pushers.error();
     ReadyAt where{link::endpoint_text(listeners_.endpoint()), listeners_.web_endpoint_text()};
     if (listeners_.only_for_owner()) where.owner_token = programme_.catalogue()->owner_token;

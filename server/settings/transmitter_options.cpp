@@ -76,8 +76,14 @@ Result<void> validate_streams(const TransmitterOptions& options) {
   if (options.voice.none && !options.voice.file.empty()) {
     return usage_error("--no-voice leaves nothing for --voice to name: give one of them");
   }
+  std::vector<protocol::StreamAddress> pushed;
   for (const std::string& address : options.push.addresses) {
-    if (auto parsed = protocol::parse_stream_address(address); !parsed) return parsed.error();
+    auto parsed = protocol::parse_stream_address(address);
+    if (!parsed) return parsed.error();
+    if (std::find(pushed.begin(), pushed.end(), *parsed) != pushed.end()) {
+      return usage_error("--push " + escaped(address) + " is there twice: leave one out");
+    }
+    pushed.push_back(*std::move(parsed));
   }
   return {};
 }

@@ -214,6 +214,16 @@ TEST_F(ServerPush, ASecondPublisherIsRefusedAndTakesOverWhenTheFirstIsGone) {
   EXPECT_TRUE(logs(campus, "talk: goes on with")) << campus.log();
 }
 
+TEST_F(ServerPush, TwoNamesOfOneServerDoNotDisplaceEachOther) {
+  RunningTransmitter campus(accepting());
+  std::vector<std::string> arguments = pushing(address_of(campus, "talk"), live());
+  arguments.insert(arguments.begin(), {"--push", "aucast://localhost:" + campus.port() + "/talk"});
+  RunningTransmitter home(arguments);
+  EXPECT_TRUE(logs(home, "the server refused: 409 another publisher sends the stream 'talk'"))
+      << home.log();
+  EXPECT_EQ(campus.log().find("takes its place"), std::string::npos) << campus.log();
+}
+
 TEST_F(ServerPush, TokensOfPublishersAndViewersAreNotTheSame) {
   const std::string viewers = folder_.write("viewers", "a-word-to-watch-by").string();
   RunningTransmitter campus(accepting({"--token-file", viewers}));

@@ -43,8 +43,9 @@ class PushersTest : public ::testing::Test {
       auto peer = std::make_shared<tcp::socket>(std::move(socket));
       auto hello = std::make_shared<std::string>();
       asio::async_read_until(*peer, asio::dynamic_buffer(*hello), '}',
-                             [peer, hello](const std::error_code& cut_off, std::size_t) {
+                             [this, peer, hello](const std::error_code& cut_off, std::size_t) {
                                if (cut_off) return;
+                               hellos_.push_back(*hello);
                                std::error_code ignored;
                                asio::write(*peer, asio::buffer(kTakes), ignored);
                              });
@@ -81,6 +82,7 @@ class PushersTest : public ::testing::Test {
   tcp::acceptor acceptor_{io_, {asio::ip::address_v4::loopback(), 0}};
   std::optional<protocol::ServedStream> stream_;
   int asked_ = 0;
+  std::vector<std::string> hellos_;  ///< what those who were taken have said
   std::vector<Pusher::OnServed> served_;
   Pushers pushers_{
       io_,
@@ -96,8 +98,7 @@ class PushersTest : public ::testing::Test {
 };
 
 TEST_F(PushersTest, EachAddressHasAConnectionOfItsOwn) {
-  ASSERT_TRUE(
-      pushers_.open(to({"aucast://a.example/one", "aucast://b.example:4651/two"}), "id", 0));
+  ASSERT_TRUE(pushers_.open(to({"aucast://a.example/one", "aucast://b.example:4651/two"}), 0));
   Status status;
   pushers_.describe(status);
   ASSERT_EQ(status.pushes.size(), 2U);
@@ -109,13 +110,13 @@ TEST_F(PushersTest, EachAddressHasAConnectionOfItsOwn) {
 }
 
 TEST_F(PushersTest, AnAddressThatIsNoneIsAUsageError) {
-  const auto opened = pushers_.open(to({"aucast://"}), "id", 0);
+  const auto opened = pushers_.open(to({"aucast://"}), 0);
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().kind, ErrorKind::Usage);
 }
 
 TEST_F(PushersTest, NobodyIsDialledWhileThereIsNothingToBring) {
-  ASSERT_TRUE(pushers_.open(to({here()}), "id", 0));
+  ASSERT_TRUE(pushers_.open(to({here()}), 0));
   pushers_.start();
   EXPECT_TRUE(runs_until_asked(2));
   EXPECT_FALSE(knocked());
@@ -124,7 +125,7 @@ TEST_F(PushersTest, NobodyIsDialledWhileThereIsNothingToBring) {
 TEST_F(PushersTest, ALiveStreamThatHasEndedIsBroughtAgainWhenItGoesOn) {
   const auto feed = std::make_shared<protocol::LiveFeed>(250, 20);
   stream_.emplace("one", std::shared_ptr<const protocol::LiveChannel>(feed));
-  ASSERT_TRUE(pushers_.open(to({here()}), "id", 0));
+  ASSERT_TRUE(pushers_.open(to({here()}), 0));
   pushers_.start();
   accept();
   ASSERT_TRUE(runs_until_taken(1));
@@ -136,9 +137,21 @@ TEST_F(PushersTest, ALiveStreamThatHasEndedIsBroughtAgainWhenItGoesOn) {
   EXPECT_TRUE(runs_until_taken(2));
 }
 
+TEST_F(PushersTest, EachIsKnownByAnIdOfItsOwnWheneverItComes) {
+  stream_.emplace("one", std::make_shared<const protocol::LiveFeed>(250, 20));
+  ASSERT_TRUE(pushers_.open(to({here(), here()}), 0));
+  pushers_.start();
+  accept();
+  ASSERT_TRUE(runs_until_taken(2));
+  EXPECT_NE(hellos_[0], hellos_[1]) << "each would displace the other for ever";
+  end_last(Why::PeerGone, 0);
+  ASSERT_TRUE(runs_until_taken(3));
+  EXPECT_TRUE(hellos_[2] == hellos_[0] || hellos_[2] == hellos_[1]) << "it has come back";
+}
+
 TEST_F(PushersTest, AFailureIsSaidAgainAfterTheOtherServerHadAllOfTheStream) {
   stream_.emplace("one", std::make_shared<const protocol::LiveFeed>(250, 20));
-  ASSERT_TRUE(pushers_.open(to({here()}), "id", 0));
+  ASSERT_TRUE(pushers_.open(to({here()}), 0));
   pushers_.start();
   accept();
   const test::KeptLog log;
@@ -154,7 +167,7 @@ TEST_F(PushersTest, AFailureIsSaidAgainAfterTheOtherServerHadAllOfTheStream) {
 }
 
 TEST_F(PushersTest, WithoutAddressesNothingIsWaitedFor) {
-  ASSERT_TRUE(pushers_.open(to({}), "id", 0));
+  ASSERT_TRUE(pushers_.open(to({}), 0));
   pushers_.start();
   EXPECT_EQ(io_.run(), 0U);
 }

@@ -51,6 +51,16 @@ TEST(TransmitterOptions, SecretsThatNobodyIsShownAreAMistake) {
   EXPECT_EQ(message({"talk.txt", "--publish", "nats://a/talk", "--nats-creds", "f"}), "accepted");
 }
 
+TEST(TransmitterOptions, OneStreamIsPushedToOneServerOnce) {
+  const auto both = [](const std::string& one, const std::string& other) {
+    return message({"talk.txt", "--push", one, "--push", other});
+  };
+  EXPECT_EQ(both("aucast://a/talk", "aucast://a:4650/talk"),
+            "--push aucast://a:4650/talk is there twice: leave one out (try --help)");
+  EXPECT_EQ(both("aucast://a/talk", "aucast://a/other"), "accepted");
+  EXPECT_EQ(both("aucast://a/talk", "aucast://b/talk"), "accepted");
+}
+
 TEST(TransmitterOptions, EveryOptionIsRead) {
   const auto options = read(
       {"--bind",      "::1",   "--port=0", "--keyframe",       "40",  "--loop",   "--classic-min",
