@@ -52,6 +52,11 @@ std::string hint(const std::error_code& cause, const ListenOptions& options) {
   return "; choose another address with " + address;
 }
 
+/// Whether `all` stands for every address of this host, `one` among them: :: is those of IPv4 too.
+bool is_within(const asio::ip::address& one, const asio::ip::address& all) {
+  return all.is_unspecified() && (all.is_v6() || one.is_v4());
+}
+
 Error cannot_listen(const std::string& bind, std::uint16_t port, const std::error_code& cause,
                     const ListenOptions& options) {
   return {ErrorKind::Network, "cannot listen on " + host_and_port(bind, port) + ": " +
@@ -85,6 +90,18 @@ std::error_code listen_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint
 }
 
 }  // namespace
+
+bool overlap(const std::string& bind, const std::string& other) {
+  const std::string host = without_brackets(bind);
+  const std::string other_host = without_brackets(other);
+  if (host == other_host) return true;
+  const Addresses known = known_addresses(host, 0);
+  const Addresses other_known = known_addresses(other_host, 0);
+  if (known.empty() || other_known.empty()) return false;
+  const auto one = known.front().address();
+  const auto two = other_known.front().address();
+  return one == two || is_within(one, two) || is_within(two, one);
+}
 
 void raise_descriptor_limit() {
   rlimit limit{};

@@ -24,6 +24,10 @@ void raise_descriptor_limit();
 /// ADDR:PORT, with brackets around an IPv6 address.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
 
+/// Whether listeners at these two addresses (as Listener::open() takes them) and one port would get
+/// each other's connections. Names other than localhost are not looked up.
+[[nodiscard]] bool overlap(const std::string& bind, const std::string& other);
+
 /// How to listen. `address` and `port` name the options that error messages point to.
 struct ListenOptions {
   const char* address = "--bind";

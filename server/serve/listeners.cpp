@@ -1,10 +1,13 @@
 #include "server/serve/listeners.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "common/link/tcp_link.h"
 #include "common/link/tls_link.h"
 #include "common/log.h"
+#include "common/options.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 #include "protocol/connection_limits.h"
@@ -29,9 +32,32 @@ Result<void> Listeners::open() {
   return open_web();
 }
 
+/// With --reuse-port the system would let two listen at one port, and spread the clients of each
+/// over both.
+Result<void> Listeners::check_ports(bool passed) const {
+  struct Wanted {
+    const char* option;
+    HttpAddress at;
+  };
+  std::vector<Wanted> all;
+  if (!passed) all.push_back({"--port", {options_.bind, options_.port}});
+  if (options_.web.address) all.push_back({"--web", *options_.web.address});
+  if (options_.http) all.push_back({"--http", *options_.http});
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    for (auto other = all.begin(); other != one; ++other) {
+      if (one->at.port == 0 || one->at.port != other->at.port) continue;
+      if (!link::overlap(one->at.address, other->at.address)) continue;
+      return usage_error(std::string(other->option) + " and " + one->option + " have one port, " +
+                         std::to_string(one->at.port) + ": give each a port of its own");
+    }
+  }
+  return {};
+}
+
 Result<void> Listeners::open_tcp() {
   const auto passed = passed_socket();
   if (!passed) return passed.error();
+  if (auto can = check_ports(passed->has_value()); !can) return can;
   if (!*passed) {
     return tcp_.open(options_.bind, options_.port, {"--bind", "--port", options_.reuse_port});
   }

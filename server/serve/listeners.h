@@ -41,8 +41,8 @@ class Listeners {
   Listeners& operator=(const Listeners&) = delete;
 
   /// Listens at --port, or on the socket that the service manager passed, and at --web. Fails with
-  /// Network and a message that names address, cause and remedy, or with Unreadable if the page of
-  /// --web cannot be read.
+  /// Network and a message that names address, cause and remedy, with Unreadable if the page of
+  /// --web cannot be read, or with Usage if two of --port, --web and --http have one port.
   [[nodiscard]] Result<void> open();
   /// Begins to accept connections.
   void start();
@@ -64,6 +64,7 @@ class Listeners {
   [[nodiscard]] std::uint64_t accept_failures() const;
 
  private:
+  [[nodiscard]] Result<void> check_ports(bool passed) const;
   [[nodiscard]] Result<void> open_tcp();
   [[nodiscard]] Result<void> open_web();
   void accept_from(link::Listener& listener, ClientRegistry::Way way);

@@ -49,6 +49,27 @@ TEST(ServerShare, ClientsOfOnePortComeToBothAndToWhoIsLeft) {
   EXPECT_EQ(second.process().wait(kPatience), 0);
 }
 
+TEST(ServerShare, TheListenersOfOneDoNotShareAPort) {
+  const auto refusal = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {program("au-transmitter"), stream_file("talk.txt")});
+    const Finished refused = run(std::move(arguments));
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    return refused.err;
+  };
+  const auto says = [&](const std::vector<std::string>& arguments, const std::string& what) {
+    const std::string said = refusal(arguments);
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+  };
+  RunningTransmitter taken({stream_file("talk.txt")});
+  const std::string port = taken.port();
+  says({"--reuse-port", "--port", port, "--http", "127.0.0.1:" + port}, "--port and --http");
+  says({"--port", port, "--web", "0.0.0.0:" + port}, "--port and --web have one port, " + port);
+  says({"--port", "0", "--web", "localhost:" + port, "--http", "[::]:" + port}, "--web and --http");
+  RunningTransmitter any(
+      {"--http", "127.0.0.1:0", "--web", "127.0.0.1:0", stream_file("talk.txt")});
+  EXPECT_EQ(any.terminate(), 0) << "0 is any free port";
+}
+
 TEST(ServerShare, BothHaveToSaySo) {
   RunningTransmitter alone({stream_file("talk.txt")});
   Neighbour eager(alone, {"--reuse-port", stream_file("talk.txt")});

@@ -57,6 +57,19 @@ TEST(Listener, MayGoWhileItWaits) {
   EXPECT_EQ(taken, 0);
 }
 
+TEST(Listener, AddressesThatTakeEachOthersConnectionsOverlap) {
+  EXPECT_TRUE(overlap("127.0.0.1", "127.0.0.1"));
+  EXPECT_TRUE(overlap("127.0.0.1", "localhost"));
+  EXPECT_TRUE(overlap("0.0.0.0", "127.0.0.1"));
+  EXPECT_TRUE(overlap("127.0.0.1", "[::]"));
+  EXPECT_TRUE(overlap("::", "0.0.0.0"));
+  EXPECT_TRUE(overlap("[::1]", "::1"));
+  EXPECT_TRUE(overlap("au.example", "au.example"));
+  EXPECT_FALSE(overlap("127.0.0.1", "127.0.0.2"));
+  EXPECT_FALSE(overlap("0.0.0.0", "::1"));
+  EXPECT_FALSE(overlap("au.example", "127.0.0.1"));
+}
+
 TEST(Listener, LocalhostIsTheLoopbackWhateverAResolverSays) {
   asio::io_context io;
   Listener listener(io, kAcceptLimits);
