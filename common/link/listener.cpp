@@ -117,8 +117,8 @@ asio::ip::address without_mapping(const asio::ip::address& address) {
 
 std::string endpoint_text(const tcp::endpoint& endpoint) {
   const auto address = without_mapping(endpoint.address());
-  const std::string port = ":" + std::to_string(endpoint.port());
-  return address.is_v4() ? address.to_string() + port : "[" + address.to_string() + "]" + port;
+  const std::string port = endpoint.port() == 0 ? "" : ":" + std::to_string(endpoint.port());
+  return (address.is_v4() ? address.to_string() : "[" + address.to_string() + "]") + port;
 }
 
 Listener::Listener(asio::io_context& io, const AcceptLimits& limits)

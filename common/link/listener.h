@@ -21,7 +21,7 @@ void raise_descriptor_limit();
 /// The address; an IPv4 address that is mapped into IPv6 becomes plain IPv4.
 [[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 
-/// ADDR:PORT, with brackets around an IPv6 address.
+/// ADDR:PORT, with brackets around an IPv6 address; without :PORT if that is 0, for unknown.
 [[nodiscard]] std::string endpoint_text(const asio::ip::tcp::endpoint& endpoint);
 
 /// Whether listeners at these two addresses (as Listener::open() takes them) and one port would get

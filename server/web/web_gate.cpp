@@ -8,6 +8,7 @@
 #include "common/text_file.h"
 #include "common/web/origin.h"
 #include "common/web/upgrade.h"
+#include "protocol/endpoint.h"
 
 namespace aucast::server {
 namespace {
@@ -50,16 +51,22 @@ std::optional<web::HttpReply> refuse_web_socket(const web::HttpRequest& request,
                             "--web-host and the page's host to let it\n"};
 }
 
-address asker(const web::HttpRequest& request, const address& peer,
-              const std::vector<std::string>& trusted_proxies) {
-  if (!is_one_of(peer, trusted_proxies)) return peer;
-  address from = peer;
+Asker asker(const web::HttpRequest& request, const address& peer,
+            const std::vector<std::string>& trusted_proxies) {
+  Asker from{peer, {}};
   std::vector<std::string_view> hops = split(request.field("x-forwarded-for"), ',');
   // The last was written by the proxy, those before it by whoever it heard them from.
-  for (auto hop = hops.rbegin(); hop != hops.rend() && is_one_of(from, trusted_proxies); ++hop) {
-    const auto named = address_of(trimmed(*hop, " \t"));
-    if (!named) break;
-    from = *named;
+  for (auto hop = hops.rbegin(); hop != hops.rend(); ++hop) {
+    if (!is_one_of(from.address, trusted_proxies)) break;
+    const std::string_view said = trimmed(*hop, " \t");
+    // Some proxies write ADDR:PORT.
+    const auto endpoint = protocol::parse_endpoint(said);
+    const auto named = endpoint ? address_of(endpoint->host) : std::nullopt;
+    if (!named) {
+      from.unread = said;
+      break;
+    }
+    from.address = *named;
   }
   return from;
 }

@@ -55,8 +55,16 @@ void WebServer::answer(HttpExchange& exchange, const web::HttpRequest& request) 
 
 void WebServer::make_web_socket(HttpExchange& exchange, const web::HttpRequest& request) {
   const tcp::endpoint& peer = exchange.peer();
-  const tcp::endpoint from{asker(request, peer.address(), options_.trusted_proxies), peer.port()};
-  hooks_.welcome(from, [&exchange, &request] {
+  const Asker from = asker(request, peer.address(), options_.trusted_proxies);
+  if (!from.unread.empty() && !std::exchange(unread_said_, true)) {
+    spdlog::warn(
+        "web {}: X-Forwarded-For has '{}', which is no address: such clients count as one, the "
+        "proxy",
+        link::endpoint_text(peer), escaped(from.unread));
+  }
+  // The proxy does not say the client's port.
+  const bool direct = from.address == peer.address();
+  hooks_.welcome(direct ? peer : tcp::endpoint(from.address, 0), [&exchange, &request] {
     return link::web_link(exchange.release(), web::accept_upgrade(request), protocol::kLinkLimits);
   });
   if (!exchange.released()) refuse(exchange, {.status = 503, .body = "the server is full\n"});

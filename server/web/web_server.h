@@ -73,6 +73,7 @@ class WebServer {
   Hooks hooks_;
   PageFiles files_;
   ClientLog log_;
+  bool unread_said_ = false;  ///< the log has said that a proxy does not name its clients
   HttpExchanges exchanges_;
 };
 

@@ -168,8 +168,18 @@ TEST(ServerWeb, ATrustedProxysClientsAreToldApart) {
   RawClient other = web.upgraded("X-Forwarded-For: 1.2.3.5\r\n");
   other.send(client_text(kHello));
   EXPECT_TRUE(next_text(other).starts_with("{hello "));
+  RawClient with_port = web.upgraded("X-Forwarded-For: [2001:db8::1]:443\r\n");
+  with_port.send(client_text(kHello));
+  EXPECT_TRUE(next_text(with_port).starts_with("{hello "));
+  RawClient unnamed = web.upgraded("X-Forwarded-For: unknown\r\n");
+  unnamed.send(client_text(kHello));
+  EXPECT_TRUE(next_text(unnamed).starts_with("{hello "));
   EXPECT_EQ(web.server().terminate(), 0);
-  EXPECT_NE(web.server().log().find(" 1.2.3.4:"), std::string::npos) << web.server().log();
+  const std::string log = web.server().log();
+  EXPECT_NE(log.find(" 1.2.3.4: "), std::string::npos) << "the proxy's port is not his: " << log;
+  EXPECT_NE(log.find(" [2001:db8::1]: "), std::string::npos) << log;
+  EXPECT_NE(log.find("X-Forwarded-For has 'unknown', which is no address"), std::string::npos)
+      << log;
 }
 
 TEST(ServerWeb, EverybodyGetsTheEndWhenItStops) {

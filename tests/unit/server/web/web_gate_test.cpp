@@ -38,7 +38,8 @@ std::string who(const std::string& forwarded, const std::string& peer = "10.0.0.
                 const std::vector<std::string>& proxies = {"10.0.0.1", "10.0.0.2"}) {
   web::HttpRequest request;
   if (!forwarded.empty()) request.fields["x-forwarded-for"] = forwarded;
-  return asker(request, asio::ip::make_address(peer), proxies).to_string();
+  const Asker from = asker(request, asio::ip::make_address(peer), proxies);
+  return from.address.to_string() + (from.unread.empty() ? "" : " not " + from.unread);
 }
 
 TEST(WebGate, OnlyATrustedProxySaysWhoAsks) {
@@ -54,9 +55,16 @@ TEST(WebGate, WhatTheProxyHeardFromOthersIsNotBelieved) {
   EXPECT_EQ(who("6.6.6.6, 1.2.3.4"), "1.2.3.4");
   EXPECT_EQ(who("6.6.6.6, 1.2.3.4, 10.0.0.2"), "1.2.3.4") << "by way of the other proxy";
   EXPECT_EQ(who(""), "10.0.0.1");
-  EXPECT_EQ(who("unknown"), "10.0.0.1");
-  EXPECT_EQ(who("1.2.3.4, unknown"), "10.0.0.1");
-  EXPECT_EQ(who("1.2.3.4:5000"), "10.0.0.1") << "an address alone is";
+  EXPECT_EQ(who("unknown"), "10.0.0.1 not unknown");
+  EXPECT_EQ(who("1.2.3.4, unknown"), "10.0.0.1 not unknown");
+  EXPECT_EQ(who("unknown", "10.0.0.3"), "10.0.0.3") << "nobody asked";
+}
+
+TEST(WebGate, AProxyMayAddThePortAndBrackets) {
+  EXPECT_EQ(who("1.2.3.4:5000"), "1.2.3.4");
+  EXPECT_EQ(who("[2001:db8::1]"), "2001:db8::1");
+  EXPECT_EQ(who("6.6.6.6, [2001:db8::1]:443"), "2001:db8::1");
+  EXPECT_EQ(who("1.2.3.4:443, 10.0.0.2:80"), "1.2.3.4");
 }
 
 }  // namespace
