@@ -34,7 +34,6 @@ class Programme {
     std::function<void()> on_over;    ///< all sources have ended, and no other stream is left
     std::function<void()> on_voice = [] {};  ///< a voice has grown
     camera::OnSight on_sight{};              ///< a camera sees something, on its own thread
-    GivenUp given_up{};                      ///< whether to stop waiting for a camera
   };
 
   Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
@@ -43,8 +42,10 @@ class Programme {
   Programme& operator=(const Programme&) = delete;
 
   /// Opens the sources that are still being written, and begins to receive streams of other
-  /// servers.
-  [[nodiscard]] Result<void> open_sources() { return sources_.open(); }
+  /// servers. `given_up`: as of RunningSources::open().
+  [[nodiscard]] Result<void> open_sources(const GivenUp& given_up = {}) {
+    return sources_.open(given_up);
+  }
   /// Starts the clocks of the live streams.
   void begin() { make_live(*catalogue_); }
   /// Ends all live streams; take_over() must not be called afterwards.

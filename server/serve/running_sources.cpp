@@ -26,7 +26,7 @@ RunningSources::RunningSources(asio::io_context& io, const TransmitterOptions& o
                                std::string id, Events events)
     : io_(io), options_(options), id_(std::move(id)), events_(std::move(events)) {}
 
-Result<void> RunningSources::open() {
+Result<void> RunningSources::open(const GivenUp& given_up) {
   const auto conditioning = conditioning_of(options_.source.signal);
   if (!conditioning) return conditioning.error();
   for (const std::filesystem::path& path : options_.sources) {
@@ -36,7 +36,7 @@ Result<void> RunningSources::open() {
     } else if (protocol::is_engine_address(path.string())) {
       opened = open_edge(path.string());
     } else if (is_live(path, options_.live_source.follow)) {
-      opened = open_live(path, *conditioning);
+      opened = open_live(path, *conditioning, given_up);
     }
     if (!opened) return opened;
   }
@@ -44,7 +44,8 @@ Result<void> RunningSources::open() {
 }
 
 Result<void> RunningSources::open_live(const std::filesystem::path& path,
-                                       const sources::ConditioningSettings& conditioning) {
+                                       const sources::ConditioningSettings& conditioning,
+                                       const GivenUp& given_up) {
   LiveSourceOptions source_options;
   LiveStreamsOptions& streams = source_options.streams;
   streams.follow = options_.live_source.follow;
@@ -68,7 +69,7 @@ Result<void> RunningSources::open_live(const std::filesystem::path& path,
   source_options.camera = options_.source.camera;
   source_options.faces = faces_of(options_.source);
   source_options.on_sight = events_.on_sight;
-  source_options.given_up = events_.given_up;
+  source_options.given_up = given_up;
   auto source = std::make_unique<LiveSource>(
       io_, std::move(source_options),
       LiveStreams::Events{events_.on_moment, events_.on_face,

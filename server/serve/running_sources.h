@@ -33,7 +33,6 @@ class RunningSources {
     std::function<void()> on_moment;  ///< a stream has something new, or has ended
     std::function<void()> on_face;    ///< a source has another stream
     camera::OnSight on_sight{};       ///< a camera sees something, on its own thread
-    GivenUp given_up{};               ///< asked while open() waits for a camera
   };
 
   /// `id`: of this server, by which relays notice if their own streams come back.
@@ -42,8 +41,8 @@ class RunningSources {
   RunningSources(const RunningSources&) = delete;
   RunningSources& operator=(const RunningSources&) = delete;
 
-  /// Opens the options' sources of these kinds.
-  [[nodiscard]] Result<void> open();
+  /// Opens the options' sources of these kinds. While it waits for a camera it asks `given_up`.
+  [[nodiscard]] Result<void> open(const GivenUp& given_up = {});
   void stop();
 
   [[nodiscard]] bool any() const { return !live_.empty() || !upstreams_.empty(); }
@@ -60,7 +59,8 @@ class RunningSources {
 
  private:
   [[nodiscard]] Result<void> open_live(const std::filesystem::path& path,
-                                       const sources::ConditioningSettings& conditioning);
+                                       const sources::ConditioningSettings& conditioning,
+                                       const GivenUp& given_up);
   [[nodiscard]] Result<void> open_dialled(const std::string& address);
   [[nodiscard]] Result<void> open_edge(const std::string& address);
   [[nodiscard]] Reception::Options reception(const std::string& name, const char* sender) const;

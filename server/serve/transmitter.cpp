@@ -47,8 +47,7 @@ class Transmitter {
                    {[this] { on_moment(); }, [this] { shutdown_.stop("all sources have ended"); },
                     [this] { clients_.on_voice(); },
                     options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
-                                    : camera::OnSight(),
-                    [this] { return stops_meanwhile(); }}),
+                                    : camera::OnSight()}),
         pushers_(io_, {[this](const std::string& name) { return programme_.named(name); },
                        [this](const auto& name, auto peer, auto link, auto bytes, auto on_served) {
                          clients_.serve(std::move(peer), programme_.alone(name), std::move(link),
@@ -71,7 +70,7 @@ class Transmitter {
     if (auto opened = open_http(); !opened) return opened.error();
     if (auto opened = open_preview(); !opened) return opened.error();
     shutdown_.await_signal();
-    const auto sources = programme_.open_sources();
+    const auto sources = programme_.open_sources([this] { return stops_meanwhile(); });
     if (stopping()) return result();
     if (!sources) return sources.error();
     if (auto opened = open_engine_origin(); !opened) return opened.error();
