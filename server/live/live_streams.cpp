@@ -88,17 +88,23 @@ void LiveStreams::add_faces(SteadyTime now) {
                    sources::name_of(path), face, kFaceStreamsMax);
       return;
     }
+    const std::string name = face_stream_name(stream_name(path), face);
+    if (options_.take_name && !options_.take_name(name)) {
+      spdlog::warn("{}: face {} gets no stream: another one here is called {}",
+                   sources::name_of(path), face, name);
+      continue;
+    }
     sources::LiveOptions reading = options_.each.reader;
     reading.recording.all_faces = false;
     reading.recording.face = face;
-    add(face_stream_name(stream_name(path), face), reading, false);
+    add(name, reading, false);
     LiveStream& stream = *streams_.back();
     stream.reader().feed(beginning, now);
     if (auto recorded = record(stream, false); !recorded) {
       not_recorded_ = recorded.error();
       spdlog::error("{}", not_recorded_->message);
     }
-    spdlog::info("{}: face {} is the stream {}", sources::name_of(path), face, stream.name());
+    spdlog::info("{}: face {} is the stream {}", sources::name_of(path), face, name);
     events_.on_face();
   }
 }

@@ -21,6 +21,9 @@ struct LiveStreamsOptions {
   bool follow = false;           ///< the source is a file that is followed
   std::filesystem::path record;  ///< the value of --record; empty: nothing is recorded
   bool record_first = true;      ///< if `record` is a file, it is for this source
+  /// Takes the name for the stream of a further face; false: another stream has it. None: every
+  /// name is free.
+  std::function<bool(const std::string& name)> take_name{};
 };
 
 /// The streams of one source that is being written. Of what a followed file already has, only the

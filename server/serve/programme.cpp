@@ -26,7 +26,7 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
       options_(options),
       events_(std::move(events)),
       id_(random_digits(kIdDigits)),
-      sources_(io, options, id_,
+      sources_(io, options, id_, [this](const std::string& name) { return take_name(name); },
                {[this] { on_moment_of_source(); }, [this] { add_faces(); }, events_.on_sight}),
       pushed_(io, {id_, options.upstream.wait, options.classic_min},
               {events_.on_moment, [this] { serve_pushed(*catalogue_); }}),
@@ -61,6 +61,15 @@ bool Programme::is_own(const std::string& name) const {
   const auto& pushed = pushed_names_;
   return std::find(pushed.begin(), pushed.end(), name) == pushed.end() &&
          std::any_of(streams.begin(), streams.end(), named);
+}
+
+/// Takes a name for another stream of a running source, if need be from a publisher; false if
+/// another stream of our own has it.
+bool Programme::take_name(const std::string& name) {
+  if (is_own(name)) return false;
+  pushed_.give_way(name);
+  serve_pushed(*catalogue_);
+  return true;
 }
 
 std::optional<protocol::ErrorReply> Programme::publish_refused(
@@ -113,16 +122,26 @@ void Programme::on_moment_of_source() {
   if (over()) asio::post(io_, events_.on_over);
 }
 
-/// Adds the streams of new faces. Their names are this server's own from now on.
+/// Adds the streams of new faces.
 void Programme::add_faces() {
-  if (stopped_) return;
-  for (const protocol::ServedStream& own : sources_.streams()) pushed_.give_way(own.name);
-  serve_pushed(*catalogue_);
-  make_live(*catalogue_);
+  if (!stopped_) make_live(*catalogue_);
+}
+
+/// Leaves out what was read under names that streams of running sources have got since the start.
+void Programme::leave_out_taken(protocol::ServerCatalogue& catalogue) const {
+  const auto of_sources = sources_.streams();
+  std::erase_if(catalogue.streams, [&of_sources](const protocol::ServedStream& stream) {
+    const bool taken = !stream.absent() && std::any_of(of_sources.begin(), of_sources.end(),
+                                                       [&stream](const auto& other) {
+                                                         return other.known_name() == stream.name;
+                                                       });
+    if (taken) spdlog::error("{}: another source has that name now; rename the file", stream.name);
+    return taken;
+  });
 }
 
 /// Gives each stream that is to be live its channel: that of its source or, for a recording with
-/// --live, one that plays it. Adds streams for a source's faces, unless their names are taken.
+/// --live, one that plays it. Adds streams for a source's faces.
 void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   for (protocol::ServedStream& stream : catalogue.streams) {
     const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
@@ -172,6 +191,7 @@ void Programme::stop() {
 bool Programme::take_over(Repertoire repertoire) {
   protocol::ServerCatalogue loaded = accompanied(std::move(repertoire));
   const int held_back_max = held_back_for(loaded, options_.voice);
+  leave_out_taken(loaded);
   make_live(loaded);
   if (loaded.streams.empty() && !takes_streams()) return false;
   for (const protocol::ServedStream& own : loaded.streams) pushed_.give_way(own.known_name());

@@ -88,12 +88,14 @@ class Programme {
   [[nodiscard]] bool any_live() const { return options_.live || sources_.any() || takes_streams(); }
   [[nodiscard]] bool takes_streams() const { return !options_.credentials.publishers.empty(); }
   [[nodiscard]] bool is_own(const std::string& name) const;
+  [[nodiscard]] bool take_name(const std::string& name);
   void open_to_publishers();
   [[nodiscard]] std::optional<protocol::ErrorReply> publish_refused(
       const protocol::HelloAsked& hello) const;
   void serve_pushed(protocol::ServerCatalogue& catalogue);
   void on_moment_of_source();
   void add_faces();
+  void leave_out_taken(protocol::ServerCatalogue& catalogue) const;
   void make_live(protocol::ServerCatalogue& catalogue);
   [[nodiscard]] bool over() const;
   [[nodiscard]] protocol::ServerCatalogue accompanied(Repertoire repertoire);

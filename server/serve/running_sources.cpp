@@ -23,8 +23,12 @@ LinkLimits link_limits(const TransmitterOptions& options) {
 }
 
 RunningSources::RunningSources(asio::io_context& io, const TransmitterOptions& options,
-                               std::string id, Events events)
-    : io_(io), options_(options), id_(std::move(id)), events_(std::move(events)) {}
+                               std::string id, RelayedStream::TakeName take_name, Events events)
+    : io_(io),
+      options_(options),
+      id_(std::move(id)),
+      take_name_(std::move(take_name)),
+      events_(std::move(events)) {}
 
 Result<void> RunningSources::open(const GivenUp& given_up) {
   const auto conditioning = conditioning_of(options_.source.signal);
@@ -51,6 +55,7 @@ Result<void> RunningSources::open_live(const std::filesystem::path& path,
   streams.follow = options_.live_source.follow;
   streams.record = options_.record;
   streams.record_first = live_.empty();
+  streams.take_name = take_name_;
   streams.each.path = path;
   streams.each.reader = {options_.source.recording, options_.source.rate,
                          conditioning_for(path, conditioning), options_.keyframe_ms};
@@ -99,7 +104,7 @@ Result<void> RunningSources::open_edge(const std::string& address) {
 }
 
 Reception::Options RunningSources::reception(const std::string& name, const char* sender) const {
-  return {name, id_, options_.upstream.wait, options_.classic_min, sender};
+  return {name, id_, options_.upstream.wait, options_.classic_min, sender, take_name_};
 }
 
 Result<void> RunningSources::begin(std::unique_ptr<Upstream> upstream) {

@@ -35,9 +35,10 @@ class RunningSources {
     camera::OnSight on_sight{};       ///< a camera sees something, on its own thread
   };
 
-  /// `id`: of this server, by which relays notice if their own streams come back.
+  /// `id`: of this server, by which relays notice if their own streams come back. `take_name` is
+  /// called when a stream gets a name that was not known at the start.
   RunningSources(asio::io_context& io, const TransmitterOptions& options, std::string id,
-                 Events events);
+                 RelayedStream::TakeName take_name, Events events);
   RunningSources(const RunningSources&) = delete;
   RunningSources& operator=(const RunningSources&) = delete;
 
@@ -70,6 +71,7 @@ class RunningSources {
   asio::io_context& io_;
   const TransmitterOptions& options_;
   const std::string id_;
+  const RelayedStream::TakeName take_name_;
   Events events_;
   std::vector<std::unique_ptr<LiveSource>> live_;
   std::vector<std::unique_ptr<Upstream>> upstreams_;

@@ -20,7 +20,8 @@ constexpr std::string_view kRelayLess = "relay a shorter stream, or from a host 
 RelayedStream::Options stream_options(const Reception::Options& options) {
   const std::string& name = options.name;
   return {name, options.classic_min, std::min<Milliseconds>(options.wait, protocol::kStreamWaitMax),
-          [name](std::uint64_t bytes) { return check_memory(name, bytes, kRelayLess); }};
+          [name](std::uint64_t bytes) { return check_memory(name, bytes, kRelayLess); },
+          options.take_name};
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ class Reception {
     Milliseconds wait{10'000};  ///< how long clients wait while nobody sends
     int classic_min = 20;
     const char* sender = "parent";  ///< what the log calls the sender
+    RelayedStream::TakeName take_name{};
   };
   struct Events {
     std::function<void()> on_moment;  ///< the stream has something new

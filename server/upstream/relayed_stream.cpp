@@ -104,6 +104,11 @@ void RelayedStream::forget_announced() {
 
 std::optional<std::string> RelayedStream::begin(const protocol::HelloGranted& hello) {
   if (auto wrong = objection(hello)) return wrong;
+  if (shared_->name.empty() && options_.take_name && !options_.take_name(hello.stream)) {
+    return "its first stream is '" + hello.stream +
+           "', and another one here has that name; ask for one by aucast://HOST/STREAM, or leave "
+           "one out";
+  }
   shared_->servers = hello.servers;
   caption_again_ = 0;
   if (begun()) {

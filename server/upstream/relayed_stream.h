@@ -25,12 +25,15 @@ namespace aucast::server {
 /// too. No socket and no clock. Thread: none of its own.
 class RelayedStream {
  public:
+  /// Takes the name for a stream that is to be served; false: another one has it.
+  using TakeName = std::function<bool(const std::string& name)>;
   struct Options {
     std::string name;  ///< the name to ask for; empty: the parent's first
     int classic_min = 20;
     Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
     /// Called with how many bytes a recorded stream takes; fails if that is too much.
     std::function<Result<void>(std::uint64_t bytes)> may_hold;
+    TakeName take_name{};  ///< called with the name of the parent's first; none: every name is free
   };
 
   explicit RelayedStream(Options options);

@@ -66,6 +66,16 @@ TEST_F(ServerRelay, ARecordedStreamIsTheSameBytesBehindTwoRelays) {
   EXPECT_TRUE(logs(first, "talk: it is here whole")) << first.log();
 }
 
+TEST_F(ServerRelay, AStreamWhoseNameIsTakenIsNotServedUnderItToo) {
+  RunningTransmitter origin({stream_file("talk.txt")});
+  RunningTransmitter relay({stream_file("talk.txt"), "aucast://" + origin.address()});
+  EXPECT_TRUE(logs(relay, "its first stream is 'talk', and another one here has that name"))
+      << relay.log();
+  RawClient client = relay.connect();
+  client.send("{streams}");
+  EXPECT_EQ(client.receive_until("}"), "{streams talk}");
+}
+
 TEST_F(ServerRelay, ARecordedStreamLosesAndDoublesNothingWhenItsParentIsKilledMidway) {
   RunningTransmitter first({stream_file("talk.txt")});
   RunningTransmitter second({stream_file("talk.txt")});

@@ -10,6 +10,7 @@
 
 #include "common/sources/hold.h"
 #include "protocol/stream_file.h"
+#include "tests/support/kept_log.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/temp_folder.h"
@@ -193,6 +194,21 @@ TEST_F(LiveStreamsTest, EveryFaceGetsAStreamFromItsFirstRowOn) {
   EXPECT_EQ(served[2].name, "face-7");
   ASSERT_NE(served[2].live()->newest(), nullptr);
   EXPECT_EQ(served[2].live()->newest()->full, "{12:40;40}");
+}
+
+TEST_F(LiveStreamsTest, AFaceWhoseNameAnotherStreamHasGetsNone) {
+  options_.each.reader.recording.all_faces = true;
+  options_.take_name = [](const std::string& name) { return name != "face-0"; };
+  const test::KeptLog log;
+  fed(kOpenFace2Header + smile(1, "0.00", 1, "0") + smile(1, "0.00", 2, "7"));
+  const auto served = streams().served();
+  ASSERT_EQ(served.size(), 2U);
+  EXPECT_EQ(served[1].name, "face-7");
+  const std::string said = log.said();
+  EXPECT_NE(said.find("face 0 gets no stream: another one here is called face-0"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("face 0 is the stream"), std::string::npos) << said;
 }
 
 TEST_F(LiveStreamsTest, TheFirstRowOfAFaceMayComeInTwoPieces) {

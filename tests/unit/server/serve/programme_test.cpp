@@ -11,9 +11,11 @@
 
 #include "server/serve/client_connection.h"
 #include "tests/support/fake_link.h"
+#include "tests/support/kept_log.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
 
 namespace aucast::server {
 namespace {
@@ -164,6 +166,50 @@ TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
   EXPECT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{1}")}})));
   EXPECT_EQ(names(), Names{"talk"}) << "now one of its own";
   EXPECT_NE(programme.catalogue()->streams[0].recorded(), nullptr);
+}
+
+/// A followed table in which one face is seen, whose stream is cam-0.
+class FaceProgrammeTest : public ProgrammeTest {
+ protected:
+  Programme& begin_with_face(std::vector<protocol::ServedStream> others) {
+    options_.live_source.follow = true;
+    options_.source.recording.all_faces = true;
+    options_.credentials.publishers = "publishers";
+    options_.sources = {
+        folder_.write("cam.csv", sources::tables::kOpenFace2Header +
+                                     sources::tables::openface2_row(1, "0.00", "0,2,0,0,0,0,0"))};
+    others.insert(others.begin(), protocol::ServedStream("cam"));
+    return begin(catalogue_of(others));
+  }
+  [[nodiscard]] bool runs_until_said(const std::string& what) {
+    return test::run_until(io_, [&] { return log_.said().find(what) != std::string::npos; });
+  }
+
+  const test::KeptLog log_;
+};
+
+TEST_F(FaceProgrammeTest, AFaceGetsNoStreamUnderTheNameOfAFile) {
+  const Programme& programme = begin_with_face({{"cam-0", stream_of("{1}")}});
+  EXPECT_TRUE(runs_until_said("cam.csv: face 0 gets no stream"));
+  EXPECT_EQ(names(), (Names{"cam", "cam-0"}));
+  EXPECT_NE(programme.catalogue()->streams[1].recorded(), nullptr);
+}
+
+TEST_F(FaceProgrammeTest, AFaceTakesItsNameFromAPublisherAndKeepsItOverAReload) {
+  Programme& programme = begin_with_face({});
+  protocol::HelloAsked hello;
+  hello.publish = "cam-0";
+  programme.take(std::make_shared<test::FakeLink>(), hello, "campus:1");
+  EXPECT_EQ(names(), (Names{"cam", "cam-0"}));
+  EXPECT_TRUE(runs_until_said("cam.csv: face 0 is the stream cam-0"));
+  EXPECT_EQ(names(), (Names{"cam", "cam-0"}));
+  const auto live = programme.catalogue()->streams[1].live();
+  ASSERT_NE(live, nullptr);
+  EXPECT_FALSE(programme.take_over(
+      catalogue_of({protocol::ServedStream("cam"), {"cam-0", stream_of("{1}")}})));
+  EXPECT_EQ(names(), (Names{"cam", "cam-0"}));
+  EXPECT_EQ(programme.catalogue()->streams[1].live(), live);
+  EXPECT_NE(log_.said().find("cam-0: another source has that name now"), std::string::npos);
 }
 
 /// A viewer that waits for a stream that is not here yet.

@@ -22,7 +22,7 @@ class RunningSourcesTest : public ::testing::Test {
  protected:
   RunningSources& sources() {
     if (!sources_) {
-      sources_.emplace(io_, options_, "id",
+      sources_.emplace(io_, options_, "id", RelayedStream::TakeName(),
                        RunningSources::Events{[this] { ++moments_; }, [this] { ++faces_; }});
     }
     return *sources_;

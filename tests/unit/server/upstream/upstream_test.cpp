@@ -388,6 +388,21 @@ TEST_F(RelayOfTalk, TakesTheNameOfTheParentsFirstStream) {
   EXPECT_EQ(stream.asked().stream, "smile") << "of the next parent too";
 }
 
+TEST_F(RelayOfTalk, TakesNoNameThatAnotherStreamHas) {
+  RelayedStream::Options nameless = options();
+  nameless.name.clear();
+  nameless.take_name = [](const std::string& name) { return name != "talk"; };
+  RelayedStream stream(nameless);
+  protocol::HelloGranted hello;
+  hello.stream = "talk";
+  hello.live = true;
+  EXPECT_NE(stream.begin(hello).value_or("").find("another one here has that name"),
+            std::string::npos);
+  EXPECT_EQ(stream.shared()->name, "");
+  hello.stream = "smile";
+  EXPECT_EQ(stream.begin(hello), std::nullopt) << "the next parent's is free";
+}
+
 TEST(HostTurns, TakeTheNextAtOnceAndWaitWhenAllHaveFailed) {
   HostTurns turns(3, 1);
   EXPECT_EQ(turns.current(), 0U);
