@@ -168,6 +168,14 @@ void Programme::make_live(protocol::ServerCatalogue& catalogue) {
   });
 }
 
+/// Whether a client that comes now may be sent a live stream, if only later.
+bool Programme::may_be_live() const {
+  const auto& streams = catalogue_->streams;
+  return options_.live || takes_streams() ||
+         std::any_of(streams.begin(), streams.end(),
+                     [](const auto& stream) { return stream.live() || !stream.known(); });
+}
+
 /// Called at every keyframe: returns early while a source goes on, before it makes a list of
 /// streams.
 bool Programme::over() const {
@@ -242,8 +250,10 @@ void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
 }
 
 void Programme::describe(Status& status) const {
-  status.live = any_live();
-  for (const auto& stream : catalogue_->streams) status.streams.push_back(stream.known_name());
+  const auto& served = catalogue_->streams;
+  status.live = std::any_of(served.begin(), served.end(),
+                            [](const auto& stream) { return stream.live() != nullptr; });
+  for (const auto& stream : served) status.streams.push_back(stream.known_name());
   sources_.describe(status);
   for (UpstreamStatus& pushed : pushed_.statuses()) status.upstreams.push_back(std::move(pushed));
   status.lag_seconds = seconds(beat_.lag());

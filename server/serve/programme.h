@@ -77,7 +77,7 @@ class Programme {
     return catalogue_;
   }
   /// How many unsent bytes the system may hold for each client, see link::tcp_link().
-  [[nodiscard]] int held_back_max() const { return any_live() ? held_back_max_ : 0; }
+  [[nodiscard]] int held_back_max() const { return may_be_live() ? held_back_max_ : 0; }
   /// Fills in everything about streams.
   void describe(Status& status) const;
   /// Waits until the records are written. Fails with the first error of a live source, also if
@@ -85,7 +85,7 @@ class Programme {
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
 
  private:
-  [[nodiscard]] bool any_live() const { return options_.live || sources_.any() || takes_streams(); }
+  [[nodiscard]] bool may_be_live() const;
   [[nodiscard]] bool takes_streams() const { return !options_.credentials.publishers.empty(); }
   [[nodiscard]] bool is_own(const std::string& name) const;
   [[nodiscard]] bool take_name(const std::string& name);

@@ -46,7 +46,6 @@ class RunningSources {
   [[nodiscard]] Result<void> open(const GivenUp& given_up = {});
   void stop();
 
-  [[nodiscard]] bool any() const { return !live_.empty() || !upstreams_.empty(); }
   /// Whether nothing more can come from any of them; true if there are none.
   [[nodiscard]] bool over() const;
   [[nodiscard]] std::vector<protocol::ServedStream> streams() const;

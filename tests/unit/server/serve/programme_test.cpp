@@ -212,6 +212,21 @@ TEST_F(FaceProgrammeTest, AFaceTakesItsNameFromAPublisherAndKeepsItOverAReload) 
   EXPECT_NE(log_.said().find("cam-0: another source has that name now"), std::string::npos);
 }
 
+TEST_F(ProgrammeTest, IsLiveWhenAStreamIs) {
+  options_.credentials.publishers = "publishers";
+  const auto live = [this] {
+    Status status;
+    programme_->describe(status);
+    return status.live;
+  };
+  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  EXPECT_FALSE(live()) << "though publishers may come";
+  EXPECT_GT(programme.held_back_max(), 0) << "and who waits for one may be sent a live stream";
+  options_.live = true;
+  begin(catalogue_of({{"a", stream_of("{1}")}}));
+  EXPECT_TRUE(live());
+}
+
 /// A viewer that waits for a stream that is not here yet.
 class WaitingViewerTest : public ProgrammeTest {
  protected:

@@ -50,7 +50,6 @@ class RunningSourcesTest : public ::testing::Test {
 TEST_F(RunningSourcesTest, RecordedSourcesAreNone) {
   options_.sources = {folder_.write("a.txt", "Beg_Stream\n1\nEnd_Stream\n")};
   EXPECT_EQ(refused(), std::nullopt);
-  EXPECT_FALSE(sources().any());
   EXPECT_TRUE(sources().over());
   EXPECT_TRUE(sources().streams().empty());
   EXPECT_TRUE(sources().finish());
@@ -61,7 +60,7 @@ TEST_F(RunningSourcesTest, FilesRunWhenTheyAreFollowedAndPipesAlways) {
   options_.sources = {growing, fifo("pipe")};
   options_.live_source.follow = true;
   EXPECT_EQ(refused(), std::nullopt);
-  EXPECT_TRUE(sources().any());
+  EXPECT_FALSE(sources().streams().empty());
   EXPECT_FALSE(sources().over());
   const auto streams = sources().streams();
   ASSERT_EQ(streams.size(), 2U);
@@ -84,7 +83,7 @@ TEST_F(RunningSourcesTest, AProfileThatCannotBeReadIsAnErrorAtTheStartOnly) {
   options_.sources = {fifo("pipe")};
   options_.source.signal.profile = folder_.path() / "p.toml";
   EXPECT_EQ(refused(), ErrorKind::Unreadable);
-  EXPECT_FALSE(sources().any());
+  EXPECT_TRUE(sources().streams().empty());
   folder_.write("p.toml", "");
   EXPECT_EQ(refused(), std::nullopt);
   std::filesystem::remove(options_.source.signal.profile);
@@ -115,7 +114,7 @@ TEST_F(RunningSourcesTest, ATokenGoesToNoServerInTheOpen) {
 TEST_F(RunningSourcesTest, AnotherServersStreamIsThereBeforeItHasSaidAnything) {
   options_.sources = {"aucast://127.0.0.1:1/talk"};
   EXPECT_EQ(refused(), std::nullopt);
-  EXPECT_TRUE(sources().any());
+  EXPECT_FALSE(sources().streams().empty());
   EXPECT_FALSE(sources().over());
   ASSERT_EQ(sources().streams().size(), 1U);
   EXPECT_EQ(sources().streams().front().known_name(), "talk");
