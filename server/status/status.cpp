@@ -92,14 +92,16 @@ void add_pushes(std::string& text, const std::vector<PushStatus>& pushes) {
   if (pushes.empty()) return;
   const auto add = [&](std::string_view name, std::string_view type, std::string_view help,
                        const auto& value_of) {
-    Family family(text, name, type, help);
+    // Two may reach one server by different lists of hosts, and no sample may come twice.
+    std::map<std::string, std::uint64_t> samples;
     for (const PushStatus& push : pushes) {
-      family.sample(std::to_string(value_of(push)),
-                    "stream=\"" + push.stream + "\",server=\"" + push.server + "\"");
+      samples["stream=\"" + push.stream + "\",server=\"" + push.server + "\""] += value_of(push);
     }
+    Family family(text, name, type, help);
+    for (const auto& [labels, value] : samples) family.sample(std::to_string(value), labels);
   };
   add("aucast_push_sending", "gauge", "The other server takes the stream.",
-      [](const PushStatus& push) { return push.sending ? 1 : 0; });
+      [](const PushStatus& push) { return push.sending ? 1U : 0U; });
   add("aucast_push_connects_total", "counter", "Times that it was taken.",
       [](const PushStatus& push) { return push.connects; });
   add("aucast_push_losses_total", "counter", "Times that it was lost there.",

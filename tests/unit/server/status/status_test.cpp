@@ -80,6 +80,16 @@ TEST(Status, MetricsAreWellFormed) {
   }
 }
 
+TEST(Status, TwoPushesOfOneNameToOneServerAreOneSample) {
+  Status status;
+  status.pushes = {{"talk", "a:4650", true, 2, 1}, {"talk", "a:4650", false, 1, 0}};
+  const std::string text = metrics_text(status);
+  const std::string sample = "\naucast_push_connects_total{stream=\"talk\",server=\"a:4650\"} ";
+  const std::size_t first = text.find(sample + "3\n");
+  ASSERT_NE(first, std::string::npos) << text;
+  EXPECT_EQ(text.find(sample, first + 1), std::string::npos);
+}
+
 TEST(Status, JsonHasTheSameNumbers) {
   const auto status = nlohmann::json::parse(status_json(busy()));
   EXPECT_EQ(status["clients"], 7);
