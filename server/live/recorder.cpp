@@ -86,7 +86,12 @@ std::optional<std::filesystem::path> record_path(const std::filesystem::path& re
   ::gmtime_r(&now, &parts);
   std::array<char, 32> time{};
   const std::size_t length = std::strftime(time.data(), time.size(), "-%Y%m%dT%H%M%SZ", &parts);
-  return record / (stream + std::string(time.data(), length) + ".txt");
+  const std::string name = stream + std::string(time.data(), length);
+  std::filesystem::path path = record / (name + ".txt");
+  for (int count = 2; exists(path, ignored) || exists(voice_record_path(path), ignored); ++count) {
+    path = record / (name + "-" + std::to_string(count) + ".txt");
+  }
+  return path;
 }
 
 }  // namespace aucast::server

@@ -52,8 +52,8 @@ class Recorder {
 
 /// The file in which a stream is recorded. `record` is the value of --record. If it is a folder,
 /// each stream gets a file of its own, named after the stream and the time,
-/// NAME-20261121T115000Z.txt; otherwise only the `first` stream is recorded. nullopt: this stream
-/// is not recorded.
+/// NAME-20261121T115000Z.txt, or NAME-20261121T115000Z-2.txt if there is one already; otherwise
+/// only the `first` stream is recorded. nullopt: this stream is not recorded.
 [[nodiscard]] std::optional<std::filesystem::path> record_path(const std::filesystem::path& record,
                                                                const std::string& stream,
                                                                bool first);

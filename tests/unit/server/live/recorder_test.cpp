@@ -1,5 +1,6 @@
 #include "server/live/recorder.h"
 
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -110,6 +111,17 @@ TEST(RecordPath, InAFolderEveryStreamHasItsOwnFile) {
   EXPECT_TRUE(name.starts_with("other-20")) << name;
   EXPECT_TRUE(name.ends_with("Z.txt")) << name;
   EXPECT_EQ(name.size(), std::string("other-20261121T115000Z.txt").size()) << name;
+}
+
+TEST(RecordPath, RunsOfOneSecondHaveFilesOfTheirOwn) {
+  const TempFolder folder;
+  std::set<std::filesystem::path> all;
+  for (int run = 0; run < 3; ++run) {
+    const auto path = record_path(folder.path(), "live", true);
+    ASSERT_TRUE(path);
+    EXPECT_TRUE(all.insert(*path).second) << path->string();
+    folder.write((run == 0 ? *path : voice_record_path(*path)).filename().string(), "kept");
+  }
 }
 
 }  // namespace
