@@ -70,14 +70,7 @@ void HttpExchange::send_more() {
 
 void HttpExchange::end() {
   const auto alive = shared_from_this();
-  hooks_.on_over(*this);
-}
-
-HttpExchanges::HttpExchanges(std::size_t most, HttpExchange::Hooks hooks)
-    : most_(most), hooks_(std::move(hooks)) {
-  hooks_.on_over = [this](const HttpExchange& over) {
-    std::erase_if(exchanges_, [&over](const auto& exchange) { return exchange.get() == &over; });
-  };
+  on_over_(*this);
 }
 
 void HttpExchanges::begin(std::shared_ptr<link::Link> link, const asio::ip::tcp::endpoint& peer) {
@@ -86,7 +79,11 @@ void HttpExchanges::begin(std::shared_ptr<link::Link> link, const asio::ip::tcp:
                                      [](const auto& exchange) { return exchange->asking(); });
     exchanges_.erase(silent == exchanges_.end() ? exchanges_.begin() : silent);
   }
-  exchanges_.push_back(std::make_shared<HttpExchange>(std::move(link), peer, hooks_));
+  exchanges_.push_back(std::make_shared<HttpExchange>(
+      std::move(link), peer, hooks_, [this](const HttpExchange& over) {
+        std::erase_if(exchanges_,
+                      [&over](const auto& exchange) { return exchange.get() == &over; });
+      }));
   exchanges_.back()->start();
 }
 

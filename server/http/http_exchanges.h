@@ -37,11 +37,15 @@ class HttpExchange final : public link::LinkUser,
     std::function<void(HttpExchange&, const web::HttpRequest&)> on_request;
     /// The bytes are no valid request; the reply says why.
     std::function<void(HttpExchange&, const web::HttpReply&)> on_fault;
-    std::function<void(const HttpExchange&)> on_over;
   };
+  using OnOver = std::function<void(const HttpExchange&)>;
 
-  HttpExchange(std::shared_ptr<link::Link> link, asio::ip::tcp::endpoint peer, const Hooks& hooks)
-      : link_(std::move(link)), peer_(std::move(peer)), hooks_(hooks) {}
+  HttpExchange(std::shared_ptr<link::Link> link, asio::ip::tcp::endpoint peer, const Hooks& hooks,
+               OnOver on_over)
+      : link_(std::move(link)),
+        peer_(std::move(peer)),
+        hooks_(hooks),
+        on_over_(std::move(on_over)) {}
   ~HttpExchange() override;
   HttpExchange(const HttpExchange&) = delete;
   HttpExchange& operator=(const HttpExchange&) = delete;
@@ -74,6 +78,7 @@ class HttpExchange final : public link::LinkUser,
   std::shared_ptr<link::Link> link_;  ///< null: released
   const asio::ip::tcp::endpoint peer_;
   const Hooks& hooks_;
+  const OnOver on_over_;
   std::string request_;
   bool head_ = false;  ///< it is a HEAD request
   bool replied_ = false;
@@ -87,8 +92,9 @@ class HttpExchange final : public link::LinkUser,
 /// Thread: that of the links.
 class HttpExchanges {
  public:
-  /// `most`: how many may be under way. on_over of `hooks` is not used.
-  HttpExchanges(std::size_t most, HttpExchange::Hooks hooks);
+  /// `most`: how many may be under way.
+  HttpExchanges(std::size_t most, HttpExchange::Hooks hooks)
+      : most_(most), hooks_(std::move(hooks)) {}
   HttpExchanges(const HttpExchanges&) = delete;
   HttpExchanges& operator=(const HttpExchanges&) = delete;
 
@@ -96,7 +102,7 @@ class HttpExchanges {
 
  private:
   std::size_t most_;
-  HttpExchange::Hooks hooks_;
+  const HttpExchange::Hooks hooks_;
   std::vector<std::shared_ptr<HttpExchange>> exchanges_;
 };
 

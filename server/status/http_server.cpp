@@ -22,8 +22,7 @@ HttpServer::HttpServer(asio::io_context& io, Answer answer)
                   },
                   [](HttpExchange& exchange, const web::HttpReply& why) {
                     exchange.reply({why, nullptr});
-                  },
-                  {}}) {}
+                  }}) {}
 
 web::HttpReply HttpServer::answer(const web::HttpRequest& request) const {
   if (web::is_own_host(request.field("host"), {bound_})) return answer_(request.path);

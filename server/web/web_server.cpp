@@ -34,8 +34,7 @@ WebServer::WebServer(asio::io_context& io, const WebOptions& options, Hooks hook
            [this](HttpExchange& exchange, const web::HttpRequest& request) {
              answer(exchange, request);
            },
-           [this](HttpExchange& exchange, const web::HttpReply& why) { refuse(exchange, why); },
-           {}}) {}
+           [this](HttpExchange& exchange, const web::HttpReply& why) { refuse(exchange, why); }}) {}
 
 void WebServer::answer(HttpExchange& exchange, const web::HttpRequest& request) {
   const std::vector<std::string> known = names();
