@@ -68,6 +68,12 @@ std::string hasty_clock(const Found& found, const SettingNames& names) {
          " rows a second are no camera's: " + std::string(names.fps) + " says how many";
 }
 
+/// Empty if all values fit a scale.
+std::string off_scale(const Found& found) {
+  if (found.off_scale == 0) return {};
+  return counted(found.off_scale, "AU value") + " above 100 left out, for no scale has them";
+}
+
 /// Empty for a neutral face.
 std::string not_neutral_face(const Found& found, const SettingNames& names) {
   if (found.not_neutral.empty()) return {};
@@ -86,6 +92,7 @@ std::vector<std::string> warnings(const Found& found, const SettingNames& names)
     if (!text.empty()) all.push_back(std::move(text));
   };
   add(hasty_clock(found, names));
+  add(off_scale(found));
   if (const std::string remedy = still_clock(found, names); !remedy.empty()) {
     add(counted(found.left_out, "row") + " without a later time: " + remedy);
   }
@@ -96,6 +103,7 @@ std::vector<std::string> warnings(const Found& found, const SettingNames& names)
 std::string found_lines(const Found& found) {
   std::string text = line("format", format_of(found));
   text += line("scale", scale_of(found));
+  if (const std::string off = off_scale(found); !off.empty()) text += line("broken", off);
   text += line("people", faces_of(found));
   text += line("rows", std::to_string(found.rows) + ", " + std::to_string(found.lost) +
                            " of them no data, " + left_out_of(found));
@@ -126,6 +134,7 @@ std::string found_sentence(const Found& found) {
             " rows without data";
   }
   if (found.left_out > 0) text += ", " + left_out_of(found);
+  if (const std::string off = off_scale(found); !off.empty()) text += ", " + off;
   if (found.truncated) text += ", the truncated last line left out";
   if (const std::string clock = hasty_clock(found, {}); !clock.empty()) text += ", " + clock;
   if (found.neutral) text += ", neutral face " + measured_text(*found.neutral);

@@ -328,10 +328,16 @@ bool LiveReader::is_chosen(std::int64_t id, bool sure, SteadyTime now) {
 /// Sets the scale by the largest value so far. It can only grow, and a message says so when it
 /// does.
 void LiveReader::settle_scale() {
-  if (options_.recording.au_scale) return;
   for (const AuValue& au : table_->row.aus) {
-    if (au.native) table_->largest = std::max(table_->largest, au.value);
+    if (fits_no_scale(au)) {
+      complain(at_place(file_, table_->csv.line(), 0,
+                        "AU " + std::to_string(au.number) +
+                            " is above 100, which no scale has; the value was left out"));
+    } else if (au.native) {
+      table_->largest = std::max(table_->largest, au.value);
+    }
   }
+  if (options_.recording.au_scale) return;
   const double scale = scale_for(table_->format->native_scale(), table_->largest);
   if (scale == table_->scale) return;
   table_->scale = scale;

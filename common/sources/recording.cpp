@@ -141,7 +141,11 @@ void RecordingReader::survey() {
     ++found.faces[at->second].rows;
     if (!sure(row)) continue;
     for (const AuValue& au : row.aus) {
-      if (au.native) found.largest = std::max(found.largest.value_or(0), au.value);
+      if (fits_no_scale(au)) {
+        ++found.off_scale;
+      } else if (au.native) {
+        found.largest = std::max(found.largest.value_or(0), au.value);
+      }
     }
   }
 }

@@ -50,15 +50,16 @@ struct Found {
   /// The largest AU value in the file; nullopt: its values are read as intensities, without a
   /// scale.
   std::optional<double> largest;
-  std::vector<Face> faces;   ///< in order of appearance
-  std::int64_t face = 0;     ///< the one that was taken
-  bool all_taken = false;    ///< `face` is one of several that were taken
-  std::size_t rows = 0;      ///< of that face
-  std::size_t lost = 0;      ///< of `rows`: not tracked, not sure, or without any AU
-  std::size_t left_out = 0;  ///< of `rows`: no time, not ascending, same millisecond
-  std::size_t headers = 0;   ///< repeated in the middle
-  bool truncated = false;    ///< the last line had no end and was not counted
-  std::size_t gaps = 0;      ///< stretches longer than kHoldSeconds without a sure row
+  std::size_t off_scale = 0;  ///< AU values that fit no scale, and count as no data
+  std::vector<Face> faces;    ///< in order of appearance
+  std::int64_t face = 0;      ///< the one that was taken
+  bool all_taken = false;     ///< `face` is one of several that were taken
+  std::size_t rows = 0;       ///< of that face
+  std::size_t lost = 0;       ///< of `rows`: not tracked, not sure, or without any AU
+  std::size_t left_out = 0;   ///< of `rows`: no time, not ascending, same millisecond
+  std::size_t headers = 0;    ///< repeated in the middle
+  bool truncated = false;     ///< the last line had no end and was not counted
+  std::size_t gaps = 0;       ///< stretches longer than kHoldSeconds without a sure row
   double gap_seconds_max = 0;
   double steps_a_second = 0;               ///< 1 / usual time between rows; 0 if there is one row
   double rows_a_second = 0;                ///< mean over the recording; 0 if there is one row

@@ -12,7 +12,14 @@ namespace {
 /// No head turns further.
 constexpr double kTurnMax = 10;
 
+/// The most that a value of 100 may be after rounding.
+constexpr double kValueMax = 101;
+
 }  // namespace
+
+bool fits_no_scale(const AuValue& au) {
+  return au.native && au.value > kValueMax;
+}
 
 double scale_for(double native, double largest) {
   if (native == 100 || largest > 10) return 100;
@@ -29,6 +36,7 @@ AuFrame update_of(const Observation& row, double scale, bool sure) {
   AuFrame update = no_data();
   if (!sure) return update;
   for (const AuValue& au : row.aus) {
+    if (fits_no_scale(au)) continue;
     const double intensity = au.native ? au.value / scale : au.value;
     const double most = opposite_of(au.number) != 0 ? kTurnMax : 1.0;
     const auto value = static_cast<float>(std::clamp(intensity, 0.0, most));

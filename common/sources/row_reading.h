@@ -13,6 +13,10 @@ namespace aucast::sources {
 /// Latest time that a source's clock may show.
 inline constexpr double kClockSecondsMax = 1e10;
 
+/// Whether the value fits no scale: it is above 100, by more than rounding adds. It counts as no
+/// data.
+[[nodiscard]] bool fits_no_scale(const AuValue& au);
+
 /// The value that is full intensity in the file. `native` is Format::native_scale(), 0 when only
 /// the values can tell; `largest`, the largest value so far, can prove `native` wrong.
 [[nodiscard]] double scale_for(double native, double largest);

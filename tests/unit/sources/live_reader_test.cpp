@@ -305,6 +305,15 @@ TEST_F(LiveReaderTest, TheScaleGrowsWhenTheValuesSaySo) {
   EXPECT_NE(messages().find("face.csv:4: AU scale 0-5 from now on"), std::string::npos);
 }
 
+TEST_F(LiveReaderTest, AValueThatFitsNoScaleIsNoDataAndDoesNotChangeTheScale) {
+  start();
+  EXPECT_EQ(fed(kOpenFace2Header + openface2_row(1, "0.000", "4,0,0,0,0,0,0", "0")),
+            Texts{"{1:80;40}"});
+  EXPECT_EQ(fed(openface2_row(2, "0.040", "99999,0,0,0,0,0,0", "0")), Texts{"{1:80;40}"});
+  EXPECT_NE(messages().find("face.csv:3: AU 1 is above 100"), std::string::npos);
+  EXPECT_EQ(fed(openface2_row(3, "0.080", "2,0,0,0,0,0,0", "0")), Texts{"{1:40;40}"});
+}
+
 TEST_F(LiveReaderTest, TheFaceIsTheOneThatWasAskedForOrTheFirstUntilItIsGone) {
   LiveOptions options;
   options.recording.face = 1;

@@ -84,6 +84,20 @@ TEST(Recording, PercentIsFoundAndValuesBeyondTheScaleAreFull) {
   EXPECT_EQ(packet_of(recording, 0), "{1;100}") << "clamped at both ends";
 }
 
+TEST(Recording, AValueThatFitsNoScaleIsNoData) {
+  const auto recording =
+      read_rows(row(1, "0", "4,0,0,0,0,0,0") + row(2, "0.1", "99999,0,0,0,0,0,0") +
+                row(3, "0.2", "4,0,0,0,0,0,0"));
+  EXPECT_EQ(recording.found.scale, 5);
+  EXPECT_EQ(recording.found.off_scale, 1U);
+  for (std::size_t at = 0; at < 3; ++at)
+    EXPECT_TRUE(packet_of(recording, at).starts_with("{1:80;"));
+  const std::string said = "1 AU value above 100 left out, for no scale has them";
+  EXPECT_EQ(warnings(recording.found, {}), std::vector{said});
+  EXPECT_NE(found_lines(recording.found).find(said), std::string::npos);
+  EXPECT_NE(found_sentence(recording.found).find(said), std::string::npos);
+}
+
 TEST(Recording, UnsureRowsHoldThenEase) {
   std::string rows = row(1, "0.0");
   for (int frame = 1; frame <= 20; ++frame) {
