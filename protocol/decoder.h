@@ -58,7 +58,8 @@ class PacketDecoder {
   std::optional<DecodeError> error_;
 };
 
-/// Decodes what a server sends. Invariant: keeps at most kPacketBytesMax bytes.
+/// Decodes what a server sends. Invariant: keeps at most one packet, of kPacketBytesMax bytes as it
+/// came.
 class ServerPacketDecoder final : public PacketDecoder<ServerPacket> {
  public:
   ServerPacketDecoder();
