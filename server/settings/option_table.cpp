@@ -315,10 +315,11 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        .value = seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {.option = {"max-clients", "N", "0"},
        .text = "most clients at a time (0: as the system allows)",
-       .more = "The number of clients at a time. One client too many is closed, with {error 503 "
-               "...} if it sent a hello. 0 allows the smaller of two numbers: the file descriptors "
-               "less 128, and the memory that is free at the start divided by 64 KiB. The soft "
-               "limit of descriptors (ulimit -n) is raised to the hard limit at the start.",
+       .more = "The number of clients at a time; one that has got {-2} counts until it has closed "
+               "its connection. One client too many is closed, with {error 503 ...} if it sent a "
+               "hello. 0 allows the smaller of two numbers: the file descriptors less 128, and the "
+               "memory that is free at the start divided by 64 KiB. The soft limit of descriptors "
+               "(ulimit -n) is raised to the hard limit at the start.",
        .value = whole(options.max_clients, 0, kClientsMax)},
       {.option = {"max-clients-per-address", "N", "0"},
        .text = "most clients from one address (0: any number)",
