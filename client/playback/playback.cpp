@@ -30,10 +30,6 @@ SourcePlayback::SourcePlayback(std::unique_ptr<KeyframeSource> source, const Opt
   if (options.video_clock) controller_.set_video_clock();
 }
 
-std::optional<KeyframeBegun> SourcePlayback::advance(Instant now) {
-  return controller_.advance(now, *source_);
-}
-
 void SourcePlayback::pause(Instant now) {
   controller_.pause(now);
   source_->pause();
@@ -48,30 +44,6 @@ void SourcePlayback::stop(Instant now) {
   if (over()) return;
   source_->stop();
   controller_.stop(now);
-}
-
-std::optional<Instant> SourcePlayback::next_position_at() const {
-  return controller_.next_position_at();
-}
-
-std::uint64_t SourcePlayback::keyframes_played() const {
-  return controller_.keyframes_played();
-}
-
-Duration SourcePlayback::media_time() const {
-  return controller_.media_time();
-}
-
-std::uint64_t SourcePlayback::stalls() const {
-  return controller_.stalls();
-}
-
-const DelayMeter& SourcePlayback::delays() const {
-  return controller_.delays();
-}
-
-const DelayMeter& SourcePlayback::delays_meant() const {
-  return controller_.delays_meant();
 }
 
 }  // namespace aucast::playback

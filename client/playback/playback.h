@@ -82,23 +82,31 @@ class SourcePlayback final : public Playback {
   };
   SourcePlayback(std::unique_ptr<KeyframeSource> source, const Options& options);
 
-  [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override;
+  [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override {
+    return controller_.advance(now, *source_);
+  }
   void pause(Instant now) override;
   void resume(Instant now) override;
   void stop(Instant now) override;
   [[nodiscard]] PlaybackState state() const override { return controller_.state(); }
   [[nodiscard]] PlaybackProgress progress() const override { return controller_.progress(); }
   [[nodiscard]] bool eased() const override { return controller_.eased(); }
-  [[nodiscard]] std::optional<Instant> next_position_at() const override;
+  [[nodiscard]] std::optional<Instant> next_position_at() const override {
+    return controller_.next_position_at();
+  }
   [[nodiscard]] std::optional<Passing> passing() const override { return controller_.passing(); }
   [[nodiscard]] std::optional<Voice> take_voice() override { return source_->take_voice(); }
   [[nodiscard]] std::optional<Caption> take_caption() override { return source_->take_caption(); }
   void set_clock(Duration ahead, Duration lead) override { controller_.set_clock(ahead, lead); }
-  [[nodiscard]] std::uint64_t keyframes_played() const override;
-  [[nodiscard]] Duration media_time() const override;
-  [[nodiscard]] std::uint64_t stalls() const override;
-  [[nodiscard]] const DelayMeter& delays() const override;
-  [[nodiscard]] const DelayMeter& delays_meant() const override;
+  [[nodiscard]] std::uint64_t keyframes_played() const override {
+    return controller_.keyframes_played();
+  }
+  [[nodiscard]] Duration media_time() const override { return controller_.media_time(); }
+  [[nodiscard]] std::uint64_t stalls() const override { return controller_.stalls(); }
+  [[nodiscard]] const DelayMeter& delays() const override { return controller_.delays(); }
+  [[nodiscard]] const DelayMeter& delays_meant() const override {
+    return controller_.delays_meant();
+  }
   [[nodiscard]] SourceStatus status() const override { return source_->status(); }
   bool wait_until(Instant until) override { return source_->wait_until(until); }
 

@@ -78,79 +78,67 @@ bool is_over(PlaybackState state) {
 PlaybackController::PlaybackController(std::optional<Milliseconds> speed) : speed_(speed) {}
 
 std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSource& source) {
-  looked_before_ = std::exchange(looked_at_, now);
-  if (state_ == PlaybackState::Lost) return ease_when_due(now);
-  if (state_ == PlaybackState::Paused || over()) return std::nullopt;
-  if (state_ == PlaybackState::Stalled || state_ == PlaybackState::Stale) {
-    return advance_stalled(now, source);
+  if (paused_ || state_ == PlaybackState::Stopped) return std::nullopt;
+  const Instant before = std::exchange(now_, now);
+  switch (state_) {
+    case PlaybackState::Buffering:
+      return begin_next(now, now, source);
+    case PlaybackState::Playing:
+      move();
+      if (progress_.position < kPositionsPerKeyframe) return std::nullopt;
+      finish_keyframe();
+      return begin_next(movement_.end(), movement_.end(), source);
+    case PlaybackState::Stalled:
+    case PlaybackState::Stale: {
+      count_stall();
+      const Instant earliest = state_ == PlaybackState::Stalled ? before : now;
+      if (auto begun = begin_next(earliest, now, source)) return begun;
+      return hold_or_ease();
+    }
+    case PlaybackState::Lost:
+      return hold_or_ease();
+    case PlaybackState::Paused:
+    case PlaybackState::Ended:
+    case PlaybackState::Stopped:
+      break;
   }
-  if (state_ != PlaybackState::Playing) return begin_next(now, now, source);
-
-  move_to(now);
-  if (progress_.position < kPositionsPerKeyframe) return std::nullopt;
-  finish_keyframe(now);
-  return begin_next(last_position_at_, now, source);
-}
-
-std::optional<KeyframeBegun> PlaybackController::advance_stalled(Instant now,
-                                                                 KeyframeSource& source) {
-  count_stall(now);
-  move_easing(now);
-  const double cut_at = eased_ ? progress_.mu : 1;
-  if (auto begun = begin_next(now, now, source)) {
-    begun->cut_at = cut_at;
-    return begun;
-  }
-  return ease_when_due(now);
+  return std::nullopt;
 }
 
 /// While nothing comes: begins the easing when it is due.
-std::optional<KeyframeBegun> PlaybackController::ease_when_due(Instant now) {
-  move_easing(now);
+std::optional<KeyframeBegun> PlaybackController::hold_or_ease() {
+  if (wait_.easing) {
+    move();
+    return std::nullopt;
+  }
   const bool begun = progress_.keyframe > 0;
-  if (eased_ || !hold_ || !begun || now - stalled_since_ < *hold_) return std::nullopt;
+  if (!hold_ || !begun || now_ - wait_.since < *hold_) return std::nullopt;
   if (state_ == PlaybackState::Stalled) state_ = PlaybackState::Stale;
-  eased_ = true;
-  ease_begin_ = now;
-  progress_.mu = 0;
-  progress_.position = 0;
+  wait_.easing = Movement{now_, kEaseTime};
+  move();
   return KeyframeBegun{{AuFrame{}, kEaseTime}, kEaseTime};
 }
 
-void PlaybackController::move_easing(Instant now) {
-  if (!eased_) return;
-  const Duration eased = std::min<Duration>(now - ease_begin_, kEaseTime);
-  progress_.mu = static_cast<double>(eased.count()) /
-                 static_cast<double>(std::chrono::duration_cast<Duration>(kEaseTime).count());
-  progress_.position = static_cast<int>(progress_.mu * kPositionsPerKeyframe);
-}
-
-void PlaybackController::count_stall(Instant now) {
-  const Duration least = due_ ? kStallMin : Milliseconds::zero();
-  if (stall_counted_ || now - stalled_since_ < least) return;
-  stall_counted_ = true;
+void PlaybackController::count_stall() {
+  const Duration least = current_.target.due ? kStallMin : Milliseconds::zero();
+  if (wait_.counted || now_ - wait_.since < least) return;
+  wait_.counted = true;
   ++stalls_;
 }
 
-std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Instant now,
+std::optional<KeyframeBegun> PlaybackController::begin_next(Instant earliest, Instant latest,
                                                             KeyframeSource& source) {
   bool ended = false;
   auto keyframe = take_next(source, ended);
   if (!keyframe) {
-    const bool played = state_ == PlaybackState::Playing;
-    if (played) stalled_since_ = now;
-    if (ended) {
-      state_ = state_after(source.status().end);
-    } else if (played) {
-      state_ = PlaybackState::Stalled;
-      stall_counted_ = false;
-      count_stall(now);
-    }
+    wait_for_next(ended ? std::optional(source.status().end) : std::nullopt);
     return std::nullopt;
   }
 
-  time_ = keyframe->time ? *keyframe->time : speed_ ? *speed_ : source.status().keyframe_time;
-  AUCAST_CHECK(time_ >= Milliseconds::zero());
+  const Milliseconds time = keyframe->time ? *keyframe->time
+                            : speed_       ? *speed_
+                                           : source.status().keyframe_time;
+  AUCAST_CHECK(time >= Milliseconds::zero());
   if (video_clock_) {
     keyframe->pace_percent = 100;
     keyframe->arrived.reset();
@@ -159,126 +147,107 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant begin, Insta
   // To the clock of the times handed in.
   if (keyframe->arrived) *keyframe->arrived += ahead_ - lead_;
   if (keyframe->due) *keyframe->due += ahead_;
-  if (state_ == PlaybackState::Stalled && keyframe->due && keyframe->arrived) {
-    begin = std::clamp(*keyframe->arrived, looked_before_, now);
-  }
-  takes_ = time_taken(*keyframe, time_, begin);
-  place_ = keyframe->place;
-  span_ = keyframe->span;
-  arrived_ = keyframe->arrived;
-  due_ = keyframe->due;
-  eased_ = false;
+  const bool timed = keyframe->due && keyframe->arrived;
+  const Instant begin = timed ? std::clamp(*keyframe->arrived, earliest, latest) : latest;
+  const double cut_at = wait_.easing ? wait_.easing->mu(now_) : 1;
+  movement_ = {begin, time_taken(*keyframe, time, begin)};
+  current_ = {std::move(*keyframe), time, cut_at};
+  wait_ = {};
   state_ = PlaybackState::Playing;
-  keyframe_begin_ = begin;
   ++progress_.keyframe;
-  move_to(now);
-  return KeyframeBegun{std::move(*keyframe), time_};
+  move();
+  return current_;
 }
 
-void PlaybackController::finish_keyframe(Instant now) {
-  if (arrived_) delays_.add(now - *arrived_);
-  if (arrived_ && due_) delays_meant_.add(*due_ - *arrived_);
-  ++keyframes_played_;
-  media_time_ += time_;
-}
-
-void PlaybackController::move_to(Instant now) {
-  const Duration whole = takes_;
-  const Duration elapsed = std::clamp(now - keyframe_begin_, Duration::zero(), whole);
-  if (elapsed == whole) {
-    progress_.position = kPositionsPerKeyframe;
-    progress_.mu = 1;
-  } else {
-    progress_.position = static_cast<int>(elapsed * kPositionsPerKeyframe / whole);
-    progress_.mu = static_cast<double>(elapsed.count()) / static_cast<double>(whole.count());
+/// Nothing has come; `end`: nothing ever will, for this reason.
+void PlaybackController::wait_for_next(std::optional<EndReason> end) {
+  const bool played = state_ == PlaybackState::Playing;
+  if (played) wait_.since = now_;
+  if (end) {
+    state_ = state_after(*end);
+  } else if (played) {
+    state_ = PlaybackState::Stalled;
+    count_stall();
   }
-  last_position_at_ = keyframe_begin_ + whole * progress_.position / kPositionsPerKeyframe;
+}
+
+void PlaybackController::finish_keyframe() {
+  const Keyframe& reached = current_.target;
+  if (reached.arrived) delays_.add(now_ - *reached.arrived);
+  if (reached.arrived && reached.due) delays_meant_.add(*reached.due - *reached.arrived);
+  ++keyframes_played_;
+  media_time_ += current_.time;
+}
+
+/// Moves the face to where it is at now_.
+void PlaybackController::move() {
+  if (progress_.keyframe == 0) return;
+  const Movement& movement = wait_.easing ? *wait_.easing : movement_;
+  progress_.position = movement.position(now_);
+  progress_.mu = movement.mu(now_);
 }
 
 PlaybackState PlaybackController::state() const {
-  const bool waits = state_ == PlaybackState::Stalled && !stall_counted_;
-  return waits ? PlaybackState::Playing : state_;
-}
-
-PlaybackProgress PlaybackController::progress() const {
-  return progress_;
+  if (paused_) return PlaybackState::Paused;
+  const bool unseen = state_ == PlaybackState::Stalled && !wait_.counted;
+  return unseen ? PlaybackState::Playing : state_;
 }
 
 std::optional<Passing> PlaybackController::passing() const {
-  if (!place_) return std::nullopt;
-  const Duration reached = *place_;
-  if (state_ == PlaybackState::Ended) {
-    return Passing{reached + (looked_at_ - last_position_at_), 1};
-  }
-  const bool plays = state_ == PlaybackState::Playing;
-  if ((!plays && !stood_at_) || takes_ == Duration::zero()) return Passing{reached, 0};
-  const Duration own = span_;
-  const Duration since = plays ? looked_at_ - keyframe_begin_
-                               : std::clamp(*stood_at_ - keyframe_begin_, Duration::zero(), takes_);
-  if (takes_ == own) return Passing{reached - own + since, plays ? 1.0 : 0.0};
-  const double speed = static_cast<double>(own.count()) / static_cast<double>(takes_.count());
+  if (!current_.target.place) return std::nullopt;
+  const Duration reached = *current_.target.place;
+  if (state_ == PlaybackState::Ended) return Passing{reached + (now_ - movement_.end()), 1};
+  const Duration takes = movement_.takes;
+  if (takes == Duration::zero()) return Passing{reached, 0};
+  const bool plays = state_ == PlaybackState::Playing && !paused_;
+  const Duration own = current_.target.span;
+  const Duration since = movement_.passed(now_);
+  if (takes == own) return Passing{reached - own + since, plays ? 1.0 : 0.0};
+  const double speed = static_cast<double>(own.count()) / static_cast<double>(takes.count());
   const auto passed = Duration(std::llround(static_cast<double>(since.count()) * speed));
   return Passing{reached - own + passed, plays ? speed : 0};
 }
 
 std::optional<Instant> PlaybackController::next_position_at() const {
+  if (paused_) return std::nullopt;
   const bool neutral_next = state_ == PlaybackState::Stale || state_ == PlaybackState::Lost;
-  const bool eases = eased_ && neutral_next && progress_.mu < 1;
+  const bool eases = wait_.easing && neutral_next && progress_.mu < 1;
   if (state_ != PlaybackState::Playing && !eases) return std::nullopt;
-  const Duration whole = eases ? Duration(kEaseTime) : takes_;
   const int next = std::min(progress_.position + 1, kPositionsPerKeyframe);
-  return (eases ? ease_begin_ : keyframe_begin_) + whole * next / kPositionsPerKeyframe;
+  return (eases ? *wait_.easing : movement_).reaches(next);
 }
 
 void PlaybackController::pause(Instant now) {
-  if (state_ == PlaybackState::Paused || over()) return;
+  if (paused_ || over()) return;
   stand(now);
-  paused_from_ = state_;
-  paused_since_ = now;
-  state_ = PlaybackState::Paused;
+  paused_ = true;
 }
 
-/// Holds the keyframe under way, if there is one, where it is at `now`.
+/// Holds the face where it is at `now`.
 void PlaybackController::stand(Instant now) {
-  if (state_ != PlaybackState::Playing) return;
-  move_to(now);
-  stood_at_ = now;
+  now_ = now;
+  move();
 }
 
 void PlaybackController::resume(Instant now) {
-  if (state_ != PlaybackState::Paused) return;
-  state_ = paused_from_;
-  stood_at_.reset();
-  // Shifting the begin by the pause keeps the fraction; what was reached before stays reached.
-  keyframe_begin_ += now - paused_since_;
-  stalled_since_ += now - paused_since_;
-  ease_begin_ += now - paused_since_;
-  looked_at_ = now;
+  if (!paused_) return;
+  paused_ = false;
+  const Duration stood = now - std::exchange(now_, now);
+  // What is under way begins that much later, which keeps its fraction; what was reached before
+  // stays reached.
+  if (state_ == PlaybackState::Playing) movement_.begin += stood;
+  wait_.since += stood;
+  if (wait_.easing) wait_.easing->begin += stood;
 }
 
 void PlaybackController::stop(Instant now) {
   if (over()) return;
-  stand(now);
-  const PlaybackState at = state_ == PlaybackState::Paused ? paused_from_ : state_;
-  if (at == PlaybackState::Playing && progress_.position == kPositionsPerKeyframe)
-    finish_keyframe(now);
+  if (!paused_) stand(now);
+  paused_ = false;
+  if (state_ == PlaybackState::Playing && progress_.position == kPositionsPerKeyframe) {
+    finish_keyframe();
+  }
   state_ = PlaybackState::Stopped;
-}
-
-bool PlaybackController::over() const {
-  return is_over(state_);
-}
-
-std::uint64_t PlaybackController::keyframes_played() const {
-  return keyframes_played_;
-}
-
-std::uint64_t PlaybackController::stalls() const {
-  return stalls_;
-}
-
-Milliseconds PlaybackController::media_time() const {
-  return media_time_;
 }
 
 }  // namespace aucast::playback

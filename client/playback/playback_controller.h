@@ -6,13 +6,11 @@
 
 #include "client/playback/delay_meter.h"
 #include "client/playback/keyframe_source.h"
+#include "client/playback/movement.h"
 #include "client/playback/passing.h"
 #include "common/time.h"
 
 namespace aucast::playback {
-
-/// Positions per keyframe: k/50, k = 1..50 (thesis 5.4.2).
-inline constexpr int kPositionsPerKeyframe = 50;
 
 enum class PlaybackState : std::uint8_t {
   Buffering,  ///< nothing has been played yet, the first keyframe is awaited
@@ -50,14 +48,15 @@ struct PlaybackProgress {
   double mu = 0;     ///< exact fraction in [0,1] of the current keyframe
 };
 
-/// The playback controller of the thesis (figure 5.15), on a clock that is handed in. Each keyframe
-/// begins at the exact time at which the previous one ended, and from the face that it reached, so
-/// that nothing drifts: N keyframes take the sum of their times. After a stall the clock starts
-/// anew. A keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe with a due
-/// time lasts until that time, but at least 95 % and at most 105 % of its own time (99.5 % and
-/// 100.5 % while a voice is heard). If such a keyframe comes after a stall, it is taken to begin
-/// when it arrived or at the previous call of advance(), whichever is later. The times handed in
-/// must not go back. Thread: the player's.
+/// The playback controller of the thesis (figure 5.15): decides when each keyframe begins and how
+/// far the face has come towards it, on a clock that is handed in and must not go back. Each
+/// keyframe begins at the exact time at which the previous one ended, and from the face that it
+/// reached, so that nothing drifts: N keyframes take the sum of their times. After a stall the
+/// clock starts anew. A keyframe of 0 ms is a jump: it ends as soon as it begins. A live keyframe
+/// with a due time lasts until that time, but at least 95 % and at most 105 % of its own time
+/// (99.5 % and 100.5 % while a voice is heard). If such a keyframe comes after a stall, it is taken
+/// to begin when it arrived or at the previous call of advance(), whichever is later.
+/// Thread: the player's.
 class PlaybackController {
  public:
   /// The longest time that --speed gives a keyframe.
@@ -86,15 +85,15 @@ class PlaybackController {
     lead_ = lead;
   }
   /// Whether the face has left the last keyframe for neutral.
-  [[nodiscard]] bool eased() const { return eased_; }
+  [[nodiscard]] bool eased() const { return wait_.easing.has_value(); }
   /// After a keyframe with a due time, a shorter wait than this is no stall, because nobody sees
   /// it.
   static constexpr Milliseconds kStallMin{20};
 
   [[nodiscard]] PlaybackState state() const;
   /// is_over(state()).
-  [[nodiscard]] bool over() const;
-  [[nodiscard]] PlaybackProgress progress() const;
+  [[nodiscard]] bool over() const { return is_over(state_); }
+  [[nodiscard]] PlaybackProgress progress() const { return progress_; }
   /// As Playback::passing().
   [[nodiscard]] std::optional<Passing> passing() const;
   /// When the next position of the current keyframe, or of the easing, is reached; nullopt while
@@ -109,58 +108,55 @@ class PlaybackController {
   /// The user leaves: the face stays at the position reached at `now`. Has no effect when over().
   void stop(Instant now);
 
-  [[nodiscard]] std::uint64_t keyframes_played() const;  ///< those played to their end
-  [[nodiscard]] std::uint64_t stalls() const;
+  /// Those played to their end.
+  [[nodiscard]] std::uint64_t keyframes_played() const { return keyframes_played_; }
+  [[nodiscard]] std::uint64_t stalls() const { return stalls_; }
   /// Live: the time from the arrival of each keyframe to the advance() that found it fully reached.
   [[nodiscard]] const DelayMeter& delays() const { return delays_; }
   /// Live: the time from the arrival of a keyframe to its due time, for those that have one.
   [[nodiscard]] const DelayMeter& delays_meant() const { return delays_meant_; }
   /// Sum of the times of the keyframes played.
-  [[nodiscard]] Milliseconds media_time() const;
+  [[nodiscard]] Milliseconds media_time() const { return media_time_; }
 
  private:
-  /// Sets progress_ and last_position_at_ for `now`, inside the current keyframe.
-  void move_to(Instant now);
+  /// A wait for the next keyframe, after the first one.
+  struct Wait {
+    Instant since{};
+    bool counted = false;              ///< it is long enough to be seen, and counted as a stall
+    std::optional<Movement> easing{};  ///< to neutral
+  };
+
   void stand(Instant now);
-  /// Begins the next keyframe at `begin`; if there is none, sets the state that follows from that.
-  [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant begin, Instant now,
+  void move();
+  /// Begins the next keyframe at `latest`, or, if it has a due time, when it arrived, but not
+  /// before `earliest`. If there is none, sets the state that follows from that.
+  [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant earliest, Instant latest,
                                                         KeyframeSource& source);
-  [[nodiscard]] std::optional<KeyframeBegun> advance_stalled(Instant now, KeyframeSource& source);
-  [[nodiscard]] std::optional<KeyframeBegun> ease_when_due(Instant now);
-  void move_easing(Instant now);
-  void count_stall(Instant now);
-  void finish_keyframe(Instant now);
+  void wait_for_next(std::optional<EndReason> end);
+  [[nodiscard]] std::optional<KeyframeBegun> hold_or_ease();
+  void count_stall();
+  void finish_keyframe();
 
   std::optional<Milliseconds> speed_;
-  PlaybackState state_ = PlaybackState::Buffering;
-  PlaybackProgress progress_;
-  Instant keyframe_begin_{};
-  Milliseconds time_{0};
-  Duration takes_{0};  ///< how long it is played: up to 5 % more or less than time_
-  std::optional<Instant> arrived_;
-  std::optional<Instant> due_;
-  DelayMeter delays_;
-  DelayMeter delays_meant_;
-  Instant last_position_at_{};
   std::optional<Milliseconds> hold_;
   bool video_clock_ = false;
   Duration ahead_{0};
   Duration lead_{0};
-  std::optional<Milliseconds> place_;  ///< where the keyframe under way ends
-  Milliseconds span_{0};               ///< how long it lasts on the clock of places
-  Instant looked_at_{};                ///< `now` of the last advance()
-  Instant looked_before_{};            ///< `now` of the advance() before that
-  Instant stalled_since_{};            ///< start of the stall, or of the loss
-  bool stall_counted_ = true;
-  bool eased_ = false;
-  Instant ease_begin_{};
-  Instant paused_since_{};
-  std::optional<Instant> stood_at_;  ///< since when a keyframe that is not over has stood
-                                     ///< still; nullopt: no keyframe stands still
-  PlaybackState paused_from_ = PlaybackState::Buffering;
+
+  PlaybackState state_ = PlaybackState::Buffering;  ///< never Paused
+  bool paused_ = false;                             ///< only while not over()
+  Instant now_{};          ///< how far the clock has come; it stands while paused, and in Stopped
+  KeyframeBegun current_;  ///< the keyframe under way, or the last one; it arrived and is due by
+                           ///< the clock handed in
+  Movement movement_;      ///< to current_
+  Wait wait_;              ///< what it was in Stalled, Stale or Lost, until a keyframe begins
+  PlaybackProgress progress_;  ///< of wait_.easing if there is one, else of movement_
+
   std::uint64_t keyframes_played_ = 0;
   std::uint64_t stalls_ = 0;
   Milliseconds media_time_{0};
+  DelayMeter delays_;
+  DelayMeter delays_meant_;
 };
 
 }  // namespace aucast::playback

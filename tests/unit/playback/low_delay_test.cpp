@@ -255,6 +255,19 @@ TEST(LowDelay, CountsFromTheArrivalToTheFace) {
   EXPECT_EQ(controller.delays_meant().all().median, 42ms);
 }
 
+TEST(LowDelay, APauseBeforeTheUserLeavesIsNoDelay) {
+  LinkSource source(40ms);
+  PlaybackController controller(std::nullopt);
+  Instant now = ManualClock().now();
+  source.arrive(now);
+  EXPECT_TRUE(controller.advance(now, source));
+  now += 50ms;
+  controller.pause(now);
+  controller.stop(now + 1h);
+  EXPECT_EQ(controller.keyframes_played(), 1U);
+  EXPECT_EQ(controller.delays().all().longest, 50ms);
+}
+
 TEST(LowDelay, OnTheVideoClockIsNone) {
   LinkSource source(40ms);
   PlaybackController controller(std::nullopt);

@@ -84,6 +84,45 @@ TEST_F(Holding, APauseStopsTheHoldToo) {
   EXPECT_TRUE(advance(1ms));
 }
 
+TEST_F(Holding, FollowingNextPositionMeetsEveryPositionOfTheEasingOnce) {
+  ASSERT_TRUE(advance(5s));
+  for (int k = 1; k <= kPositionsPerKeyframe; ++k) {
+    ASSERT_EQ(controller_.next_position_at(), clock_.now() + 20ms);
+    EXPECT_FALSE(advance(20ms));
+    EXPECT_EQ(controller_.progress().position, k);
+    EXPECT_EQ(controller_.progress().mu, k / 50.0);
+  }
+  EXPECT_FALSE(controller_.next_position_at());
+}
+
+TEST_F(Holding, APauseHoldsTheEasingWhereItIs) {
+  ASSERT_TRUE(advance(5s));
+  EXPECT_FALSE(advance(300ms));
+  clock_.advance(10ms);
+  controller_.pause(clock_.now());
+  EXPECT_EQ(controller_.progress().mu, 0.31) << "as of the pause, not as of the last look";
+  EXPECT_FALSE(controller_.next_position_at());
+  EXPECT_FALSE(advance(1h));
+  EXPECT_EQ(controller_.progress().mu, 0.31);
+  controller_.resume(clock_.now());
+  EXPECT_EQ(controller_.progress().mu, 0.31);
+  EXPECT_EQ(controller_.next_position_at(), clock_.now() + 10ms);
+  EXPECT_FALSE(advance(90ms));
+  EXPECT_EQ(controller_.progress().mu, 0.4);
+  EXPECT_EQ(controller_.state(), PlaybackState::Stale);
+}
+
+TEST_F(Holding, StoppingHoldsTheEasingWhereItIs) {
+  ASSERT_TRUE(advance(5s));
+  EXPECT_FALSE(advance(300ms));
+  clock_.advance(10ms);
+  controller_.stop(clock_.now());
+  EXPECT_EQ(controller_.progress().mu, 0.31);
+  EXPECT_FALSE(advance(1h));
+  EXPECT_EQ(controller_.progress().mu, 0.31);
+  EXPECT_TRUE(controller_.eased());
+}
+
 TEST_F(Holding, NeverWithoutAHold) {
   PlaybackController other(std::nullopt);
   source_.keyframes = {marked(1, 100ms)};
