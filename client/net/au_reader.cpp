@@ -145,7 +145,7 @@ Reaction AuReader::refused(EndReason why, const std::string& reason) {
 void AuReader::begin_again(Reaction& reaction, const std::string& reason, Milliseconds wait) {
   if (first_) take_in(*std::exchange(first_, std::nullopt));
   buffers_.release();
-  buffers_.set_live(std::nullopt);
+  buffers_.set_live(false);
   lost_.keyframes += session_.keyframes_received();
   lost_.bytes += session_.payload_bytes();
   ledger_.forget();
@@ -247,8 +247,7 @@ void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   status_.negotiated = true;
   status_.keyframe_time = Milliseconds(event.hello.keyframe_ms);
   status_.live = event.hello.live;
-  buffers_.set_live(status_.live ? std::optional(options_.speed.value_or(status_.keyframe_time))
-                                 : std::nullopt);
+  buffers_.set_live(status_.live);
   buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
   if (options_.buffers.adapt && !options_.buffers.low_delay && status_.live)
     buffers_.set_delay(timing_.first_delay());
@@ -270,7 +269,7 @@ void AuReader::forget_hello() {
   status_.captions = unknown.captions;
   status_.stream = unknown.stream;
   status_.title = unknown.title;
-  buffers_.set_live(std::nullopt);
+  buffers_.set_live(false);
   buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
   clock_shift_ = clock_;  // its stream begins here
 }

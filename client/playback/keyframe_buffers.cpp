@@ -1,14 +1,15 @@
 #include "client/playback/keyframe_buffers.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/check.h"
 
 namespace aucast::playback {
 namespace {
 
-/// Live: what must be there to play without waiting for each keyframe.
-constexpr std::size_t kLiveKeyframesMin = 2;
+/// By time: what must be there to play without waiting for each keyframe.
+constexpr std::size_t kKeyframesMin = 2;
 constexpr int kFasterPercent = 95;
 constexpr int kSlowerPercent = 105;
 
@@ -24,7 +25,8 @@ Milliseconds delay_after_stall(Milliseconds delay) {
 
 }  // namespace
 
-KeyframeBuffers::KeyframeBuffers(BufferOptions options) : options_(options) {
+KeyframeBuffers::KeyframeBuffers(BufferOptions options)
+    : options_(options), queue_(options.receiver_capacity, options.playout_capacity) {
   AUCAST_CHECK(options.receiver_capacity >= 1 &&
                options.receiver_capacity <= BufferOptions::kSetsMax);
   AUCAST_CHECK(options.playout_capacity >= 1);
@@ -32,83 +34,70 @@ KeyframeBuffers::KeyframeBuffers(BufferOptions options) : options_(options) {
   AUCAST_CHECK(options.threshold_percent >= 1 && options.threshold_percent <= 100);
   AUCAST_CHECK(options.live_delay >= Milliseconds::zero() &&
                options.live_delay <= BufferOptions::kDelayMax);
+  set_live(false);
 }
 
-void KeyframeBuffers::set_live(std::optional<Milliseconds> untimed) {
-  live_ = untimed;
-}
-
-KeyframeBuffers::Stored KeyframeBuffers::store(const Keyframe& keyframe) {
-  if (live_) {
-    store_live(keyframe);
-    return Stored::Yes;
+void KeyframeBuffers::set_live(bool live) {
+  if (live) {
+    kind_ = options_.low_delay ? Kind::LiveLowDelay : Kind::Live;
+  } else {
+    kind_ = options_.by_time ? Kind::RecordedByTime : Kind::Recorded;
   }
-  const bool full = room() == 0;
-  const bool playing = has_next();
-  if (full && playing) return Stored::No;  // case A
-  if (full) fill_playout();                // case B
-
-  // Case D compares before it stores, as figure 5.13 does; a threshold of the whole receiver is
-  // therefore reached by case B.
-  const bool start = !full && !playing && (ended_ || receiver_fill() >= threshold_of(options_));
-  append(keyframe);  // all but case A
-  if (options_.by_time ? !playing && (!starved_ || enough()) : start) fill_playout();
-  return Stored::Yes;
 }
 
 void KeyframeBuffers::set_delay(Milliseconds delay) {
   options_.live_delay = std::clamp(delay, Milliseconds::zero(), BufferOptions::kDelayMax);
 }
 
-bool KeyframeBuffers::enough() const {
-  if (ended_) return true;
-  if (live_ && options_.low_delay) return !keyframes_.empty();
-  return keyframes_.size() >= kLiveKeyframesMin && buffered() >= options_.live_delay;
+KeyframeBuffers::Stored KeyframeBuffers::store(const Keyframe& keyframe) {
+  if (kind_ == Kind::Recorded || kind_ == Kind::RecordedByTime) return store_recorded(keyframe);
+  store_live(keyframe);
+  return Stored::Yes;
+}
+
+KeyframeBuffers::Stored KeyframeBuffers::store_recorded(const Keyframe& keyframe) {
+  const bool full = room() == 0;
+  if (full && has_next()) return Stored::No;  // case A
+  if (full) release();                        // case B
+
+  // Case D compares before it stores, as figure 5.13 does; a threshold of the whole receiver is
+  // therefore reached by case B.
+  const bool reached = ended_ || receiver_fill() >= threshold_of(options_);
+  queue_.push(keyframe);  // all but case A
+  if (kind_ == Kind::Recorded ? reached : !waiting_ || enough()) release();
+  return Stored::Yes;
 }
 
 void KeyframeBuffers::store_live(const Keyframe& keyframe) {
-  append(keyframe);
-  drop_oldest();
+  if (room() == 0) drop();
+  queue_.push(keyframe);
+  if (waiting_) catch_up();
   // A full receiver takes nothing more, so that waiting on would never end.
-  if (starved_ && room() > 0 && !enough()) return;
-  if (!has_next()) fill_playout();
+  if (!waiting_ || room() == 0 || enough()) release();
 }
 
-void KeyframeBuffers::drop_oldest() {
-  // The receiver's oldest follows into the Playout buffer: one is lost, whatever that holds.
-  const auto drop_one = [this] {
-    remove_first();
-    playout_ = std::min(playout_, keyframes_.size());
-    ++dropped_;
-  };
-  while (receiver_fill() > options_.receiver_capacity) drop_one();
-  const Milliseconds lag = options_.low_delay ? kStandingLagMax : kLiveLagMax;
-  if (!starved_ || buffered() <= wanted() + lag) return;
-  const std::size_t least = options_.low_delay ? 1 : kLiveKeyframesMin;
-  while (keyframes_.size() > least && buffered() > wanted()) drop_one();
+void KeyframeBuffers::catch_up() {
+  const bool low_delay = kind_ == Kind::LiveLowDelay;
+  if (buffered() <= wanted() + (low_delay ? kStandingLagMax : kLiveLagMax)) return;
+  const std::size_t least = low_delay ? 1 : kKeyframesMin;
+  while (queue_.size() > least && buffered() > wanted()) drop();
+}
+
+void KeyframeBuffers::drop() {
+  queue_.drop();
+  ++dropped_;
 }
 
 Milliseconds KeyframeBuffers::wanted() const {
-  if (!options_.low_delay) return options_.live_delay;
-  const Keyframe& newest = keyframes_.back();
-  if (!newest.due || !newest.arrived) return time_of(newest);
+  if (kind_ == Kind::Live) return options_.live_delay;
+  const Keyframe& newest = queue_.newest();
+  if (!newest.due || !newest.arrived) return queue_.time_of(newest);
   return std::chrono::ceil<Milliseconds>(*newest.due - *newest.arrived);
 }
 
-Milliseconds KeyframeBuffers::time_of(const Keyframe& keyframe) const {
-  return keyframe.time.value_or(live_.value_or(untimed_));
-}
-
-Milliseconds KeyframeBuffers::buffered() const {
-  return timed_ + live_.value_or(untimed_) * untimed_count_;
-}
-
-std::size_t KeyframeBuffers::room() const {
-  return options_.receiver_capacity - receiver_fill();
-}
-
-void KeyframeBuffers::release() {
-  if (!has_next()) fill_playout();
+bool KeyframeBuffers::enough() const {
+  if (ended_ || kind_ == Kind::LiveLowDelay) return true;
+  return queue_.size() >= kKeyframesMin && buffered() >= options_.live_delay;
 }
 
 void KeyframeBuffers::end_of_stream() {
@@ -118,62 +107,21 @@ void KeyframeBuffers::end_of_stream() {
 
 std::optional<Keyframe> KeyframeBuffers::take() {
   if (!has_next()) {
-    const bool stall = begun_ && !starved_ && !ended_;
-    if (stall && options_.adapt && options_.by_time && !live_) {
+    const bool stall = !std::exchange(waiting_, true) && !ended_;
+    if (stall && kind_ == Kind::RecordedByTime && options_.adapt) {
       options_.live_delay = delay_after_stall(options_.live_delay);
     }
-    starved_ = true;
     return std::nullopt;
   }
-  starved_ = false;
-  begun_ = true;
-  std::optional<Keyframe> keyframe(keyframes_.front());
-  pop_front();
-  if (!has_next()) fill_playout();
-  const Milliseconds time = time_of(*keyframe);
-  if (!live_ || options_.low_delay) return keyframe;
-  const Milliseconds ahead = buffered();
-  if (ahead > options_.live_delay + time) {
-    keyframe->pace_percent = kFasterPercent;
-  } else if (options_.adapt && ahead + 2 * time < options_.live_delay) {
-    keyframe->pace_percent = kSlowerPercent;
-  }
+  waiting_ = false;
+  std::optional<Keyframe> keyframe(queue_.pop());
+  if (kind_ == Kind::Live) keyframe->pace_percent = pace_percent(queue_.time_of(*keyframe));
   return keyframe;
 }
 
-bool KeyframeBuffers::has_next() const {
-  return playout_ > 0;
-}
-
-bool KeyframeBuffers::finished() const {
-  return ended_ && keyframes_.empty();
-}
-
-void KeyframeBuffers::fill_playout() {
-  playout_ += std::min(options_.playout_capacity - playout_, receiver_fill());
-}
-
-void KeyframeBuffers::pop_front() {
-  remove_first();
-  if (playout_ > 0) --playout_;
-}
-
-void KeyframeBuffers::append(const Keyframe& keyframe) {
-  keyframes_.push_back(keyframe);
-  count(keyframe, 1);
-}
-
-void KeyframeBuffers::remove_first() {
-  count(keyframes_.front(), -1);
-  keyframes_.pop_front();
-}
-
-void KeyframeBuffers::count(const Keyframe& keyframe, int by) {
-  if (keyframe.time) {
-    timed_ += *keyframe.time * by;
-  } else {
-    untimed_count_ += by;
-  }
+int KeyframeBuffers::pace_percent(Milliseconds time) const {
+  if (buffered() > options_.live_delay + time) return kFasterPercent;
+  return options_.adapt && buffered() + 2 * time < options_.live_delay ? kSlowerPercent : 100;
 }
 
 }  // namespace aucast::playback

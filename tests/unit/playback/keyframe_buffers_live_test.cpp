@@ -27,8 +27,14 @@ Keyframe keyframe_of(int mark, std::optional<Milliseconds> time = std::nullopt) 
 
 class LiveBuffers : public ::testing::Test {
  protected:
-  LiveBuffers() { buffers_.set_live(250ms); }
+  LiveBuffers() { buffers_.set_live(true); }
 
+  /// Begins anew, with a live stream whose keyframes take `untimed`.
+  void begin(const BufferOptions& options, Milliseconds untimed) {
+    buffers_ = KeyframeBuffers(options);
+    buffers_.set_live(true);
+    buffers_.set_untimed(untimed);
+  }
   void store(int mark, std::optional<Milliseconds> time = std::nullopt) {
     EXPECT_EQ(buffers_.store(keyframe_of(mark, time)), KeyframeBuffers::Stored::Yes);
   }
@@ -143,8 +149,7 @@ TEST_F(LiveBuffers, LeaveNothingOutWhilePlaying) {
 TEST_F(LiveBuffers, PlaySlowerToBuildUpTheDelayThatTheLinkNeeds) {
   BufferOptions options;
   options.adapt = true;
-  buffers_ = KeyframeBuffers(options);
-  buffers_.set_live(100ms);
+  begin(options, 100ms);
   for (int mark = 1; mark <= 5; ++mark) store(mark);
   EXPECT_EQ(take(), 1);
   EXPECT_EQ(pace_, 100);
@@ -162,8 +167,7 @@ TEST_F(LiveBuffers, NeverPlayFasterThanFivePercent) {
   SCOPED_TRACE(seeded.trace());
   BufferOptions options;
   options.adapt = true;
-  buffers_ = KeyframeBuffers(options);
-  buffers_.set_live(33ms);
+  begin(options, 33ms);
   int stored = 0;
   for (int i = 0; i < 3000; ++i) {
     const Milliseconds time(seeded.integer(1, 500));
@@ -188,16 +192,16 @@ TEST_F(LiveBuffers, TellHowMuchTheyHoldWhateverHappens) {
   int stored = 0;
   for (int i = 0; i < 3000; ++i) {
     Milliseconds untimed(seeded.integer(1, 500));
-    buffers_.set_live(untimed);
+    buffers_.set_live(true);
     if (seeded.chance(0.1)) {  // for a moment it is a recorded one
       untimed = Milliseconds(seeded.integer(1, 500));
-      buffers_.set_live(std::nullopt);
-      buffers_.set_untimed(untimed);
+      buffers_.set_live(false);
     } else if (seeded.chance(0.55)) {
       held.push_back(std::nullopt);
       if (seeded.chance(0.7)) held.back() = Milliseconds(seeded.integer(0, 500));
       store(++stored, held.back());
     }
+    buffers_.set_untimed(untimed);
     if (seeded.chance(0.4) && buffers_.take()) held.pop_front();
     while (held.size() > buffers_.receiver_fill() + buffers_.playout_fill()) held.pop_front();
     Milliseconds sum{0};
@@ -264,8 +268,7 @@ TEST(TimedBuffers, BeginWhenFullOrEnded) {
 }
 
 TEST_F(LiveBuffers, NeverHoldMoreThanTheReceiver) {
-  buffers_ = KeyframeBuffers(BufferOptions{3, 1, 100});
-  buffers_.set_live(0ms);
+  begin(BufferOptions{3, 1, 100}, 0ms);
   for (int mark = 1; mark <= 100; ++mark) store(mark);
   EXPECT_EQ(buffers_.receiver_fill(), 3U);
   EXPECT_EQ(buffers_.playout_fill(), 1U);
@@ -273,8 +276,7 @@ TEST_F(LiveBuffers, NeverHoldMoreThanTheReceiver) {
 }
 
 TEST_F(LiveBuffers, BeginWhenTheReceiverIsFullHoweverLongTheDelay) {
-  buffers_ = KeyframeBuffers(BufferOptions{100, 30, 40, 10s});
-  buffers_.set_live(33ms);
+  begin(BufferOptions{100, 30, 40, 10s}, 33ms);
   for (int mark = 1; mark <= 99; ++mark) store(mark);
   EXPECT_FALSE(buffers_.has_next()) << "3.3 of 10 s, and there is room";
   store(100);
@@ -291,7 +293,8 @@ TEST(TimedBuffers, HoldTheLongestAdaptedDelayOfAPicturesRate) {
   options.by_time = true;
   options.adapt = true;
   KeyframeBuffers buffers(options);
-  buffers.set_live(33ms);
+  buffers.set_live(true);
+  buffers.set_untimed(33ms);
   buffers.set_delay(10s);
   int stored = 0;
   while (!buffers.has_next()) {
@@ -303,8 +306,7 @@ TEST(TimedBuffers, HoldTheLongestAdaptedDelayOfAPicturesRate) {
 }
 
 TEST_F(LiveBuffers, DropOneForEachThatOverflows) {
-  buffers_ = KeyframeBuffers(BufferOptions{10, 5, 100});
-  buffers_.set_live(100ms);
+  begin(BufferOptions{10, 5, 100}, 100ms);
   for (int mark = 1; mark <= 13; ++mark) store(mark);
   EXPECT_EQ(buffers_.dropped(), 0U);
   EXPECT_EQ(buffers_.playout_fill(), 3U);
@@ -316,7 +318,7 @@ TEST_F(LiveBuffers, DropOneForEachThatOverflows) {
 }
 
 TEST_F(LiveBuffers, GoBackToTheThresholdWhenRecorded) {
-  buffers_.set_live(std::nullopt);
+  buffers_.set_live(false);
   store(1);
   store(2);
   EXPECT_FALSE(buffers_.has_next());
@@ -332,7 +334,8 @@ TEST(LiveBuffersProperty, GiveEachOnceInOrderOrCountItAsDropped) {
         static_cast<std::size_t>(seeded.integer(1, static_cast<int>(options.receiver_capacity)));
     options.live_delay = Milliseconds(seeded.integer(0, 1000));
     KeyframeBuffers buffers(options);
-    buffers.set_live(Milliseconds(seeded.integer(1, 500)));
+    buffers.set_live(true);
+    buffers.set_untimed(Milliseconds(seeded.integer(1, 500)));
     const double eager = seeded.real(0.2, 0.8);
     int stored = 0;
     std::uint64_t taken = 0;

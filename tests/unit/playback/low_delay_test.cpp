@@ -31,7 +31,7 @@ BufferOptions low_delay() {
 /// What the network thread makes of a live stream: keyframes that say when they came and are due.
 class LinkSource final : public KeyframeSource {
  public:
-  explicit LinkSource(Milliseconds time) : time_(time) { buffers_.set_live(time); }
+  explicit LinkSource(Milliseconds time) : time_(time) { buffers_.set_live(true); }
 
   void arrive(Instant now) {
     Keyframe keyframe = marked(++sent_, time_);

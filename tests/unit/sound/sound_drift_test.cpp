@@ -86,7 +86,8 @@ class SoundDrift : public testing::TestWithParam<int> {};
 TEST_P(SoundDrift, OfAnHourIsTakenOutOfPausesAndTheFaceStaysWithTheSound) {
   const double rate = 1 + GetParam() * 1e-6;
   KeyframeBuffers buffers({100, 100, 1, 300ms, false, true, false});
-  buffers.set_live(kKeyframe);
+  buffers.set_live(true);
+  buffers.set_untimed(kKeyframe);
   playback::SourcePlayback playback(std::make_unique<BufferedSource>(buffers), {});
   RoundTrack track;
   Device device;
