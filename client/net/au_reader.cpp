@@ -8,78 +8,66 @@ namespace aucast::net {
 namespace {
 
 using playback::EndReason;
-using playback::Keyframe;
-using playback::KeyframeBuffers;
 using protocol::SessionFailed;
 
 constexpr std::size_t kWindowAsked = 64;
 
-EndReason end_reason(SessionFailed::Why why) {
-  switch (why) {
-    case SessionFailed::Why::Lost:
-      return EndReason::ConnectionLost;
-    case SessionFailed::Why::ProtocolError:
-      return EndReason::ProtocolError;
-    case SessionFailed::Why::Refused:
-      return EndReason::Refused;
-    case SessionFailed::Why::Silent:
-      break;
-  }
-  return EndReason::Unreachable;
+int window_asked(const AuReaderOptions& options) {
+  return static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity));
 }
 
-/// What the user can do about it.
-std::string_view remedy(SessionFailed::Why why) {
+/// How the first connection is begun.
+protocol::ClientSessionOptions first_manner(const AuReaderOptions& options) {
+  protocol::ClientSessionOptions manner;
+  manner.negotiate = !options.classic;
+  manner.hello.window = options.buffers.low_delay ? 0 : window_asked(options);
+  manner.hello.stream = options.stream;
+  manner.hello.delta = true;
+  manner.hello.token = options.token;
+  if (options.voice) manner.hello.voice = protocol::kVoiceCodec;
+  manner.hello.text = options.captions;
+  manner.silence_max = options.silence_max;
+  return manner;
+}
+
+struct Failure {
+  EndReason end;
+  std::string_view remedy;  ///< what the user can do about it
+};
+
+Failure failure(SessionFailed::Why why) {
   switch (why) {
     case SessionFailed::Why::Lost:
-      return "; the server's log may say why";
+      return {EndReason::ConnectionLost, "; the server's log may say why"};
     case SessionFailed::Why::ProtocolError:
-      return "; is it an au-transmitter?";
+      return {EndReason::ProtocolError, "; is it an au-transmitter?"};
     case SessionFailed::Why::Refused:
-      return "";
+      return {EndReason::Refused, ""};
     case SessionFailed::Why::Silent:
       break;
   }
-  return "; is it an au-transmitter? --connect-timeout sets how long to wait";
+  return {EndReason::Unreachable,
+          "; is it an au-transmitter? --connect-timeout sets how long to wait"};
 }
 
 }  // namespace
 
-protocol::ClientSessionOptions AuReader::session_options(const AuReaderOptions& options,
-                                                         const Manner& manner) {
-  protocol::ClientSessionOptions session;
-  session.negotiate = manner.hello;
-  session.hello.window =
-      manner.answers ? static_cast<int>(std::min(kWindowAsked, options.buffers.receiver_capacity))
-                     : 0;
-  session.hello.stream = options.stream;
-  session.hello.delta = true;
-  session.hello.token = options.token;
-  if (options.voice) session.hello.voice = protocol::kVoiceCodec;
-  session.hello.text = options.captions;
-  session.silence_max = options.silence_max;
-  return session;
-}
-
-void AuReader::begin_session() {
-  protocol::ClientSessionOptions again = session_options(options_, manner_);
-  if (!status_.live) {
-    again.hello.from_ms = static_cast<std::uint64_t>((clock_ - clock_shift_).count());
-  }
-  session_ = protocol::ClientSession(std::move(again));
-}
-
 AuReader::AuReader(AuReaderOptions options)
     : options_(std::move(options)),
-      manner_{.hello = !options_.classic, .answers = !options_.buffers.low_delay},
-      session_(session_options(options_, manner_)),
-      buffers_(options_.buffers),
-      timing_(options_.buffers),
-      retries_({options_.reconnect, options_.one_round, options_.hosts}) {}
+      manner_(first_manner(options_)),
+      session_(manner_),
+      retries_({options_.reconnect, options_.one_round, options_.hosts}),
+      received_(options_.buffers, options_.speed) {}
+
+void AuReader::begin_session() {
+  const Milliseconds from = received_.hello().live ? Milliseconds::zero() : received_.place();
+  manner_.hello.from_ms = static_cast<std::uint64_t>(from.count());
+  session_ = protocol::ClientSession(manner_);
+}
 
 Reaction AuReader::connected(Instant now, Duration round_trip) {
   connected_at_ = now;
-  timing_.connected(round_trip);
+  received_.connected(round_trip);
   status_.connected = true;
   status_.receive_seconds = 0;
   waiting_.clear();
@@ -141,17 +129,14 @@ Reaction AuReader::refused(EndReason why, const std::string& reason) {
   return reaction;
 }
 
-/// After a loss: what was received is played until the next attempt.
+/// After a loss.
 void AuReader::begin_again(Reaction& reaction, const std::string& reason, Milliseconds wait) {
-  if (first_) take_in(*std::exchange(first_, std::nullopt));
-  buffers_.release();
-  buffers_.set_live(false);
+  received_.break_off();
   lost_.keyframes += session_.keyframes_received();
   lost_.bytes += session_.payload_bytes();
   ledger_.forget();
-  manner_.hello = !options_.classic;
+  manner_.negotiate = !options_.classic;
   begin_session();
-  timing_.begin_again();
   status_.connected = false;
   status_.negotiated = false;
   ++status_.reconnects;
@@ -176,16 +161,8 @@ Reaction AuReader::speak(Instant now) {
   return reaction;
 }
 
-std::string AuReader::farewell() {
-  return session_.stop();
-}
-
-bool AuReader::wants_bytes() const {
-  return waiting_.empty();
-}
-
 bool AuReader::may_decode() const {
-  return status_.end == EndReason::NotEnded && kept_.size() < kept_max() && ledger_.has_room();
+  return status_.end == EndReason::NotEnded && received_.kept() < kept_max() && ledger_.has_room();
 }
 
 /// Keyframe by keyframe, so that each is answered before the session counts the next as sent ahead.
@@ -214,75 +191,37 @@ void AuReader::handle(const protocol::SendBytes& event, Reaction& reaction) {
 void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction) {
   reaction.changed = true;
   const bool first = session_.keyframes_received() == 1;
-  if (first && retries_.ever_granted() && !negotiated()) forget_hello();
+  // A classic server has begun: nothing that the hello of an earlier connection said holds. Until a
+  // keyframe proves it one, it may be that earlier server, which is just about to come back.
+  if (first && retries_.ever_granted() && !negotiated()) received_.begin({});
   retries_.keyframe_came();
-  Keyframe keyframe{event.aus, std::nullopt};
-  if (event.time_ms) keyframe.time = Milliseconds(*event.time_ms);
-  const Milliseconds time = keyframe.time.value_or(status_.keyframe_time);
-  keyframe.spoken = status_.live && spoken_.voice_end() > clock_;
-  clock_ += time;
-  keyframe.place = clock_;
-  keyframe.span = time;
-  if (status_.live) note_live(event, keyframe);
-
+  received_.add(event, now_, first && manner_.negotiate && !negotiated());
   ledger_.owe(now_);
-  if (first && manner_.hello && !negotiated()) {
-    first_ = keyframe;
-  } else {
-    if (first_) take_in(*std::exchange(first_, std::nullopt));
-    take_in(keyframe);
-  }
   answer(reaction.send);
 }
 
 void AuReader::handle(const protocol::Granted& event, Reaction& reaction) {
   retries_.granted();
-  if (!manner_.answers && !event.hello.live) {
+  if (manner_.hello.window == 0 && !event.hello.live) {
     // Only a live stream goes without answers; a recorded one would come keyframe by keyframe.
-    manner_.answers = true;
+    manner_.hello.window = window_asked(options_);
     connect_anew(reaction);
     return;
   }
   reaction.changed = true;
   status_.negotiated = true;
-  status_.keyframe_time = Milliseconds(event.hello.keyframe_ms);
-  status_.live = event.hello.live;
-  buffers_.set_live(status_.live);
-  buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
-  if (options_.buffers.adapt && !options_.buffers.low_delay && status_.live)
-    buffers_.set_delay(timing_.first_delay());
-  clock_shift_ = clock_ - Milliseconds(event.hello.from_ms);
-  status_.voice = !event.hello.voice.empty();
-  status_.captions = event.hello.text;
-  status_.stream = event.hello.stream;
-  status_.title = event.hello.title;
+  received_.begin(event.hello);
   answer(reaction.send);  // the user may have paused already
-}
-
-/// A classic server has begun: nothing that the hello of an earlier connection said holds. Until a
-/// keyframe proves it one, it may be that earlier server, which is just about to come back.
-void AuReader::forget_hello() {
-  const playback::SourceStatus unknown;
-  status_.keyframe_time = unknown.keyframe_time;
-  status_.live = unknown.live;
-  status_.voice = unknown.voice;
-  status_.captions = unknown.captions;
-  status_.stream = unknown.stream;
-  status_.title = unknown.title;
-  buffers_.set_live(false);
-  buffers_.set_untimed(options_.speed.value_or(status_.keyframe_time));
-  clock_shift_ = clock_;  // its stream begins here
 }
 
 void AuReader::handle(const protocol::DeliverVoice& event, Reaction& reaction) {
   reaction.changed = true;
-  spoken_.add(playback::Voice{event.packet.place + clock_shift_, event.packet.opus});
+  received_.add(event.packet);
 }
 
 void AuReader::handle(const protocol::DeliverCaption& event, Reaction& reaction) {
   reaction.changed = true;
-  spoken_.add(
-      playback::Caption{Milliseconds(event.caption.place_ms) + clock_shift_, event.caption.text});
+  received_.add(event.caption);
 }
 
 void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction) {
@@ -292,7 +231,7 @@ void AuReader::handle(const protocol::StreamEnded& /*event*/, Reaction& reaction
 }
 
 void AuReader::handle(const protocol::ReconnectClassic& /*event*/, Reaction& reaction) {
-  manner_.hello = false;
+  manner_.negotiate = false;
   connect_anew(reaction);
 }
 
@@ -301,8 +240,7 @@ void AuReader::connect_anew(Reaction& reaction) {
   reaction = {};
   reaction.changed = true;
   reaction.next = Reaction::Next::Reconnect;
-  if (first_) clock_ -= first_->span;
-  first_.reset();
+  received_.forget_aside();
   ledger_.forget();
   status_.connected = false;
   begin_session();
@@ -315,28 +253,8 @@ void AuReader::handle(const protocol::SessionFailed& event, Reaction& reaction) 
   }
   reaction.next = Reaction::Next::Close;
   status_.refusal = event.code;
-  end(end_reason(event.why), options_.peer + ": " + event.reason + std::string(remedy(event.why)));
-}
-
-void AuReader::note_live(const protocol::DeliverKeyframe& event, Keyframe& keyframe) {
-  keyframe.arrived = now_;
-  if (user_paused_) return;
-  std::optional<Milliseconds> place;
-  if (event.place_ms) place = Milliseconds(*event.place_ms);
-  const Milliseconds untimed = options_.speed.value_or(status_.keyframe_time);
-  if (const auto delay = timing_.arrived(keyframe, untimed, place)) buffers_.set_delay(*delay);
-}
-
-void AuReader::take_in(const Keyframe& keyframe) {
-  store_kept();
-  const bool stored = kept_.empty() && buffers_.store(keyframe) == KeyframeBuffers::Stored::Yes;
-  if (!stored) kept_.push_back(keyframe);
-}
-
-void AuReader::store_kept() {
-  while (!kept_.empty() && buffers_.store(kept_.front()) == KeyframeBuffers::Stored::Yes) {
-    kept_.pop_front();
-  }
+  const auto [reason, remedy] = failure(event.why);
+  end(reason, options_.peer + ": " + event.reason + std::string(remedy));
 }
 
 void AuReader::answer(std::string& send) {
@@ -344,7 +262,7 @@ void AuReader::answer(std::string& send) {
 }
 
 AnswerLedger::Wishes AuReader::wishes() const {
-  return {user_paused_, !kept_.empty(), status_.voice};
+  return {received_.paused(), received_.kept() > 0, !received_.hello().voice.empty()};
 }
 
 bool AuReader::negotiated() const {
@@ -362,27 +280,23 @@ void AuReader::end(EndReason reason, std::string detail) {
   status_.end = reason;
   status_.detail = std::move(detail);
   status_.connected = false;
-  if (first_) take_in(*std::exchange(first_, std::nullopt));
-  buffers_.end_of_stream();
+  received_.end();
 }
 
-std::optional<Keyframe> AuReader::take() {
-  if (left()) return std::nullopt;
-  auto keyframe = buffers_.take();
-  store_kept();
-  return keyframe;
+std::optional<playback::Keyframe> AuReader::take() {
+  return left() ? std::nullopt : received_.take();
 }
 
 std::optional<playback::Voice> AuReader::take_voice() {
-  return left() ? std::nullopt : spoken_.take_voice();
+  return left() ? std::nullopt : received_.spoken().take_voice();
 }
 
 std::optional<playback::Caption> AuReader::take_caption() {
-  return left() ? std::nullopt : spoken_.take_caption();
+  return left() ? std::nullopt : received_.spoken().take_caption();
 }
 
 bool AuReader::ready() const {
-  return left() || buffers_.has_next() || buffers_.finished();
+  return left() || received_.ready();
 }
 
 bool AuReader::has_output() const {
@@ -396,13 +310,8 @@ bool AuReader::calls_for_speak() {
   return true;
 }
 
-void AuReader::set_paused(bool paused) {
-  if (user_paused_ && !paused) timing_.begin_again();
-  user_paused_ = paused;
-}
-
 void AuReader::leave() {
-  if (left() || buffers_.finished()) return;
+  if (left() || received_.finished()) return;
   status_.connected = false;
   status_.end = EndReason::Stopped;
   status_.detail = "stopped by the user";
@@ -410,21 +319,12 @@ void AuReader::leave() {
 
 playback::SourceStatus AuReader::status() const {
   playback::SourceStatus status = status_;
-  status.receiver_fill = buffers_.receiver_fill();
-  status.playout_fill = buffers_.playout_fill();
-  status.paused = user_paused_ || session_.paused();
+  received_.describe(status);
+  status.paused = received_.paused() || session_.paused();
   status.keyframes_received = lost_.keyframes + session_.keyframes_received();
   status.bytes_received = lost_.bytes + session_.payload_bytes();
-  status.keyframes_dropped = buffers_.dropped();
-  status.voice_left_out = spoken_.voice_left_out();
-  status.captions_left_out = spoken_.captions_left_out();
   status.pauses_sent = ledger_.pauses_sent();
   status.resumes_sent = ledger_.resumes_sent();
-  status.delay = buffers_.delay();
-  if (status_.live && options_.buffers.low_delay) {
-    status.delay = timing_.low_delay();
-  }
-  status.buffered = buffers_.buffered();
   return status;
 }
 

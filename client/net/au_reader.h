@@ -3,16 +3,14 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "client/net/answer_ledger.h"
-#include "client/net/live_timing.h"
+#include "client/net/received_stream.h"
 #include "client/net/retries.h"
-#include "client/net/spoken_queue.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
@@ -50,18 +48,16 @@ struct Reaction {
   Milliseconds retry_after{0};
 };
 
-/// The AU Reader of the thesis (5.4.4.2) without its socket. It puts what comes from the server
-/// into the Receiver and Playout buffers (cases A-D of KeyframeBuffers::store()), and asks the
-/// server to pause while they are full. It has no clock: the current time is handed in.
+/// The AU Reader of the thesis (5.4.4.2) without its socket: leads the conversation with the
+/// server, over as many connections as it takes, so that its stream comes into the buffers. It asks
+/// the server to pause while they are full. It has no clock: the current time is handed in.
 ///
-/// Room: every keyframe answered by `1` and not yet taken is in the buffers, in `kept_` or in
-/// `first_`. `kept_` has the keyframes that were under way when the buffers became full, at most as
-/// many as the window allows. A server that does not wait for answers is read no faster than the
-/// player makes room.
+/// Room: a server that does not wait for answers is read no faster than the player makes room, so
+/// that the ReceivedStream keeps at most as many keyframes beside the buffers as the window allows.
 ///
 /// Classic: when the first thing that follows our hello is a keyframe, the reader answers that
-/// keyframe, but keeps it in `first_` until a second one or {-2} comes. If the server closes the
-/// connection before that, the stream begins again on a new connection; the kept keyframe is then
+/// keyframe, but it is kept aside until a second one or {-2} comes. If the server closes the
+/// connection before that, the stream begins again on a new connection, and the keyframe is
 /// dropped, so that it is not played twice.
 ///
 /// Loss: with `reconnect` the face holds until there is a new connection. A recorded stream then
@@ -96,12 +92,12 @@ class AuReader {
   /// on the bytes that had to wait.
   [[nodiscard]] Reaction speak(Instant now);
   /// The user leaves: returns the last bytes, to be sent if there is a connection.
-  [[nodiscard]] std::string farewell();
+  [[nodiscard]] std::string farewell() { return session_.stop(); }
   /// Counts bytes of the protocol that went out, without what a layer such as TLS adds.
   void note_sent(std::size_t bytes) { status_.bytes_sent += bytes; }
   /// False while received bytes wait for room: then read nothing, so that flow control holds the
   /// server back.
-  [[nodiscard]] bool wants_bytes() const;
+  [[nodiscard]] bool wants_bytes() const { return waiting_.empty(); }
 
   // === The player's side.
 
@@ -116,25 +112,17 @@ class AuReader {
   /// Whether to call speak(); the player asks this after it has taken something. The same as
   /// has_output(), but true only once: then false until speak() has been called.
   [[nodiscard]] bool calls_for_speak();
-  void set_paused(bool paused);
+  void set_paused(bool paused) { received_.set_paused(paused); }
   /// The user leaves: take() returns nullopt from now on.
   void leave();
   [[nodiscard]] playback::SourceStatus status() const;
 
  private:
-  /// How the next connection is begun.
-  struct Manner {
-    bool hello = true;    ///< it begins with a hello of ours; false: classic
-    bool answers = true;  ///< it asks for a window
-  };
-
-  struct Received {
+  struct Came {
     std::uint64_t keyframes = 0;
     std::uint64_t bytes = 0;
   };
 
-  [[nodiscard]] static protocol::ClientSessionOptions session_options(
-      const AuReaderOptions& options, const Manner& manner);
   void decode_waiting(Reaction& reaction, Instant now);
   [[nodiscard]] bool may_decode() const;
   void react(const std::vector<protocol::ClientEvent>& events, Reaction& reaction, Instant now);
@@ -148,11 +136,7 @@ class AuReader {
   void handle(const protocol::SessionFailed& event, Reaction& reaction);
   void connect_anew(Reaction& reaction);
   void begin_session();
-  void forget_hello();
 
-  void note_live(const protocol::DeliverKeyframe& event, playback::Keyframe& keyframe);
-  void take_in(const playback::Keyframe& keyframe);
-  void store_kept();
   void answer(std::string& send);
   [[nodiscard]] AnswerLedger::Wishes wishes() const;
   [[nodiscard]] bool negotiated() const;
@@ -163,27 +147,17 @@ class AuReader {
   void end(playback::EndReason reason, std::string detail);
 
   AuReaderOptions options_;
-  Manner manner_;
+  protocol::ClientSessionOptions manner_;  ///< how the next connection is begun
   protocol::ClientSession session_;
-  playback::KeyframeBuffers buffers_;
-  std::optional<playback::Keyframe> first_;  ///< kept aside until the server is known to go on
-  std::deque<playback::Keyframe> kept_;      ///< the keyframes of case A of
-                                             ///< KeyframeBuffers::store()
-  std::string waiting_;                      ///< received bytes that wait for room in kept_
+  Retries retries_;
+  Came lost_;  ///< over earlier connections, which were lost
+  Instant connected_at_{};
+  Instant now_{};        ///< the time that came with the current call
+  std::string waiting_;  ///< received bytes that wait for room in received_
+  ReceivedStream received_;
   AnswerLedger ledger_;
   bool called_for_speak_ = false;
-  bool user_paused_ = false;
   playback::SourceStatus status_;  ///< what status() does not get from the other members
-  Instant connected_at_{};
-  Instant now_{};  ///< the time that came with the current call
-  LiveTiming timing_;
-  Milliseconds clock_{0};        ///< the sum of the times of all keyframes received, over all
-                                 ///< connections
-  Milliseconds clock_shift_{0};  ///< what to add to a place of this connection to get the place on
-                                 ///< clock_
-  SpokenQueue spoken_;           ///< its places are on clock_
-  Retries retries_;
-  Received lost_;  ///< what came over earlier connections, which were lost
 };
 
 }  // namespace aucast::net

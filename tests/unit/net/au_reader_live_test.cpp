@@ -370,6 +370,15 @@ TEST_F(Reconnecting, TakesFullBuffersForNoSilenceOfTheServer) {
   EXPECT_EQ(status().keyframes_received, 10U);
 }
 
+TEST_F(Reconnecting, AsksForNoPlaceOnceTheStreamIsLive) {
+  feed("{hello v=2 window=4 keyframe=200}{1}{2}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1 from=400}");
+  feed(kLive + "{4}");
+  close();
+  EXPECT_EQ(reader_->connected(clock_.now()).send, "{hello v=2 window=64 delta=1}");
+}
+
 TEST_F(Reconnecting, DropsTheHalfPacketThatWasUnderWay) {
   feed("{hello v=2 window=4}{1}{2,");
   close();
