@@ -26,6 +26,7 @@
 #include "client/net/stream_list.h"
 #include "client/playback/file_source.h"
 #include "client/playback/seekable_playback.h"
+#include "client/playback/source_playback.h"
 #include "common/files.h"
 #include "common/log.h"
 #include "common/standard_output.h"

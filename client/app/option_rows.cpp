@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "client/gallery/section_names.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/source_playback.h"
 #include "client/view/video_encoder.h"
 #include "common/number_of.h"
 #include "common/standard_output.h"
@@ -20,7 +20,7 @@ using Where = OptionRow::Where;
 constexpr int kSizeMax = view::kVideoSideMax;
 constexpr double kSecondsMax = 86'400;
 constexpr int kDelayMaxMs = playback::BufferOptions::kDelayMax.count();
-constexpr int kSpeedMaxMs = playback::PlaybackController::kSpeedMax.count();
+constexpr int kSpeedMaxMs = playback::SourcePlayback::kSpeedMax.count();
 
 std::string text_of_range(std::size_t low, std::size_t high) {
   return std::to_string(low) + " to " + std::to_string(high);

@@ -1,4 +1,5 @@
 #include "client/app/player_stats.h"
+#include "client/playback/movement.h"
 
 #include <cmath>
 

@@ -18,6 +18,7 @@ namespace aucast::net {
 ///
 /// Room: every keyframe that was added and not yet taken is in the buffers, kept beside them
 /// because they were full, or kept aside as the first one of a server that may be classic.
+/// Invariant: keyframes are given in the order in which they were added.
 ///
 /// Thread: none of its own.
 class ReceivedStream {
@@ -29,9 +30,9 @@ class ReceivedStream {
 
   /// A connection has been made. `round_trip`: its own; zero if unknown.
   void connected(Duration round_trip) { timing_.connected(round_trip); }
-  /// What the server grants holds from now on; by default, what holds for a classic server.
+  /// From now on the stream is as `hello` says; that of a classic server is as the defaults say.
   void begin(const protocol::HelloGranted& hello);
-  /// What begin() was called with last.
+  /// What begin() was called with last; the defaults before that.
   [[nodiscard]] const protocol::HelloGranted& hello() const { return hello_; }
 
   /// Adds a keyframe that has come at `now`. With `aside`, it waits until another keyframe,

@@ -10,13 +10,14 @@ namespace aucast::playback {
 
 /// The Receiver and the Playout buffer in one queue, first-in first-out: in front the keyframes of
 /// the Playout buffer, behind them those of the Receiver. So a keyframe passes from one to the
-/// other without being moved. Thread: none of its own.
+/// other without being moved. Invariant: neither holds more than its capacity.
+/// Thread: none of its own.
 class KeyframeQueue {
  public:
   KeyframeQueue(std::size_t receiver_capacity, std::size_t playout_capacity)
       : receiver_capacity_(receiver_capacity), playout_capacity_(playout_capacity) {}
 
-  /// Puts a keyframe into the Receiver. If that was full, drop one at once.
+  /// Puts a keyframe into the Receiver, which must have room().
   void push(const Keyframe& keyframe) {
     keyframes_.push_back(keyframe);
     time_ += time_of(keyframe);

@@ -1,11 +1,6 @@
 #include "client/playback/playback.h"
 
-#include <utility>
-
-#include "common/check.h"
-
 namespace aucast::playback {
-
 namespace {
 
 const DelayMeter& no_delays() {
@@ -15,35 +10,39 @@ const DelayMeter& no_delays() {
 
 }  // namespace
 
+std::string_view name(PlaybackState state) {
+  switch (state) {
+    case PlaybackState::Buffering:
+      return "buffering";
+    case PlaybackState::Playing:
+      return "playing";
+    case PlaybackState::Stalled:
+      return "stalled";
+    case PlaybackState::Stale:
+      return "stale";
+    case PlaybackState::Paused:
+      return "paused";
+    case PlaybackState::Ended:
+      return "ended";
+    case PlaybackState::Stopped:
+      return "stopped";
+    case PlaybackState::Lost:
+      return "lost";
+  }
+  return "unknown";
+}
+
+bool is_over(PlaybackState state) {
+  return state == PlaybackState::Ended || state == PlaybackState::Stopped ||
+         state == PlaybackState::Lost;
+}
+
 const DelayMeter& Playback::delays() const {
   return no_delays();
 }
 
 const DelayMeter& Playback::delays_meant() const {
   return no_delays();
-}
-
-SourcePlayback::SourcePlayback(std::unique_ptr<KeyframeSource> source, const Options& options)
-    : source_(std::move(source)), controller_(options.speed) {
-  AUCAST_CHECK(source_ != nullptr);
-  if (options.hold) controller_.set_hold(*options.hold);
-  if (options.video_clock) controller_.set_video_clock();
-}
-
-void SourcePlayback::pause(Instant now) {
-  controller_.pause(now);
-  source_->pause();
-}
-
-void SourcePlayback::resume(Instant now) {
-  controller_.resume(now);
-  source_->resume();
-}
-
-void SourcePlayback::stop(Instant now) {
-  if (over()) return;
-  source_->stop();
-  controller_.stop(now);
 }
 
 }  // namespace aucast::playback

@@ -1,15 +1,51 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <string_view>
 
 #include "client/playback/delay_meter.h"
 #include "client/playback/keyframe_source.h"
 #include "client/playback/passing.h"
-#include "client/playback/playback_controller.h"
+#include "common/time.h"
 
 namespace aucast::playback {
+
+enum class PlaybackState : std::uint8_t {
+  Buffering,  ///< nothing has been played yet, the first keyframe is awaited
+  Playing,
+  Stalled,  ///< both buffers ran empty before the end: the clock waits, the face holds
+  Stale,    ///< a stall lasted too long: the face eases to neutral and waits there
+  Paused,   ///< by the user
+  Ended,    ///< the stream has ended, and position 50 of its last keyframe is reached
+  Stopped,  ///< the user left
+  Lost,     ///< all that came is played, and the stream was cut short: connection lost, protocol
+            ///< error, server unreachable or refusing; the face holds and eases as in Stale
+};
+
+[[nodiscard]] std::string_view name(PlaybackState state);
+
+/// Whether `state` is Ended, Stopped or Lost: nothing moves any more, except that in Lost the face
+/// eases to neutral.
+[[nodiscard]] bool is_over(PlaybackState state);
+
+/// A keyframe that has just begun: the face goes from where it is to `target`.
+struct KeyframeBegun {
+  Keyframe target;
+  Milliseconds time{0};  ///< its own time: as it was sent, else --speed, else the server's
+                         ///< default. A live keyframe may in fact take 5 % more or less
+  /// How much of what came before was played, in [0,1]. Keyframes are played whole; only an easing
+  /// to neutral may be interrupted.
+  double cut_at = 1;
+  std::optional<AuFrame> from{};  ///< the face begins from these AUs; nullopt: from where it is
+};
+
+/// How far playback has come.
+struct PlaybackProgress {
+  std::uint64_t keyframe = 0;  ///< counts from 1; 0 before the first
+  int position = 0;  ///< the last position k of the current keyframe that was reached, 0..50
+  double mu = 0;     ///< exact fraction in [0,1] of the current keyframe
+};
 
 class SeekablePlayback;
 
@@ -25,8 +61,9 @@ class Playback {
   Playback(const Playback&) = delete;
   Playback& operator=(const Playback&) = delete;
 
-  /// Moves to `now`. If a keyframe begins, it is returned; call again with the same `now` until
-  /// nullopt is returned.
+  /// Moves to `now`. If a keyframe begins, it is returned: bring the face to the end of the one
+  /// before, then begin this one. Call again with the same `now` until nullopt is returned, because
+  /// short keyframes may have ended already.
   [[nodiscard]] virtual std::optional<KeyframeBegun> advance(Instant now) = 0;
   /// The face stays where it is at `now` until resume().
   virtual void pause(Instant now) = 0;
@@ -69,50 +106,6 @@ class Playback {
   [[nodiscard]] virtual SourceStatus status() const = 0;
   /// This object, if it can seek; else null.
   [[nodiscard]] virtual SeekablePlayback* seekable() { return nullptr; }
-};
-
-/// Plays a source by a PlaybackController.
-class SourcePlayback final : public Playback {
- public:
-  struct Options {
-    std::optional<Milliseconds> speed{};  ///< the time of a keyframe that has none of its own;
-                                          ///< nullopt: the server's default
-    std::optional<Milliseconds> hold{};   ///< PlaybackController::set_hold()
-    bool video_clock = false;             ///< PlaybackController::set_video_clock()
-  };
-  SourcePlayback(std::unique_ptr<KeyframeSource> source, const Options& options);
-
-  [[nodiscard]] std::optional<KeyframeBegun> advance(Instant now) override {
-    return controller_.advance(now, *source_);
-  }
-  void pause(Instant now) override;
-  void resume(Instant now) override;
-  void stop(Instant now) override;
-  [[nodiscard]] PlaybackState state() const override { return controller_.state(); }
-  [[nodiscard]] PlaybackProgress progress() const override { return controller_.progress(); }
-  [[nodiscard]] bool eased() const override { return controller_.eased(); }
-  [[nodiscard]] std::optional<Instant> next_position_at() const override {
-    return controller_.next_position_at();
-  }
-  [[nodiscard]] std::optional<Passing> passing() const override { return controller_.passing(); }
-  [[nodiscard]] std::optional<Voice> take_voice() override { return source_->take_voice(); }
-  [[nodiscard]] std::optional<Caption> take_caption() override { return source_->take_caption(); }
-  void set_clock(Duration ahead, Duration lead) override { controller_.set_clock(ahead, lead); }
-  [[nodiscard]] std::uint64_t keyframes_played() const override {
-    return controller_.keyframes_played();
-  }
-  [[nodiscard]] Duration media_time() const override { return controller_.media_time(); }
-  [[nodiscard]] std::uint64_t stalls() const override { return controller_.stalls(); }
-  [[nodiscard]] const DelayMeter& delays() const override { return controller_.delays(); }
-  [[nodiscard]] const DelayMeter& delays_meant() const override {
-    return controller_.delays_meant();
-  }
-  [[nodiscard]] SourceStatus status() const override { return source_->status(); }
-  bool wait_until(Instant until) override { return source_->wait_until(until); }
-
- private:
-  std::unique_ptr<KeyframeSource> source_;
-  PlaybackController controller_;
 };
 
 }  // namespace aucast::playback

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "client/playback/movement.h"
+
 namespace aucast::playback {
 namespace {
 

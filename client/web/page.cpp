@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "client/playback/source_playback.h"
 #include "client/render/gl.h"
 #include "client/view/viewpoint.h"
 #include "client/web/browser_sound.h"

@@ -19,6 +19,7 @@
 #include "client/face/face_folder.h"
 #include "client/gui/gui.h"
 #include "client/gui/texts/texts.h"
+#include "client/playback/source_playback.h"
 #include "client/render/offscreen_context.h"
 #include "client/render/offscreen_target.h"
 #include "tests/golden/baseline.h"

@@ -17,6 +17,7 @@
 #include "client/pipeline/hair_swing.h"
 #include "client/pipeline/idle_face.h"
 #include "client/pipeline/player.h"
+#include "client/playback/movement.h"
 #include "common/log.h"
 #include "common/text.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "client/playback/keyframe_buffers.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/source_playback.h"
 #include "protocol/endpoint.h"
 #include "protocol/limits.h"
 
@@ -25,7 +25,7 @@ enum class Behind : std::uint8_t {
 struct RemoteSettings {
   static constexpr int kPortMax = 65535;
   static constexpr int kSetsMax = playback::BufferOptions::kSetsMax;
-  static constexpr int kSpeedMsMax = playback::PlaybackController::kSpeedMax.count();
+  static constexpr int kSpeedMsMax = playback::SourcePlayback::kSpeedMax.count();
   static constexpr int kBehindMsMax = playback::BufferOptions::kDelayMax.count();
 
   std::string address = "127.0.0.1";  ///< a host

@@ -11,7 +11,7 @@
 #include "client/gui/model/gui_model.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/playback.h"
 #include "common/time.h"
 #include "protocol/packet.h"
 

@@ -10,7 +10,7 @@
 
 #include "client/app/command_pages.h"
 #include "client/app/option_rows.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/source_playback.h"
 #include "client/view/video_encoder.h"
 
 namespace aucast::app {
@@ -108,7 +108,7 @@ TEST(OptionRows, NameTheLimitsThatAreChecked) {
   const std::map<std::string_view, std::int64_t> limits{
       {"buffer", playback::BufferOptions::kSetsMax},
       {"live-delay", playback::BufferOptions::kDelayMax.count()},
-      {"speed", playback::PlaybackController::kSpeedMax.count()},
+      {"speed", playback::SourcePlayback::kSpeedMax.count()},
       {"size", view::kVideoSideMax},
       {"fps", view::kVideoFpsMax}};
   PlayerOptions options;

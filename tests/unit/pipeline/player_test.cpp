@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/playback/seekable_playback.h"
+#include "client/playback/source_playback.h"
 #include "tests/support/allocations.h"
 #include "tests/support/manual_clock.h"
 #include "tests/unit/playback/scripted_source.h"

@@ -1,4 +1,4 @@
-// --live from arrival to face: playout, buffers and controller together over links of every kind.
+// --live from arrival to face: playout, buffers and playback together over links of every kind.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -8,10 +8,11 @@
 #include "client/playback/interpolator.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/live_playout.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/source_playback.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/playback/marked.h"
+#include "tests/unit/playback/scripted_source.h"
 
 namespace aucast::playback {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 using aucast::test::ManualClock;
 using aucast::test::Seeded;
+using test::borrow;
 using test::mark_of;
 using test::marked;
 
@@ -79,13 +81,13 @@ class Watching {
     }
   }
 
-  [[nodiscard]] DelaySummary lately() const { return controller_.delays().lately(); }
-  [[nodiscard]] const PlaybackController& controller() const { return controller_; }
+  [[nodiscard]] DelaySummary lately() const { return playback_.delays().lately(); }
+  [[nodiscard]] const SourcePlayback& playback() const { return playback_; }
   [[nodiscard]] std::uint64_t dropped() const { return source_.dropped(); }
 
  private:
   void look() {
-    while (const auto begun = controller_.advance(now_, source_)) {
+    while (const auto begun = playback_.advance(now_)) {
       EXPECT_GT(mark_of(begun->target), last_mark_);
       last_mark_ = mark_of(begun->target);
       EXPECT_EQ(begun->time, time_);
@@ -93,7 +95,7 @@ class Watching {
       to_ = static_cast<float>(last_mark_ % 2);
       before_ = -1;
     }
-    const PlaybackProgress progress = controller_.progress();
+    const PlaybackProgress progress = playback_.progress();
     if (progress.keyframe == 0) return;
     if (before_ >= 0 && progress.mu < 1) {
       const double own = 1.0 / static_cast<double>(time_.count());  // in a millisecond
@@ -109,7 +111,7 @@ class Watching {
 
   Milliseconds time_;
   LinkSource source_;
-  PlaybackController controller_{std::nullopt};
+  SourcePlayback playback_{borrow(source_), {}};
   Instant now_ = ManualClock().now();
   Instant next_sent_ = now_;
   std::deque<Instant> under_way_;
@@ -126,7 +128,7 @@ TEST(LowDelay, IsOneKeyframeOnALinkWithoutJitter) {
   watching.send(10s, kInTime);
   EXPECT_LE(watching.lately().median, 43ms);
   EXPECT_LE(watching.lately().longest, 43ms);
-  EXPECT_EQ(watching.controller().stalls(), 0U);
+  EXPECT_EQ(watching.playback().stalls(), 0U);
   EXPECT_EQ(watching.dropped(), 0U);
 }
 
@@ -145,13 +147,13 @@ TEST(LowDelay, CatchesUpAfterAnOutageWithoutAJump) {
   // One is lost, and all behind it come together with it.
   bool lost = true;
   watching.send(1s, [&] { return std::exchange(lost, false) ? outage : Duration(0ms); });
-  EXPECT_EQ(watching.controller().stalls(), 1U);
+  EXPECT_EQ(watching.playback().stalls(), 1U);
   watching.send(4s, kInTime);
   EXPECT_GT(watching.dropped(), 10U) << "the face stood: what is past is left out";
   watching.send(11s, kInTime);
   EXPECT_LE(watching.lately().median, 44ms);
   EXPECT_LE(watching.lately().longest, 44ms) << "for ten seconds";
-  EXPECT_EQ(watching.controller().stalls(), 1U);
+  EXPECT_EQ(watching.playback().stalls(), 1U);
 }
 
 TEST(LowDelay, FollowsJitterOfEveryKind) {
@@ -164,10 +166,10 @@ TEST(LowDelay, FollowsJitterOfEveryKind) {
     Watching watching(time);
     const auto late = [&] { return Duration(seeded.integer(0, jitter_us) * 1us); };
     watching.send(60s, late);
-    const std::uint64_t stalls = watching.controller().stalls();
+    const std::uint64_t stalls = watching.playback().stalls();
     watching.send(60s, late);
     EXPECT_LE(watching.lately().median, time + jitter_us * 1us + 5ms);
-    EXPECT_LE(watching.controller().stalls() - stalls, 4U) << "in a minute";
+    EXPECT_LE(watching.playback().stalls() - stalls, 4U) << "in a minute";
   }
 }
 
@@ -185,100 +187,99 @@ TEST(LowDelay, KeepsItsRulesOverAWildLink) {
         return Duration(seeded.integer(0, jitter_us) * 1us + lost_ms * 1ms);
       });
     }
-    EXPECT_GT(watching.controller().keyframes_played(), 10U);
+    EXPECT_GT(watching.playback().keyframes_played(), 10U);
   }
 }
 
 TEST(LowDelay, AWaitThatNobodySeesIsNoStall) {
   for (const auto& [wait, stalls] : {std::pair(19ms, 0U), std::pair(20ms, 1U)}) {
     LinkSource source(40ms);
-    PlaybackController controller(std::nullopt);
+    SourcePlayback playback(borrow(source), {});
     Instant now = ManualClock().now();
     source.arrive(now);
-    EXPECT_TRUE(controller.advance(now, source));
+    EXPECT_TRUE(playback.advance(now));
     now += 42ms;
-    EXPECT_FALSE(controller.advance(now, source));
-    EXPECT_EQ(controller.progress().mu, 1.0);
-    EXPECT_FALSE(controller.next_position_at());
-    EXPECT_EQ(controller.state(), PlaybackState::Playing);
+    EXPECT_FALSE(playback.advance(now));
+    EXPECT_EQ(playback.progress().mu, 1.0);
+    EXPECT_FALSE(playback.next_position_at());
+    EXPECT_EQ(playback.state(), PlaybackState::Playing);
     now += wait;
-    EXPECT_FALSE(controller.advance(now, source));
-    EXPECT_EQ(controller.state(), stalls == 1 ? PlaybackState::Stalled : PlaybackState::Playing);
+    EXPECT_FALSE(playback.advance(now));
+    EXPECT_EQ(playback.state(), stalls == 1 ? PlaybackState::Stalled : PlaybackState::Playing);
     source.arrive(now);
-    EXPECT_TRUE(controller.advance(now, source));
-    EXPECT_EQ(controller.state(), PlaybackState::Playing);
-    EXPECT_EQ(controller.stalls(), stalls);
+    EXPECT_TRUE(playback.advance(now));
+    EXPECT_EQ(playback.state(), PlaybackState::Playing);
+    EXPECT_EQ(playback.stalls(), stalls);
   }
 }
 
 /// A slow display makes the face late by the time between two of its frames, and by no more.
 TEST(LowDelay, DoesNotGrowWhereTheFaceIsSeldomLookedAt) {
   LinkSource source(40ms);
-  PlaybackController controller(std::nullopt);
+  SourcePlayback playback(borrow(source), {});
   Instant now = ManualClock().now();
   for (int i = 0; i < 2000; ++i, now += 40ms) {
     source.arrive(now);
     if (i % 8 != 7) continue;
-    while (controller.advance(now + 1ms, source)) {
+    while (playback.advance(now + 1ms)) {
     }
   }
-  EXPECT_LE(controller.delays().lately().longest, 42ms + 8 * 40ms + 1ms);
-  EXPECT_LE(controller.delays().lately().median, 250ms);
+  EXPECT_LE(playback.delays().lately().longest, 42ms + 8 * 40ms + 1ms);
+  EXPECT_LE(playback.delays().lately().median, 250ms);
 }
 
 TEST(LowDelay, WhatCameWhileTheUserPausedBeginsNow) {
   LinkSource source(40ms);
-  PlaybackController controller(std::nullopt);
+  SourcePlayback playback(borrow(source), {});
   Instant now = ManualClock().now();
   source.arrive(now);
-  EXPECT_TRUE(controller.advance(now, source));
+  EXPECT_TRUE(playback.advance(now));
   now += 50ms;
-  EXPECT_FALSE(controller.advance(now, source));
-  controller.pause(now);
+  EXPECT_FALSE(playback.advance(now));
+  playback.pause(now);
   source.arrive(now + 5ms);
   now += 10s;
-  controller.resume(now);
-  EXPECT_TRUE(controller.advance(now, source));
-  EXPECT_EQ(controller.progress().mu, 0.0) << "and not long ago";
+  playback.resume(now);
+  EXPECT_TRUE(playback.advance(now));
+  EXPECT_EQ(playback.progress().mu, 0.0) << "and not long ago";
 }
 
 TEST(LowDelay, CountsFromTheArrivalToTheFace) {
   LinkSource source(40ms);
-  PlaybackController controller(std::nullopt);
+  SourcePlayback playback(borrow(source), {});
   Instant now = ManualClock().now();
   source.arrive(now);
   now += 5ms;
-  EXPECT_TRUE(controller.advance(now, source));
+  EXPECT_TRUE(playback.advance(now));
   now += 50ms;
-  EXPECT_FALSE(controller.advance(now, source));
-  EXPECT_EQ(controller.delays().all().longest, 55ms) << "seen by the call, not by the clock";
-  EXPECT_EQ(controller.delays_meant().all().median, 42ms);
+  EXPECT_FALSE(playback.advance(now));
+  EXPECT_EQ(playback.delays().all().longest, 55ms) << "seen by the call, not by the clock";
+  EXPECT_EQ(playback.delays_meant().all().median, 42ms);
 }
 
 TEST(LowDelay, APauseBeforeTheUserLeavesIsNoDelay) {
   LinkSource source(40ms);
-  PlaybackController controller(std::nullopt);
+  SourcePlayback playback(borrow(source), {});
   Instant now = ManualClock().now();
   source.arrive(now);
-  EXPECT_TRUE(controller.advance(now, source));
+  EXPECT_TRUE(playback.advance(now));
   now += 50ms;
-  controller.pause(now);
-  controller.stop(now + 1h);
-  EXPECT_EQ(controller.keyframes_played(), 1U);
-  EXPECT_EQ(controller.delays().all().longest, 50ms);
+  playback.pause(now);
+  playback.stop(now + 1h);
+  EXPECT_EQ(playback.keyframes_played(), 1U);
+  EXPECT_EQ(playback.delays().all().longest, 50ms);
 }
 
 TEST(LowDelay, OnTheVideoClockIsNone) {
   LinkSource source(40ms);
-  PlaybackController controller(std::nullopt);
-  controller.set_video_clock();
+  SourcePlayback playback(borrow(source), {.video_clock = true});
   source.arrive(ManualClock().now());
   Instant now{};
-  EXPECT_TRUE(controller.advance(now, source));
+  EXPECT_TRUE(playback.advance(now));
   now += 40ms;
-  EXPECT_FALSE(controller.advance(now, source));
-  EXPECT_EQ(controller.keyframes_played(), 1U) << "after its own time";
-  EXPECT_EQ(controller.delays().all().keyframes, 0U);
+  EXPECT_FALSE(playback.advance(now));
+  EXPECT_EQ(playback.keyframes_played(), 1U) << "after its own time";
+  EXPECT_EQ(playback.delays().all().keyframes, 0U);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "client/playback/playback.h"
 #include "client/playback/seekable_playback.h"
+#include "client/playback/source_playback.h"
 #include "tests/support/manual_clock.h"
 #include "tests/unit/playback/marked.h"
 #include "tests/unit/playback/scripted_source.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "client/playback/file_source.h"
-#include "client/playback/playback_controller.h"
+#include "client/playback/source_playback.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/seeded.h"
 #include "tests/unit/playback/marked.h"
@@ -19,15 +19,16 @@ namespace {
 using namespace std::chrono_literals;
 using aucast::test::ManualClock;
 using aucast::test::Seeded;
+using test::borrow;
 using test::mark_of;
 using test::marked;
 using test::ScriptedSource;
 
 /// When the face reaches the keyframe under way, which takes `time`: exact, not only to a tick.
-Instant end_of(const PlaybackController& controller, Milliseconds time) {
-  const int next = std::min(controller.progress().position + 1, kPositionsPerKeyframe);
+Instant end_of(const SourcePlayback& playback, Milliseconds time) {
+  const int next = std::min(playback.progress().position + 1, kPositionsPerKeyframe);
   const Duration left = Duration(time) - Duration(time) * next / kPositionsPerKeyframe;
-  return controller.next_position_at().value() + left;
+  return playback.next_position_at().value() + left;
 }
 
 TEST(PlaybackTiming, AnHourOfKeyframesTakesAnHour) {
@@ -35,20 +36,20 @@ TEST(PlaybackTiming, AnHourOfKeyframesTakesAnHour) {
   SCOPED_TRACE(seeded.trace());
   constexpr int kCount = 14'400;
   FileSource source(std::vector<Keyframe>(kCount, marked(1)));
-  PlaybackController controller(250ms);
+  SourcePlayback playback(borrow(source), {.speed = 250ms});
   ManualClock clock;
   const Instant begin = clock.now();
   Instant end = begin;
-  while (controller.state() != PlaybackState::Ended) {
-    while (controller.advance(clock.now(), source)) end = end_of(controller, 250ms);
+  while (playback.state() != PlaybackState::Ended) {
+    while (playback.advance(clock.now())) end = end_of(playback, 250ms);
     const Duration tick = seeded.chance(0.001) ? Duration(400ms) : Duration(16'667us);
     clock.advance(tick + std::chrono::microseconds(seeded.integer(-9'000, 9'000)));
   }
-  EXPECT_EQ(controller.keyframes_played(), 14'400U);
-  EXPECT_EQ(controller.media_time(), 1h);
+  EXPECT_EQ(playback.keyframes_played(), 14'400U);
+  EXPECT_EQ(playback.media_time(), 1h);
   EXPECT_EQ(end - begin, 1h) << "exact, not only to within a frame";
   EXPECT_LE(clock.now() - begin, 1h + 900ms) << "the end was noticed at the next tick";
-  EXPECT_EQ(controller.stalls(), 0U);
+  EXPECT_EQ(playback.stalls(), 0U);
 }
 
 TEST(PlaybackTiming, FollowingNextPositionMeetsEveryPositionOnce) {
@@ -62,21 +63,21 @@ TEST(PlaybackTiming, FollowingNextPositionMeetsEveryPositionOnce) {
     total += duration;
   }
   FileSource source(keyframes);
-  PlaybackController controller(std::nullopt);
+  SourcePlayback playback(borrow(source), {});
   ManualClock clock;
   const Instant begin = clock.now();
   int positions = 0;
-  while (controller.advance(clock.now(), source)) {
+  while (playback.advance(clock.now())) {
   }
-  while (const auto next = controller.next_position_at()) {
+  while (const auto next = playback.next_position_at()) {
     ASSERT_GT(*next, clock.now());
     clock.advance(*next - clock.now());
-    const PlaybackProgress before = controller.progress();
+    const PlaybackProgress before = playback.progress();
     int begun = 0;
-    while (controller.advance(clock.now(), source)) ++begun;
-    const PlaybackProgress now = controller.progress();
+    while (playback.advance(clock.now())) ++begun;
+    const PlaybackProgress now = playback.progress();
     ++positions;
-    if (before.position == 49 && controller.state() == PlaybackState::Playing) {
+    if (before.position == 49 && playback.state() == PlaybackState::Playing) {
       ASSERT_EQ(begun, 1);
       ASSERT_EQ(now.keyframe, before.keyframe + 1);
       ASSERT_EQ(now.position, 0);
@@ -96,7 +97,7 @@ TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
   SCOPED_TRACE(seeded.trace());
   for (int round = 0; round < 100; ++round) {
     ScriptedSource source;
-    PlaybackController controller(std::nullopt);
+    SourcePlayback playback(borrow(source), {});
     ManualClock clock;
     const int count = seeded.integer(1, 60);
     int arrived = 0;
@@ -105,30 +106,30 @@ TEST(PlaybackTiming, AgreesWithItsModelWhateverTheSourceDoes) {
     bool stalled = false;
     Instant current_end = clock.now();
     Milliseconds media{0};
-    while (controller.state() != PlaybackState::Ended) {
+    while (playback.state() != PlaybackState::Ended) {
       while (arrived < count && seeded.chance(0.4)) {
         source.keyframes.push_back(marked(++arrived, Milliseconds(seeded.integer(0, 80))));
       }
       if (arrived == count) source.now.end = EndReason::EndOfStream;
-      while (const auto keyframe = controller.advance(clock.now(), source)) {
+      while (const auto keyframe = playback.advance(clock.now())) {
         ASSERT_EQ(mark_of(keyframe->target), ++begun);
         const bool anew = begun == 1 || stalled;
         const Instant begin = anew ? clock.now() : current_end;
         current_end = begin + keyframe->time;
-        ASSERT_EQ(end_of(controller, keyframe->time), current_end);
+        ASSERT_EQ(end_of(playback, keyframe->time), current_end);
         media += keyframe->time;
         stalled = false;
       }
-      if (controller.state() == PlaybackState::Stalled && !stalled) {
+      if (playback.state() == PlaybackState::Stalled && !stalled) {
         stalled = true;
         ++stalls;
       }
       clock.advance(std::chrono::milliseconds(seeded.integer(0, 50)));
     }
     EXPECT_EQ(begun, count);
-    EXPECT_EQ(controller.keyframes_played(), static_cast<std::uint64_t>(count));
-    EXPECT_EQ(controller.stalls(), stalls);
-    EXPECT_EQ(controller.media_time(), media);
+    EXPECT_EQ(playback.keyframes_played(), static_cast<std::uint64_t>(count));
+    EXPECT_EQ(playback.stalls(), stalls);
+    EXPECT_EQ(playback.media_time(), media);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <utility>
 
 #include "client/playback/keyframe_source.h"
@@ -33,5 +34,22 @@ class ScriptedSource final : public KeyframeSource {
   [[nodiscard]] SourceStatus status() const override { return now; }
   void stop() override { now.end = EndReason::Stopped; }
 };
+
+/// Hands a playback a source that stays the test's own.
+[[nodiscard]] inline std::unique_ptr<KeyframeSource> borrow(KeyframeSource& source) {
+  class Borrowed final : public KeyframeSource {
+   public:
+    explicit Borrowed(KeyframeSource& source) : source_(source) {}
+    [[nodiscard]] std::optional<Keyframe> take() override { return source_.take(); }
+    [[nodiscard]] bool ready() const override { return source_.ready(); }
+    bool wait_until(Instant until) override { return source_.wait_until(until); }
+    [[nodiscard]] SourceStatus status() const override { return source_.status(); }
+    void stop() override { source_.stop(); }
+
+   private:
+    KeyframeSource& source_;
+  };
+  return std::make_unique<Borrowed>(source);
+}
 
 }  // namespace aucast::playback::test

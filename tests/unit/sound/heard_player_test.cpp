@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/playback/source_playback.h"
 #include "tests/unit/playback/scripted_source.h"
 #include "tests/unit/sound/cranked_out.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "client/playback/keyframe_buffers.h"
-#include "client/playback/playback.h"
+#include "client/playback/source_playback.h"
 #include "client/sound/sound_player.h"
 
 namespace aucast::sound {

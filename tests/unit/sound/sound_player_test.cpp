@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/playback/playback.h"
+#include "client/playback/source_playback.h"
 #include "tests/unit/playback/scripted_source.h"
 #include "tests/unit/sound/cranked_out.h"
 

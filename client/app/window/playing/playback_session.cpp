@@ -10,6 +10,7 @@
 #include "client/gui/model/view_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/playback/seekable_playback.h"
+#include "client/playback/source_playback.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 #include "protocol/limits.h"

@@ -6,6 +6,7 @@
 
 #include "client/gui/storage/language_file.h"
 #include "client/gui/texts/texts.h"
+#include "client/playback/source_playback.h"
 #include "tests/unit/app/window/window_session_fixture.h"
 
 namespace aucast::app {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "client/app/window/window_session.h"
+#include "client/playback/source_playback.h"
 #include "tests/support/manual_clock.h"
 #include "tests/unit/playback/scripted_source.h"
 

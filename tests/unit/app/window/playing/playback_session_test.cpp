@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/playback/source_playback.h"
 #include "tests/support/kept_log.h"
 #include "tests/support/manual_clock.h"
 #include "tests/unit/playback/marked.h"

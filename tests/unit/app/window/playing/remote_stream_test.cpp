@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/playback/source_playback.h"
 #include "tests/support/manual_clock.h"
 #include "tests/unit/playback/marked.h"
 #include "tests/unit/playback/scripted_source.h"

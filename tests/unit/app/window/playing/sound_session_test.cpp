@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/playback/playback.h"
+#include "client/playback/source_playback.h"
 #include "tests/unit/playback/scripted_source.h"
 #include "tests/unit/sound/cranked_out.h"
 

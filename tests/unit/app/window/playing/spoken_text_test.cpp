@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "client/playback/seekable_playback.h"
+#include "client/playback/source_playback.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/playback/scripted_source.h"
 

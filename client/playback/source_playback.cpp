@@ -1,4 +1,4 @@
-#include "client/playback/playback_controller.h"
+#include "client/playback/source_playback.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,68 +31,33 @@ Duration time_taken(const Keyframe& keyframe, Milliseconds time, Instant begin) 
 }
 
 PlaybackState state_after(EndReason reason) {
-  switch (reason) {
-    case EndReason::EndOfStream:
-      return PlaybackState::Ended;
-    case EndReason::Stopped:
-      return PlaybackState::Stopped;
-    case EndReason::NotEnded:
-    case EndReason::ConnectionLost:
-    case EndReason::ProtocolError:
-    case EndReason::Unreachable:
-    case EndReason::Refused:
-      break;
-  }
-  return PlaybackState::Lost;
+  if (reason == EndReason::EndOfStream) return PlaybackState::Ended;
+  return reason == EndReason::Stopped ? PlaybackState::Stopped : PlaybackState::Lost;
 }
 
 }  // namespace
 
-std::string_view name(PlaybackState state) {
-  switch (state) {
-    case PlaybackState::Buffering:
-      return "buffering";
-    case PlaybackState::Playing:
-      return "playing";
-    case PlaybackState::Stalled:
-      return "stalled";
-    case PlaybackState::Stale:
-      return "stale";
-    case PlaybackState::Paused:
-      return "paused";
-    case PlaybackState::Ended:
-      return "ended";
-    case PlaybackState::Stopped:
-      return "stopped";
-    case PlaybackState::Lost:
-      return "lost";
-  }
-  return "unknown";
+SourcePlayback::SourcePlayback(std::unique_ptr<KeyframeSource> source, const Options& options)
+    : source_(std::move(source)), options_(options) {
+  AUCAST_CHECK(source_ != nullptr);
 }
 
-bool is_over(PlaybackState state) {
-  return state == PlaybackState::Ended || state == PlaybackState::Stopped ||
-         state == PlaybackState::Lost;
-}
-
-PlaybackController::PlaybackController(std::optional<Milliseconds> speed) : speed_(speed) {}
-
-std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSource& source) {
+std::optional<KeyframeBegun> SourcePlayback::advance(Instant now) {
   if (paused_ || state_ == PlaybackState::Stopped) return std::nullopt;
   const Instant before = std::exchange(now_, now);
   switch (state_) {
     case PlaybackState::Buffering:
-      return begin_next(now, now, source);
+      return begin_next(now, now);
     case PlaybackState::Playing:
       move();
       if (progress_.position < kPositionsPerKeyframe) return std::nullopt;
       finish_keyframe();
-      return begin_next(movement_.end(), movement_.end(), source);
+      return begin_next(movement_.end(), movement_.end());
     case PlaybackState::Stalled:
     case PlaybackState::Stale: {
       count_stall();
       const Instant earliest = state_ == PlaybackState::Stalled ? before : now;
-      if (auto begun = begin_next(earliest, now, source)) return begun;
+      if (auto begun = begin_next(earliest, now)) return begun;
       return hold_or_ease();
     }
     case PlaybackState::Lost:
@@ -106,40 +71,38 @@ std::optional<KeyframeBegun> PlaybackController::advance(Instant now, KeyframeSo
 }
 
 /// While nothing comes: begins the easing when it is due.
-std::optional<KeyframeBegun> PlaybackController::hold_or_ease() {
+std::optional<KeyframeBegun> SourcePlayback::hold_or_ease() {
   if (wait_.easing) {
     move();
     return std::nullopt;
   }
   const bool begun = progress_.keyframe > 0;
-  if (!hold_ || !begun || now_ - wait_.since < *hold_) return std::nullopt;
+  if (!options_.hold || !begun || now_ - wait_.since < *options_.hold) return std::nullopt;
   if (state_ == PlaybackState::Stalled) state_ = PlaybackState::Stale;
   wait_.easing = Movement{now_, kEaseTime};
   move();
   return KeyframeBegun{{AuFrame{}, kEaseTime}, kEaseTime};
 }
 
-void PlaybackController::count_stall() {
+void SourcePlayback::count_stall() {
   const Duration least = current_.target.due ? kStallMin : Milliseconds::zero();
   if (wait_.counted || now_ - wait_.since < least) return;
   wait_.counted = true;
   ++stalls_;
 }
 
-std::optional<KeyframeBegun> PlaybackController::begin_next(Instant earliest, Instant latest,
-                                                            KeyframeSource& source) {
+std::optional<KeyframeBegun> SourcePlayback::begin_next(Instant earliest, Instant latest) {
   bool ended = false;
-  auto keyframe = take_next(source, ended);
+  auto keyframe = take_next(*source_, ended);
   if (!keyframe) {
-    wait_for_next(ended ? std::optional(source.status().end) : std::nullopt);
+    wait_for_next(ended ? std::optional(source_->status().end) : std::nullopt);
     return std::nullopt;
   }
 
-  const Milliseconds time = keyframe->time ? *keyframe->time
-                            : speed_       ? *speed_
-                                           : source.status().keyframe_time;
+  const auto given = keyframe->time ? keyframe->time : options_.speed;
+  const Milliseconds time = given ? *given : source_->status().keyframe_time;
   AUCAST_CHECK(time >= Milliseconds::zero());
-  if (video_clock_) {
+  if (options_.video_clock) {
     keyframe->pace_percent = 100;
     keyframe->arrived.reset();
     keyframe->due.reset();
@@ -160,7 +123,7 @@ std::optional<KeyframeBegun> PlaybackController::begin_next(Instant earliest, In
 }
 
 /// Nothing has come; `end`: nothing ever will, for this reason.
-void PlaybackController::wait_for_next(std::optional<EndReason> end) {
+void SourcePlayback::wait_for_next(std::optional<EndReason> end) {
   const bool played = state_ == PlaybackState::Playing;
   if (played) wait_.since = now_;
   if (end) {
@@ -171,7 +134,7 @@ void PlaybackController::wait_for_next(std::optional<EndReason> end) {
   }
 }
 
-void PlaybackController::finish_keyframe() {
+void SourcePlayback::finish_keyframe() {
   const Keyframe& reached = current_.target;
   if (reached.arrived) delays_.add(now_ - *reached.arrived);
   if (reached.arrived && reached.due) delays_meant_.add(*reached.due - *reached.arrived);
@@ -180,20 +143,20 @@ void PlaybackController::finish_keyframe() {
 }
 
 /// Moves the face to where it is at now_.
-void PlaybackController::move() {
+void SourcePlayback::move() {
   if (progress_.keyframe == 0) return;
   const Movement& movement = wait_.easing ? *wait_.easing : movement_;
   progress_.position = movement.position(now_);
   progress_.mu = movement.mu(now_);
 }
 
-PlaybackState PlaybackController::state() const {
+PlaybackState SourcePlayback::state() const {
   if (paused_) return PlaybackState::Paused;
   const bool unseen = state_ == PlaybackState::Stalled && !wait_.counted;
   return unseen ? PlaybackState::Playing : state_;
 }
 
-std::optional<Passing> PlaybackController::passing() const {
+std::optional<Passing> SourcePlayback::passing() const {
   if (!current_.target.place) return std::nullopt;
   const Duration reached = *current_.target.place;
   if (state_ == PlaybackState::Ended) return Passing{reached + (now_ - movement_.end()), 1};
@@ -208,7 +171,7 @@ std::optional<Passing> PlaybackController::passing() const {
   return Passing{reached - own + passed, plays ? speed : 0};
 }
 
-std::optional<Instant> PlaybackController::next_position_at() const {
+std::optional<Instant> SourcePlayback::next_position_at() const {
   if (paused_) return std::nullopt;
   const bool neutral_next = state_ == PlaybackState::Stale || state_ == PlaybackState::Lost;
   const bool eases = wait_.easing && neutral_next && progress_.mu < 1;
@@ -217,19 +180,26 @@ std::optional<Instant> PlaybackController::next_position_at() const {
   return (eases ? *wait_.easing : movement_).reaches(next);
 }
 
-void PlaybackController::pause(Instant now) {
+void SourcePlayback::set_clock(Duration ahead, Duration lead) {
+  ahead_ = ahead;
+  lead_ = lead;
+}
+
+void SourcePlayback::pause(Instant now) {
+  source_->pause();
   if (paused_ || over()) return;
   stand(now);
   paused_ = true;
 }
 
 /// Holds the face where it is at `now`.
-void PlaybackController::stand(Instant now) {
+void SourcePlayback::stand(Instant now) {
   now_ = now;
   move();
 }
 
-void PlaybackController::resume(Instant now) {
+void SourcePlayback::resume(Instant now) {
+  source_->resume();
   if (!paused_) return;
   paused_ = false;
   const Duration stood = now - std::exchange(now_, now);
@@ -240,8 +210,9 @@ void PlaybackController::resume(Instant now) {
   if (wait_.easing) wait_.easing->begin += stood;
 }
 
-void PlaybackController::stop(Instant now) {
+void SourcePlayback::stop(Instant now) {
   if (over()) return;
+  source_->stop();
   if (!paused_) stand(now);
   paused_ = false;
   if (state_ == PlaybackState::Playing && progress_.position == kPositionsPerKeyframe) {
