@@ -14,7 +14,7 @@
 namespace aucast::protocol {
 
 /// A voice packet as it is sent to every client, but without its place. Whether a place is sent,
-/// and which, depends on what the client was sent before (VoiceCursor).
+/// and which, depends on what the client was sent before (PacketWriter).
 struct EncodedVoice {
   Milliseconds begin{0};  ///< of its sound, on the clock of the stream
   Milliseconds end{0};

@@ -107,8 +107,8 @@ struct ServerSession::State {
 
 void ServerSession::State::begin_call(Instant at) {
   now = at;
-  early_left = kEarlyAnswersMax - delivery.banked();
-  due = delivery.in_flight();
+  early_left = kEarlyAnswersMax - delivery.window().banked();
+  due = delivery.window().in_flight();
 }
 
 /// What the running call has to send so far.
@@ -246,7 +246,7 @@ void ServerSession::State::handle_code(Code code) {
       take_answer();
       break;
     case Code::Pause:
-      if (!spend_spare_code() || delivery.paused()) return;
+      if (!spend_spare_code() || delivery.window().paused()) return;
       delivery.pause();
       if (level() == Level::Classic) take_answer();
       break;
@@ -262,7 +262,7 @@ void ServerSession::State::handle_code(Code code) {
 }
 
 void ServerSession::State::take_answer() {
-  if (!delivery.answers()) {  // nothing is to be answered
+  if (!delivery.window().answers()) {  // nothing is to be answered
     static_cast<void>(spend_spare_code());
     return;
   }
@@ -329,9 +329,10 @@ void ServerSession::State::settle_peer_end() {
   if (phase != Phase::Streaming && phase != Phase::AwaitingStream) return;
   // What it waits for is still to come: a live stream's next moment, the rest of what a relay
   // receives, the voice, or room. Whether a banked answer is left for it shows then.
-  if (!delivery.paused() && delivery.in_flight() == 0) return;
-  close(Why::PeerGone, delivery.paused() ? "the client ended while it was paused"
-                                         : "the client ended before it had answered everything");
+  if (!delivery.window().paused() && delivery.window().in_flight() == 0) return;
+  close(Why::PeerGone, delivery.window().paused()
+                           ? "the client ended while it was paused"
+                           : "the client ended before it had answered everything");
 }
 
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
@@ -407,7 +408,7 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   } else if (const auto refusal = state_->comes_round()) {
     state_->refuse(refusal->code, refusal->text);
   } else {
-    state_->send_due(live() ? &Delivery::pump_new_moments : &Delivery::pump);
+    state_->send_due(&Delivery::pump_new_moments);
   }
   state_->settle_peer_end();
   return state_->take_events();
@@ -422,7 +423,8 @@ std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
 }
 
 std::vector<ServerEvent> ServerSession::set_blocked(bool blocked, Instant now) {
-  if (state_->phase != State::Phase::Streaming || blocked == state_->delivery.blocked()) return {};
+  if (state_->phase != State::Phase::Streaming || blocked == state_->delivery.window().blocked())
+    return {};
   state_->delivery.set_blocked(blocked);
   if (blocked) return {};
   state_->begin_call(now);
@@ -459,15 +461,16 @@ Level ServerSession::level() const {
 }
 
 bool ServerSession::paused() const {
-  return state_->delivery.paused();
+  return state_->delivery.window().paused();
 }
 
 bool ServerSession::awaiting_answer() const {
-  return state_->phase == State::Phase::Streaming && state_->delivery.in_flight() > 0 && !paused();
+  return state_->phase == State::Phase::Streaming && state_->delivery.window().in_flight() > 0 &&
+         !paused();
 }
 
 bool ServerSession::blocked() const {
-  return state_->phase == State::Phase::Streaming && state_->delivery.blocked();
+  return state_->phase == State::Phase::Streaming && state_->delivery.window().blocked();
 }
 
 bool ServerSession::live() const {

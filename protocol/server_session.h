@@ -60,8 +60,8 @@ enum class Silence : std::uint8_t {
 
 /// The server's side of one connection as a state machine: grace, hello, classic stop-and-wait or
 /// windowed sending, pause, stop, end. Whenever a client of a live stream may be sent
-/// something, it gets the newest moment; moments that it missed are skipped (Delivery). No socket
-/// and no clock: bytes and the current time go in, events come out. After CloseConnection or
+/// something, it gets the newest moment; moments that it missed are skipped (LiveDelivery). No
+/// socket and no clock: bytes and the current time go in, events come out. After CloseConnection or
 /// HandOver nothing more comes out. One call puts out at most a little more than kOutputBytesMax;
 /// if more is left, the session is blocked() until set_blocked(false) is called. Whoever has the
 /// connection must not read on while much of what has come out is still unsent: a peer that answers
