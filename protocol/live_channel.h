@@ -9,6 +9,7 @@
 
 #include "common/time.h"
 #include "protocol/encoded_track.h"
+#include "protocol/limits.h"
 #include "protocol/packet.h"
 #include "protocol/recent.h"
 
@@ -34,6 +35,8 @@ class LiveChannel {
  public:
   /// The most captions that are kept. Who writes more of them ahead of the face loses the oldest.
   static constexpr std::size_t kCaptionsMax = 64;
+  /// How many moments latest() has at most, the newest ones: no window takes more.
+  static constexpr std::size_t kLatestMax = kWindowMax;
 
   LiveChannel(const LiveChannel&) = delete;
   LiveChannel& operator=(const LiveChannel&) = delete;

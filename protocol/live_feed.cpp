@@ -19,6 +19,7 @@ void LiveFeed::add(const Keyframe& keyframe) {
 void LiveFeed::add(EncodedKeyframe encoded, Milliseconds time) {
   const std::uint64_t number = newest() == nullptr ? 0 : newest()->number + 1;
   if (std::exchange(moments_told_, false) || !together_) moments_.clear();
+  if (moments_.size() == kLatestMax) moments_.erase(moments_.begin());
   moments_.push_back({number, std::move(encoded.classic), std::move(encoded.full),
                       std::move(encoded.changes), end_, time});
   end_ += time;

@@ -29,6 +29,17 @@ TEST(LiveFeed, HoldsTheNewestKeyframeInEveryForm) {
   EXPECT_EQ(feed.latest().size(), 1U);
 }
 
+TEST(LiveFeed, OfMomentsThatComeTogetherTheNewestAreKept) {
+  LiveFeed feed(250, 20);
+  feed.begin_moments();
+  for (std::size_t i = 0; i < LiveFeed::kLatestMax; ++i) feed.add(keyframe(50));
+  EXPECT_EQ(feed.latest().front().number, 0U);
+  feed.add(keyframe(50));
+  EXPECT_EQ(feed.latest().size(), LiveFeed::kLatestMax);
+  EXPECT_EQ(feed.latest().front().number, 1U);
+  EXPECT_EQ(feed.newest()->number, LiveFeed::kLatestMax);
+}
+
 TEST(LiveFeed, AFullKeyframeComesEveryTenSeconds) {
   LiveFeed feed(250, 20);
   std::size_t since_full = 0;
