@@ -12,7 +12,6 @@
 #include <variant>
 
 #include <asio/buffer.hpp>
-#include <asio/post.hpp>
 #include <asio/write.hpp>
 
 #include "common/descriptor.h"
@@ -55,7 +54,11 @@ preview::Seen seen_of(const camera::Sight& sight) {
 }  // namespace
 
 Preview::Preview(asio::io_context& io, Hooks hooks)
-    : io_(io), hooks_(std::move(hooks)), in_(io), out_(io), chunk_(kReadBytes, '\0') {}
+    : gate_(std::make_shared<link::LoopGate>(io)),
+      hooks_(std::move(hooks)),
+      in_(io),
+      out_(io),
+      chunk_(kReadBytes, '\0') {}
 
 Result<void> Preview::start(int in, int out) {
   if (auto taken = take_stream(in, "standard input", in_); !taken) return taken;
@@ -72,8 +75,8 @@ void Preview::stop() {
 }
 
 void Preview::offer(const camera::Sight& sight) {
-  if (picture_pending_.exchange(true)) return;
-  asio::post(io_, [this, record = preview::seen_record(seen_of(sight))] {
+  if (picture_pending_.with([](bool& pending) { return std::exchange(pending, true); })) return;
+  gate_->post([this, record = preview::seen_record(seen_of(sight))] {
     const std::size_t watching = hooks_.watching();
     if (std::exchange(said_watching_, watching) != watching) {
       write(preview::watching_record(watching));
@@ -134,7 +137,7 @@ void Preview::write_on() {
                       if (gone_) return;
                       if (error) return end();
                       written_.clear();
-                      if (picture) picture_pending_ = false;
+                      if (picture) picture_pending_.with([](bool& pending) { pending = false; });
                       write_on();
                     });
 }

@@ -2,17 +2,19 @@
 
 #include <unistd.h>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include <asio/io_context.hpp>
 #include <asio/posix/stream_descriptor.hpp>
 
 #include "common/camera/camera_feed.h"
+#include "common/link/loop_gate.h"
 #include "common/result.h"
+#include "common/shared.h"
 
 namespace aucast::server {
 
@@ -33,6 +35,7 @@ class Preview {
   };
 
   Preview(asio::io_context& io, Hooks hooks);
+  ~Preview() { gate_->close(); }
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
@@ -51,7 +54,7 @@ class Preview {
   void write_on();
   void end();
 
-  asio::io_context& io_;
+  std::shared_ptr<link::LoopGate> gate_;
   Hooks hooks_;
   asio::posix::stream_descriptor in_;
   asio::posix::stream_descriptor out_;
@@ -61,7 +64,7 @@ class Preview {
   std::string written_;  ///< being written now
   std::size_t said_watching_ = 0;
   bool picture_in_waiting_ = false;
-  std::atomic<bool> picture_pending_ = false;  ///< from offer() until it was written
+  Shared<bool> picture_pending_{false};  ///< from offer() until it was written
   bool gone_ = false;
 };
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <csignal>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -152,6 +153,17 @@ TEST_F(PreviewTest, EndsOnceWhenItsReaderHasGone) {
   offer(2);
   io_.poll();
   EXPECT_EQ(gone_, 1);
+}
+
+TEST_F(PreviewTest, APictureThatComesTooLateIsForgotten) {
+  const auto asked = std::make_shared<int>(0);
+  {
+    Preview other(io_, {{}, {}, [asked] { return static_cast<std::size_t>(++*asked); }, {}});
+    const std::vector<std::uint8_t> rgb(std::size_t{3} * 640 * 480);
+    other.offer({{640, 480, rgb}, nullptr, {}});
+  }
+  io_.poll();
+  EXPECT_EQ(*asked, 0);
 }
 
 TEST_F(PreviewTest, EndsAnOrderThatNeverEnds) {
