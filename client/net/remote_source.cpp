@@ -1,6 +1,7 @@
 #include "client/net/remote_source.h"
 
 #include <chrono>
+#include <memory>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -8,12 +9,12 @@
 
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
-#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "client/net/dialling.h"
 #include "client/net/server_connection.h"
 #include "common/link/host.h"
+#include "common/link/loop_gate.h"
 #include "common/text.h"
 #include "common/thread.h"
 
@@ -62,10 +63,10 @@ class RemoteSource::Network {
 
   /// The player has asked the reader for something, after which it may have something to send.
   void post_speak() {
-    asio::post(io_, [this] { connection_.speak(std::chrono::steady_clock::now()); });
+    gate_->post([this] { connection_.speak(std::chrono::steady_clock::now()); });
   }
   void post_leave() {
-    asio::post(io_, [this] { connection_.leave(); });
+    gate_->post([this] { connection_.leave(); });
   }
 
  private:
@@ -117,6 +118,7 @@ class RemoteSource::Network {
   SharedReader& reader_;
   const RemoteOptions options_;
   asio::io_context io_{1};
+  const std::shared_ptr<link::LoopGate> gate_ = std::make_shared<link::LoopGate>(io_);
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   link::Dialler dialler_{io_};
   std::size_t turn_ = 0;          ///< which of the servers is dialled
