@@ -29,4 +29,9 @@ void BackgroundWork::cancel() {
   if (course_ != nullptr) course_->cancel_.request_stop();
 }
 
+BackgroundWork::Reached BackgroundWork::reached() const {
+  if (course_ == nullptr) return {};
+  return course_->reached_.with([](const Reached& now) { return now; });
+}
+
 }  // namespace aucast::app

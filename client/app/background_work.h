@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "common/result.h"
+#include "common/shared.h"
 #include "common/task.h"
 
 namespace aucast::app {
@@ -17,12 +17,16 @@ namespace aucast::app {
 /// can cancel it. Thread: the player's.
 class BackgroundWork {
  public:
+  /// How much is done, and how much there is to do; both are 0 while that is not known.
+  struct Reached {
+    std::size_t done = 0;
+    std::size_t total = 0;
+  };
   /// What the work shares with its owner. The work calls these functions from its own thread.
   class Course {
    public:
     void reached(std::size_t done, std::size_t total) {
-      total_ = total;
-      done_ = done;
+      reached_.with([&](Reached& now) { now = {done, total}; });
     }
     [[nodiscard]] bool cancelled() const { return cancel_.stop_requested(); }
     /// For work that waits: a token that asks for a stop when the work is cancelled.
@@ -30,8 +34,7 @@ class BackgroundWork {
 
    private:
     friend class BackgroundWork;
-    std::atomic<std::size_t> done_{0};
-    std::atomic<std::size_t> total_{0};
+    Shared<Reached> reached_;
     std::stop_source cancel_;
   };
   /// Returns a sentence about what was made. An exception counts as a failure.
@@ -51,11 +54,7 @@ class BackgroundWork {
   void wait() const { task_.wait(); }
   [[nodiscard]] bool running() const { return task_.running(); }
   [[nodiscard]] bool cancelled() const { return course_ != nullptr && course_->cancelled(); }
-  /// How much is done, and how much there is to do; both are 0 while that is not known.
-  [[nodiscard]] std::size_t done() const { return course_ == nullptr ? 0 : course_->done_.load(); }
-  [[nodiscard]] std::size_t total() const {
-    return course_ == nullptr ? 0 : course_->total_.load();
-  }
+  [[nodiscard]] Reached reached() const;
   /// Returns the result once, after the work has ended. running() is true until then.
   [[nodiscard]] std::optional<Result<std::string>> take_outcome() { return task_.take(); }
 

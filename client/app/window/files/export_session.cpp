@@ -80,8 +80,8 @@ std::optional<Result<std::string>> ExportSession::advance() {
 
 gui::ExportView ExportSession::view() const {
   if (!work_.running()) return {};
-  return {file_, work_.total() == 0 ? 0 : static_cast<int>(100 * work_.done() / work_.total()),
-          work_.cancelled()};
+  const auto [done, total] = work_.reached();
+  return {file_, total == 0 ? 0 : static_cast<int>(100 * done / total), work_.cancelled()};
 }
 
 }  // namespace aucast::app

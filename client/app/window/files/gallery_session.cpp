@@ -71,8 +71,10 @@ void GallerySession::begin(const PlayerOptions& shown) {
 void GallerySession::estimate(Instant now) {
   /// Of fewer pictures the pace is a guess.
   constexpr std::size_t kFew = 3;
-  if (work_.done() == view_.drawn) return;
-  view_.drawn = work_.done();
+  const auto [drawn, total] = work_.reached();
+  view_.total = total;
+  if (drawn == view_.drawn) return;
+  view_.drawn = drawn;
   if (!first_at_) {
     first_at_ = now;
     first_ = view_.drawn;
@@ -85,7 +87,6 @@ void GallerySession::estimate(Instant now) {
 
 void GallerySession::advance(Instant now) {
   if (!work_.running()) return;
-  view_.total = work_.total();
   estimate(now);
   const auto outcome = work_.take_outcome();
   if (!outcome) return;
