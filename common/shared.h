@@ -2,6 +2,9 @@
 
 #include <condition_variable>
 #include <mutex>
+#if __has_include(<stop_token>)
+#include <stop_token>
+#endif
 #include <utility>
 
 #include "common/time.h"
@@ -52,6 +55,20 @@ class Shared {
     changed_.wait_until(lock, until, [&] { return ready(std::as_const(value_)); });
     return act(value_);
   }
+#if __has_include(<stop_token>)  // see common/stopped.h
+  /// The same two, but they also act, ready or not, once a stop has been requested.
+  template <typename Ready, typename Act>
+  auto wait(const std::stop_token& stop, Ready ready, Act act) {
+    const std::stop_callback stopped(stop, [this] { change([](T&) {}); });
+    return wait([&](const T& value) { return stop.stop_requested() || ready(value); }, act);
+  }
+  template <typename Ready, typename Act>
+  auto wait_until(const std::stop_token& stop, Instant until, Ready ready, Act act) {
+    const std::stop_callback stopped(stop, [this] { change([](T&) {}); });
+    return wait_until(
+        until, [&](const T& value) { return stop.stop_requested() || ready(value); }, act);
+  }
+#endif
 
  private:
   mutable std::mutex mutex_;

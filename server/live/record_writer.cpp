@@ -26,7 +26,8 @@ Result<std::unique_ptr<RecordWriter>> RecordWriter::start(const std::filesystem:
   auto file = RecordFile::create(path, form);
   if (!file) return file.error();
   auto writer = std::make_unique<RecordWriter>(path, std::move(*file));
-  auto started = start_thread([&writer = *writer] { writer.write_until_finished(); });
+  auto started = start_thread(
+      [&writer = *writer](const std::stop_token& stop) { writer.write_until_finished(stop); });
   if (!started) {
     return Error{ErrorKind::Failed,
                  at_place(path.string(), "cannot be recorded to: " + started.error().message)};
@@ -78,7 +79,7 @@ void RecordWriter::enqueue(std::size_t bytes, Makers makers) {
 }
 
 Result<void> RecordWriter::finish() {
-  pieces_.change([](Pieces& shared) { shared.finished = true; });
+  thread_.request_stop();
   if (thread_.joinable()) thread_.join();
   return pieces_.with([](const Pieces& shared) {
     return shared.error ? Result<void>(*shared.error) : Result<void>();
@@ -106,21 +107,22 @@ Result<void> RecordWriter::write(const Makers& makers) {
   return {};
 }
 
-void RecordWriter::write_until_finished() {
+void RecordWriter::write_until_finished(const std::stop_token& stop) {
   const auto something = [](const Pieces& shared) {
-    return shared.finished || shared.error || !shared.waiting.empty();
+    return shared.error || !shared.waiting.empty();
   };
   bool last = false;
   std::size_t taken_bytes = 0;
-  const auto take = [&last, &taken_bytes](Pieces& shared) {
-    last = shared.finished || shared.error;
+  const auto take = [&](Pieces& shared) {
+    last = stop.stop_requested() || shared.error;
     taken_bytes = shared.unwritten_bytes;
     return std::exchange(shared.waiting, {});
   };
   Instant sync_at = Instant::max();
   while (!last) {
-    const Makers makers = sync_at == Instant::max() ? pieces_.wait(something, take)
-                                                    : pieces_.wait_until(sync_at, something, take);
+    const Makers makers = sync_at == Instant::max()
+                              ? pieces_.wait(stop, something, take)
+                              : pieces_.wait_until(stop, sync_at, something, take);
     const Instant now = std::chrono::steady_clock::now();
     Result<void> done;
     if (!makers.empty()) {

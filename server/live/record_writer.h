@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -49,13 +50,13 @@ class RecordWriter {
   struct Pieces {
     Makers waiting;                   ///< of what is to be written
     std::size_t unwritten_bytes = 0;  ///< of these, and of those that are being written
-    bool finished = false;
-    std::optional<Error> error;  ///< what ended the recording
+    std::optional<Error> error;       ///< what ended the recording
   };
 
   void enqueue(std::size_t bytes, Makers makers);
   void end_with(const Error& why);
-  void write_until_finished();
+  /// After `stop` it still writes what waits.
+  void write_until_finished(const std::stop_token& stop);
   [[nodiscard]] Result<void> write(const Makers& makers);
 
   std::filesystem::path path_;

@@ -58,7 +58,7 @@ void Reload::read() {
   // A failure to load is a Result; what else can be thrown is the lack of memory.
   const auto result =
       std::make_shared<Result<Loaded>>(Error{ErrorKind::Failed, "not enough memory"});
-  auto started = start_thread([this, result] { load(result); });
+  auto started = start_thread([this, result](const std::stop_token& stop) { load(stop, result); });
   if (started) {
     thread_ = std::move(*started);
     running_ = true;
@@ -69,18 +69,18 @@ void Reload::read() {
   }
 }
 
-void Reload::load(const std::shared_ptr<Result<Loaded>>& result) {
+void Reload::load(const std::stop_token& stop, const std::shared_ptr<Result<Loaded>>& result) {
   try {
-    *result = loaded();
+    *result = loaded(stop);
   } catch (const std::bad_alloc&) {
   }
   // Who waits for the end of the reload must learn of it, if only when there is memory again.
-  while (!post(result) && !stop_.stop_requested()) std::this_thread::sleep_for(kPostAgainAfter);
+  while (!post(result) && !stop.stop_requested()) std::this_thread::sleep_for(kPostAgainAfter);
 }
 
-Result<Reload::Loaded> Reload::loaded() const {
+Result<Reload::Loaded> Reload::loaded(const std::stop_token& stop) const {
   auto credentials = load_credentials(files_);
-  auto repertoire = load_(stop_.get_token());
+  auto repertoire = load_(stop);
   if (credentials && repertoire) return Loaded{*std::move(credentials), *std::move(repertoire)};
   if (credentials) return repertoire.error();
   if (repertoire) return credentials.error();

@@ -43,8 +43,8 @@ class Reload {
   [[nodiscard]] Result<void> read_credentials();
   /// Reads everything again. If that is being done already, it is done once more afterwards.
   void start();
-  /// Reads no more; a load that is under way is asked to stop.
-  void stop() { stop_.request_stop(); }
+  /// Asks a load that is under way to stop.
+  void stop() { thread_.request_stop(); }
 
   /// Whether anything is being read.
   [[nodiscard]] bool running() const { return running_; }
@@ -60,8 +60,8 @@ class Reload {
 
   void read();
   // These three run on the other thread. `result`: what is told if nothing else can be.
-  void load(const std::shared_ptr<Result<Loaded>>& result);
-  [[nodiscard]] Result<Loaded> loaded() const;
+  void load(const std::stop_token& stop, const std::shared_ptr<Result<Loaded>>& result);
+  [[nodiscard]] Result<Loaded> loaded(const std::stop_token& stop) const;
   [[nodiscard]] bool post(const std::shared_ptr<Result<Loaded>>& result);
   void done(Result<Loaded> loaded);
   [[nodiscard]] bool take_over(Result<Loaded> loaded);
@@ -76,9 +76,8 @@ class Reload {
   std::uint64_t successes_ = 0;
   std::uint64_t failures_ = 0;
   bool running_ = false;
-  bool again_ = false;  ///< another reload waits for the end of this one
-  std::stop_source stop_;
-  std::jthread thread_;
+  bool again_ = false;   ///< another reload waits for the end of this one
+  std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };
 
 }  // namespace aucast::server

@@ -26,11 +26,6 @@ VoiceTracks::VoiceTracks(asio::io_context& io, const voice::VoiceSettings& setti
       on_grown_(std::move(on_grown)),
       gate_(std::make_shared<link::LoopGate>(io)) {}
 
-VoiceTracks::~VoiceTracks() {
-  stop();
-  gate_->close();
-}
-
 std::shared_ptr<const protocol::EncodedTrack> VoiceTracks::track_of(const VoiceFile& file) {
   std::erase_if(tracks_, [](const auto& entry) { return entry.second.expired(); });
   for (const auto& [known, held] : tracks_) {
@@ -38,44 +33,42 @@ std::shared_ptr<const protocol::EncodedTrack> VoiceTracks::track_of(const VoiceF
   }
   auto track = std::make_shared<protocol::EncodedTrack>();
   tracks_.emplace_back(file, track);
-  const bool wanted = jobs_.change([&](Jobs& jobs) {
-    if (!jobs.stopped) jobs.waiting.push_back({file, track, std::nullopt});
-    return !jobs.stopped;
-  });
-  if (!wanted || thread_.joinable()) return track;
-  if (auto started = start_thread([this] { encode_until_stopped(); })) {
+  if (stopped_) return track;
+  jobs_.change([&](std::deque<Job>& jobs) { jobs.push_back({file, track, std::nullopt}); });
+  if (thread_.joinable()) return track;
+  if (auto started =
+          start_thread([this](const std::stop_token& stop) { encode_until_stopped(stop); })) {
     thread_ = std::move(*started);
   } else {
     spdlog::error(
         "{}", at_place(file.path.string(), "its voice is not served: " + started.error().message));
-    jobs_.change([](Jobs& jobs) { jobs.waiting.clear(); });
+    jobs_.with([](std::deque<Job>& jobs) { jobs.clear(); });
     track->finish();
   }
   return track;
 }
 
-bool VoiceTracks::stopped() const {
-  return jobs_.with([](const Jobs& jobs) { return jobs.stopped; });
-}
-
 void VoiceTracks::stop() {
-  jobs_.change([](Jobs& jobs) { jobs.stopped = true; });
+  stopped_ = true;
+  thread_.request_stop();
 }
 
-void VoiceTracks::encode_until_stopped() {
+void VoiceTracks::encode_until_stopped(const std::stop_token& stop) {
   static_cast<void>(::setpriority(PRIO_PROCESS, 0, kNiceness));  // of this thread, on Linux
-  const auto something = [](const Jobs& jobs) { return jobs.stopped || !jobs.waiting.empty(); };
-  const auto take = [](Jobs& jobs) -> std::optional<Job> {
-    if (jobs.stopped) return std::nullopt;
-    Job job = std::move(jobs.waiting.front());
-    jobs.waiting.pop_front();
+  const auto something = [](const std::deque<Job>& jobs) { return !jobs.empty(); };
+  const auto take = [&stop](std::deque<Job>& jobs) -> std::optional<Job> {
+    if (stop.stop_requested()) return std::nullopt;
+    Job job = std::move(jobs.front());
+    jobs.pop_front();
     return job;
   };
-  while (auto job = jobs_.wait(something, take)) {
+  while (auto job = jobs_.wait(stop, something, take)) {
     bool more = true;
-    for (int i = 0; more && i < kReadsInTurn && !stopped(); ++i) more = encode_some(*job);
+    for (int i = 0; more && i < kReadsInTurn && !stop.stop_requested(); ++i) {
+      more = encode_some(*job);
+    }
     if (!more) continue;
-    jobs_.change([&](Jobs& jobs) { jobs.waiting.push_back(std::move(*job)); });
+    jobs_.with([&](std::deque<Job>& jobs) { jobs.push_back(std::move(*job)); });
   }
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ class VoiceTracks {
   VoiceTracks(asio::io_context& io, const voice::VoiceSettings& settings,
               std::function<void()> on_grown);
   /// Waits until the piece that is being read has been read.
-  ~VoiceTracks();
+  ~VoiceTracks() { gate_->close(); }
   VoiceTracks(const VoiceTracks&) = delete;
   VoiceTracks& operator=(const VoiceTracks&) = delete;
 
@@ -44,23 +45,18 @@ class VoiceTracks {
     std::optional<VoiceReader> reader;  ///< nullopt: its first turn has not come
   };
 
-  struct Jobs {
-    std::deque<Job> waiting;
-    bool stopped = false;
-  };
-
-  void encode_until_stopped();
+  void encode_until_stopped(const std::stop_token& stop);
   /// Returns false when the job is done.
   [[nodiscard]] bool encode_some(Job& job);
   void deliver(const Job& job, std::vector<protocol::VoicePacket> packets, bool last);
-  [[nodiscard]] bool stopped() const;
 
   voice::VoiceSettings settings_;
   std::function<void()> on_grown_;
   std::vector<std::pair<VoiceFile, std::weak_ptr<protocol::EncodedTrack>>> tracks_;
-  Shared<Jobs> jobs_;
+  bool stopped_ = false;
+  Shared<std::deque<Job>> jobs_;
   std::shared_ptr<link::LoopGate> gate_;
-  std::jthread thread_;
+  std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };
 
 }  // namespace aucast::server

@@ -36,5 +36,20 @@ TEST(Shared, WaitsNoLongerThanItWasTold) {
   EXPECT_TRUE(count.wait_until(steady_clock::now(), four, four));
 }
 
+TEST(Shared, WaitsNoLongerOnceAStopIsRequested) {
+  Shared<int> count;
+  const auto never = [](int) { return false; };
+  const auto count_on = [](int& value) { return ++value; };
+  {
+    const auto thread =
+        start_thread([&](const std::stop_token& stop) { count.wait(stop, never, count_on); });
+    ASSERT_TRUE(thread);
+  }  // a std::jthread asks and joins
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_EQ(count.wait_until(source.get_token(), steady_clock::time_point::max(), never, count_on),
+            2);
+}
+
 }  // namespace
 }  // namespace aucast

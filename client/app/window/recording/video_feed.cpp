@@ -12,9 +12,7 @@ Result<std::unique_ptr<VideoFeed>> VideoFeed::start(const std::filesystem::path&
       static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
   const std::size_t fit = kWaitingBytesMax / std::max<std::size_t>(picture_bytes, 1);
   std::unique_ptr<VideoFeed> feed(new VideoFeed(std::clamp<std::size_t>(fit, 1, kWaitingMax)));
-  const auto over = [&course = feed->course_] {
-    return course.with([](const Course& now) { return now.ending; });
-  };
+  const auto over = [stop = feed->stop_.get_token()] { return stop.stop_requested(); };
   auto encoder = view::VideoEncoder::open(file, width, height, fps, over, patience);
   if (!encoder) return encoder.error();
   feed->encoder_ = *std::move(encoder);
@@ -25,11 +23,11 @@ Result<std::unique_ptr<VideoFeed>> VideoFeed::start(const std::filesystem::path&
 }
 
 VideoFeed::~VideoFeed() {
-  course_.change([](Course& course) {
-    course.ending = true;
+  course_.with([](Course& course) {
     course.abandoned = true;
     course.waiting.clear();
   });
+  stop_.request_stop();
 }
 
 void VideoFeed::run() {
@@ -39,8 +37,8 @@ void VideoFeed::run() {
     course.waiting.pop_front();
     return next;
   };
-  while (const auto next = course_.wait(
-             [](const Course& course) { return course.ending || !course.waiting.empty(); }, take)) {
+  const auto something = [](const Course& course) { return !course.waiting.empty(); };
+  while (const auto next = course_.wait(stop_.get_token(), something, take)) {
     if (auto fed = feed(*next); !fed) {
       return course_.with([&](Course& course) { course.failure = fed.error(); });
     }
@@ -72,7 +70,7 @@ Result<void> VideoFeed::add(view::Image picture, std::uint64_t times) {
 }
 
 Result<void> VideoFeed::finish(const std::filesystem::path& sound) {
-  course_.change([](Course& course) { course.ending = true; });
+  stop_.request_stop();
   thread_.join();
   // An encoder that has failed says again why.
   return encoder_->finish(sound);

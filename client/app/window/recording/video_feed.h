@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -52,7 +53,6 @@ class VideoFeed {
   };
   struct Course {
     std::deque<Waiting> waiting;
-    bool ending = false;     ///< nothing more will be added
     bool abandoned = false;  ///< what waits is not needed any more
     std::optional<Error> failure;
   };
@@ -62,7 +62,8 @@ class VideoFeed {
   [[nodiscard]] Result<void> feed(const Waiting& next);
 
   std::size_t waiting_max_;
-  Shared<Course> course_;                        ///< before the encoder, which looks at it
+  std::stop_source stop_;  ///< nothing more will be added
+  Shared<Course> course_;
   std::unique_ptr<view::VideoEncoder> encoder_;  ///< the thread's until that has ended
   std::jthread thread_;                          ///< last: it ends before anything it uses is gone
 };

@@ -87,6 +87,19 @@ TEST_F(VoiceTracksTest, TheEncoderWaitsForALoopThatIsBusy) {
   EXPECT_GT(pieces, 2);
 }
 
+TEST_F(VoiceTracksTest, AfterAStopNoMoreIsEncoded) {
+  const auto talk = *find_voice_file(write_wav("talk.wav", voice::test::speech_like(20)), 0ms);
+  const auto other = *find_voice_file(write_wav("other.wav", voice::test::speech_like(1)), 0ms);
+  const auto track = tracks_.track_of(talk);
+  EXPECT_TRUE(test::run_until(io_, [this] { return grown_ > 0; }));
+  tracks_.stop();
+  const auto late = tracks_.track_of(other);
+  // The piece that was being read may still come.
+  io_.run_for(200ms);
+  EXPECT_LE(grown_, 2);
+  EXPECT_FALSE(track->complete() || late->complete());
+}
+
 TEST_F(VoiceTracksTest, AFileThatChangedIsAnotherVoice) {
   const auto path = write_wav("talk.wav", voice::test::speech_like(1));
   const auto before = tracks_.track_of(*find_voice_file(path, 0ms));
