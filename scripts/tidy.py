@@ -94,7 +94,7 @@ MAY_INCLUDE = {
     "client/app/window/playing": APP | {"client/app", "client/app/window/recording"},
     "client/app/window/making": APP | {"client/app"},
     "client/app/window/files": APP | {"client/app", "client/app/video", "client/app/window/making",
-                                      "client/app/window/playing", "client/app/window/recording"},
+                                      "client/app/window/playing"},
     "client/app/window/settings": APP | {"client/app", "client/app/video"},
     "client/app/window/thumbnails": APP | {"client/app/video"},
     "client/app/window": APP | {"client/app", "client/app/video", "client/app/gallery"} | WINDOW,

@@ -4,6 +4,7 @@
 
 #include "client/gui/model/gui_model.h"
 #include "client/gui/texts/said_text.h"
+#include "common/result.h"
 #include "common/time.h"
 
 namespace aucast::app {
@@ -15,6 +16,11 @@ class Notices {
   void say(const std::string& text, bool bad, Instant now) {
     notice_ = {gui::in_used_language(text), bad};
     until_ = now + (bad ? kBadTime : kTime);
+  }
+  /// Says what became of something; an empty sentence is not said.
+  void tell(const Result<std::string>& outcome, Instant now) {
+    if (!outcome) return say(outcome.error().message, true, now);
+    if (!outcome->empty()) say(*outcome, false, now);
   }
   void clear() { notice_ = {}; }
   /// Removes the sentence if it has been shown long enough.

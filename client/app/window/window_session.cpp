@@ -6,8 +6,10 @@
 
 #include "client/app/gallery/gallery_command.h"
 #include "client/app/video/glb_export.h"
+#include "client/app/window/files/play_file.h"
 #include "client/app/window/making/face_commands.h"
 #include "client/gui/model/view_text.h"
+#include "client/gui/storage/user_face.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/net/stream_list.h"
@@ -16,6 +18,9 @@
 #include "protocol/codec.h"
 
 namespace aucast::app {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 Result<std::string> gallery_of(const PlayerOptions& options, BackgroundWork::Course& course) {
@@ -58,10 +63,8 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
                [&assets](const PlayerOptions& shown) { return gallery_size(assets, shown); }),
       export_(glb_of),
       settings_(assets, options, mapping_, notices_, settings_events()),
-      files_(assets, options.playback.file,
-             {playback_, editor_, composer_, faces_, gallery_, export_, onsets_, mirror_, notices_},
-             file_hooks()) {
-  const std::filesystem::path& file = options.playback.file;
+      files_(assets.data_folder / "streams") {
+  const fs::path& file = options.playback.file;
   if (playback != nullptr) playback_.open(std::move(playback), file.filename().string(), {});
   gallery_.set_folder(whole_path("gallery"));
   if (options.shows_mirror) mirror_.apply(gui::StartMirror{options.mirror.source});
@@ -75,6 +78,7 @@ void WindowSession::begin_with(const gui::KeptSettings& settings, const std::str
   editor_.set_transition(settings.transition);
   faces_.remember(settings.face);
   files_.begin_with(settings);
+  if (!options_.playback.file.empty()) files_.opened(options_.playback.file);
   settings_.begin_with(settings, now);
 }
 
@@ -91,42 +95,21 @@ gui::KeptSettings WindowSession::kept() const {
 }
 
 SettingsSession::Events WindowSession::settings_events() {
-  return {.on_animation =
-              [this] {
-                playback_.remake(settings_.animation().interpolation);
-                composer_.remake();
-              },
-          .on_language =
-              [this] {
-                pace_.clear();
-                composer_.change_language();
-                editor_.change_language();
-              },
-          // A gallery goes where pictures go, until the user says otherwise.
-          .on_picture_folder =
-              [this](const std::filesystem::path& folder) {
-                gallery_.set_folder(whole_path(folder / "gallery"));
-              }};
-}
-
-WindowFiles::Hooks WindowSession::file_hooks() {
-  return {.show_face = [this](const std::filesystem::path& folder,
-                              Instant now) { return show_face(folder, now); },
-          .show =
-              [this](Shown shown, Instant now) {
-                if (shown == Shown::Playback) return show(shown);
-                show_edited(shown, now);
-              },
-          .show_saved_face = [this](Instant now) { show_saved_face(now); },
-          .put_pictures_in =
-              [this](const std::filesystem::path& folder) {
-                gui::PictureSettings changed = settings_.pictures();
-                changed.folder = folder.string();
-                settings_.change_pictures(changed);
-              },
-          .named = [this] { return named(); },
-          .options_as_shown = [this] { return options_as_shown(); },
-          .activations = [this]() -> const std::vector<float>& { return activations_; }};
+  return {
+      .on_animation =
+          [this] {
+            playback_.remake(settings_.animation().interpolation);
+            composer_.remake();
+          },
+      .on_language =
+          [this] {
+            pace_.clear();
+            composer_.change_language();
+            editor_.change_language();
+          },
+      // A gallery goes where pictures go, until the user says otherwise.
+      .on_picture_folder =
+          [this](const fs::path& folder) { gallery_.set_folder(whole_path(folder / "gallery")); }};
 }
 
 void WindowSession::set_sound(std::unique_ptr<sound::SoundOut> out, Instant now) {
@@ -149,9 +132,7 @@ void WindowSession::advance(Instant now) {
   // Who has closed its dialog would not learn of it.
   const gui::GalleryView& gallery = gallery_.view();
   if (made_gallery && !gallery.running && !gallery.open) say(gallery.outcome, gallery.failed, now);
-  if (const auto exported = export_.advance()) {
-    say(gui::in_used_language(*exported ? **exported : exported->error().message), !*exported, now);
-  }
+  if (const auto exported = export_.advance()) notices_.tell(*exported, now);
   if (leaving_.asks()) leaving_.look(losses());
 }
 
@@ -259,16 +240,16 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
       [&](const gui::MirrorCommand& one) { mirror_.apply(one); },
       [&](const gui::GalleryCommand& one) { gallery_.apply(one, options_as_shown()); },
-      [&](const gui::FileCommand& one) {
-        files_.apply(one, now);
-        if (!files_.browser().open) leaving_.chosen(losses());
-      },
+      [&](const gui::FileCommand& one) { apply_file(one, now); },
       [&](const gui::SettingsCommand& one) { settings_.apply(one, now); },
       [&](const gui::Leave& one) {
         if (one.saves) save_all(now);
-        leaving_.answer(one, losses(), files_.browser().open);
+        leaving_.answer(one, losses(), files_.view().open);
       },
-      [&](const gui::FaceCommand& one) { apply_face(one, now); },
+      [&](const gui::FaceCommand& one) {
+        const auto show = [&](const fs::path& folder) { return show_face(folder, now); };
+        notices_.tell(app::carry_out(one, faces_, show), now);
+      },
       [&](const gui::CloseNotice&) { notices_.clear(); },
       [&](const gui::CancelExport&) { export_.cancel(); },
       [&](const gui::EndOnsets&) {
@@ -313,21 +294,13 @@ void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant 
   if (std::holds_alternative<gui::PlayComposition>(command)) {
     auto keyframes = composer_.keyframes();
     if (keyframes.empty()) return;
-    const std::filesystem::path file = composer_.file();
+    const fs::path file = composer_.file();
     const std::string name = file.empty() ? gui::tr("said.composed") : file.filename().string();
     playback_.open(std::move(keyframes), name, now);
     show(Shown::Playback);
     if (composer_.begun()) say(gui::tr("said.not_added"), false, now);
   }
-  if (std::holds_alternative<gui::SaveComposition>(command)) files_.save_composition(now);
-}
-
-void WindowSession::apply_face(const gui::FaceCommand& command, Instant now) {
-  const auto done = carry_out(command, faces_, [this, now](const std::filesystem::path& folder) {
-    return show_face(folder, now);
-  });
-  if (!done) return say(done.error().message, true, now);
-  if (!done->empty()) say(*done, false, now);
+  if (std::holds_alternative<gui::SaveComposition>(command)) save_composition(now);
 }
 
 /// Shows the face that was saved to, also at the next start. It is read anew because the user's
@@ -339,7 +312,7 @@ void WindowSession::show_saved_face(Instant now) {
 }
 
 /// Replaces the face. What plays goes on, and what is edited or composed stays.
-Result<void> WindowSession::show_face(const std::filesystem::path& folder, Instant now) {
+Result<void> WindowSession::show_face(const fs::path& folder, Instant now) {
   const auto before = faces_.show(folder);
   if (!before) return before.error();
   mapping_.recordings = assets_.face.recordings;
@@ -403,15 +376,141 @@ PlayerOptions WindowSession::options_as_shown() const {
   return options;
 }
 
+/// A server's stream counts as nameless where another session's face is shown.
 Named WindowSession::named() const {
-  return {assets_.face.name,       files_.name_of_stream(shown_ == Shown::Playback),
-          keyframe_shown(),        aus_shown(),
-          edited_shown(),          composer_.file(),
-          editor_.au().value_or(0)};
+  const gui::LocalView local = playback_.local_view();
+  std::string stream;
+  if (local.open) {
+    stream = fs::path(local.name).stem().string();
+  } else if (keyframe_shown() > 0) {
+    stream = playback_.servers().settings().stream;
+  }
+  return {assets_.face.name, std::move(stream), keyframe_shown(),        aus_shown(),
+          edited_shown(),    composer_.file(),  editor_.au().value_or(0)};
 }
 
-Result<std::filesystem::path> WindowSession::picture_file(const std::string& ending) const {
+Result<fs::path> WindowSession::picture_file(const std::string& ending) const {
   return new_picture_file(pictures(), named(), ending);
+}
+
+// === Files.
+
+void WindowSession::apply_file(const gui::FileCommand& command, Instant now) {
+  const Overloaded carry_out{
+      [&](const gui::Browse& one) { browse(one.purpose); },
+      [&](const gui::EnterFolder& one) { files_.enter(one.folder); },
+      [&](const gui::ChooseFile& one) {
+        const auto with = [&](gui::Purpose purpose, const fs::path& file) {
+          return use(purpose, file, now);
+        };
+        notices_.tell(files_.choose(one.file, with), now);
+      },
+      [&](const gui::CloseBrowser&) { files_.close(); },
+      [&](const gui::OpenStream& one) { open_recent(one.file, now); },
+      [&](const gui::ChangeTable& one) { files_.change_table(one.settings); }};
+  std::visit(carry_out, command);
+  if (!files_.view().open) leaving_.chosen(losses());
+}
+
+void WindowSession::browse(gui::Purpose purpose) {
+  if (purpose == gui::Purpose::LookForFaces) {
+    return files_.look_for_faces(assets_.face_folder.parent_path());
+  }
+  files_.browse(purpose, new_file_name(purpose, named()));
+}
+
+/// Does what the dialog was opened for. Returns a sentence about what was saved, or an empty one.
+Result<std::string> WindowSession::use(gui::Purpose purpose, const fs::path& file, Instant now) {
+  switch (purpose) {
+    case gui::Purpose::PlayStream:
+      if (auto opened = open(file, now); !opened) return opened.error();
+      break;
+    case gui::Purpose::ComposeStream: {
+      auto loaded = composer_.load(file);
+      if (loaded) show_edited(Shown::Composer, now);
+      return loaded;
+    }
+    case gui::Purpose::SaveStream:
+      return save_composition(file);
+    case gui::Purpose::ExportKeyframes:
+      return ExportSession::stream(playback_.played(), file);
+    case gui::Purpose::ExportTable:
+      return ExportSession::table(playback_.played(), file);
+    case gui::Purpose::ExportMesh:
+      return ExportSession::mesh(assets_.face, activations_, file);
+    case gui::Purpose::ExportGlb:
+      return export_.glb(options_as_shown(), playback_.played(), named().stream, file);
+    case gui::Purpose::LogOnsets:
+      if (auto begun = onsets_.begin(file); !begun) return begun.error();
+      return gui::tr("said.onsets_begun", file.string());
+    case gui::Purpose::ExportAu:
+      return editor_.export_au(file);
+    case gui::Purpose::ImportAus: {
+      auto imported = editor_.import_aus(file);
+      if (imported) show_edited(Shown::Editor, now);
+      if (imported) show_saved_face(now);
+      return imported;
+    }
+    case gui::Purpose::PictureFolder: {
+      gui::PictureSettings changed = settings_.pictures();
+      changed.folder = file.string();
+      settings_.change_pictures(changed);
+      break;
+    }
+    case gui::Purpose::GalleryFolder:
+      gallery_.set_folder(file);
+      break;
+    case gui::Purpose::LookForFaces:
+      return look_for_faces(file, now);
+    case gui::Purpose::CameraFilm:
+      mirror_.set_source("camera:" + file.string());
+      break;
+    case gui::Purpose::AuthoritiesFile:
+    case gui::Purpose::TokenFile:
+      break;  // the dialog itself remembers them
+  }
+  return std::string();
+}
+
+/// Shows the face in this folder, or lists the faces in it.
+Result<std::string> WindowSession::look_for_faces(const fs::path& folder, Instant now) {
+  if (gui::is_face(folder)) {
+    if (auto shown = show_face(folder, now); !shown) return shown.error();
+  } else if (gui::faces_in(folder).empty()) {
+    return Error{ErrorKind::BadData, gui::tr("said.no_face")};
+  } else {
+    faces_.look_in(folder);
+  }
+  return std::string();
+}
+
+void WindowSession::open_recent(const fs::path& file, Instant now) {
+  const auto opened = open(file, now);
+  if (opened) return files_.close();
+  const std::string why = gui::error_in_used_language(opened.error());
+  if (!files_.refuse(why)) say(why, true, now);
+}
+
+/// Shows a face, or plays a file.
+Result<void> WindowSession::open(const fs::path& file, Instant now) {
+  if (gui::is_face_file(file)) return show_face(folder_of(file), now);
+  const auto plays = play_file(file, files_, playback_, notices_, now);
+  if (!plays) return plays.error();
+  if (*plays) show(Shown::Playback);
+  return {};
+}
+
+/// Saves the composed stream in the file that it came from, or asks the user for a file.
+void WindowSession::save_composition(Instant now) {
+  const fs::path file = composer_.file();
+  if (file.empty()) return files_.browse(gui::Purpose::SaveStream, kComposedName);
+  notices_.tell(save_composition(file), now);
+}
+
+Result<std::string> WindowSession::save_composition(const fs::path& file) {
+  auto saved = composer_.save(file);
+  if (saved) files_.opened(file);
+  return saved;
 }
 
 // === What the panels show.
@@ -443,9 +542,9 @@ gui::GuiModel WindowSession::model() const {
   model.faces = faces_.view();
   model.gallery = gallery_.view();
   model.pictures = settings_.pictures();
-  model.picture_folder = whole_path(std::filesystem::path(".") / model.pictures.folder).string();
+  model.picture_folder = whole_path(fs::path(".") / model.pictures.folder).string();
   model.display = settings_.display();
-  model.browser = files_.browser();
+  model.browser = files_.view();
   model.credentials = files_.credentials();
   model.notice = notices_.view();
   model.animation = settings_.animation();

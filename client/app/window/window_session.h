@@ -13,9 +13,9 @@
 #include "client/app/player_stats.h"
 #include "client/app/window/files/export_session.h"
 #include "client/app/window/files/file_names.h"
+#include "client/app/window/files/file_session.h"
 #include "client/app/window/files/gallery_session.h"
 #include "client/app/window/files/shown.h"
-#include "client/app/window/files/window_files.h"
 #include "client/app/window/leaving.h"
 #include "client/app/window/making/composer_session.h"
 #include "client/app/window/making/editor_session.h"
@@ -140,7 +140,16 @@ class WindowSession {
   [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
-  void apply_face(const gui::FaceCommand& command, Instant now);
+  void apply_file(const gui::FileCommand& command, Instant now);
+  void browse(gui::Purpose purpose);
+  [[nodiscard]] Result<std::string> use(gui::Purpose purpose, const std::filesystem::path& file,
+                                        Instant now);
+  [[nodiscard]] Result<void> open(const std::filesystem::path& file, Instant now);
+  void open_recent(const std::filesystem::path& file, Instant now);
+  [[nodiscard]] Result<std::string> look_for_faces(const std::filesystem::path& folder,
+                                                   Instant now);
+  void save_composition(Instant now);
+  [[nodiscard]] Result<std::string> save_composition(const std::filesystem::path& file);
   void save_all(Instant now);
   /// Whether a gallery or a GLB file is being made in the background.
   [[nodiscard]] bool makes_files() const {
@@ -152,7 +161,6 @@ class WindowSession {
   [[nodiscard]] Named named() const;
   [[nodiscard]] std::vector<gui::AuRow> au_rows_of_made() const;
   [[nodiscard]] SettingsSession::Events settings_events();
-  [[nodiscard]] WindowFiles::Hooks file_hooks();
 
   Assets& assets_;
   FaceSession faces_;
@@ -174,7 +182,7 @@ class WindowSession {
   ExportSession export_;
   OnsetSession onsets_;
   SettingsSession settings_;
-  WindowFiles files_;
+  FileSession files_;
   gui::VideoView video_;
   std::vector<gui::PaceRow> pace_;
   Leaving leaving_;

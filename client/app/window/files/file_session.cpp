@@ -1,10 +1,10 @@
 #include "client/app/window/files/file_session.h"
 
+#include <memory>
 #include <system_error>
 #include <utility>
 
 #include "client/gui/storage/home_folder.h"
-#include "client/gui/storage/kept_settings.h"
 #include "client/gui/texts/said_text.h"
 #include "common/files.h"
 
@@ -14,15 +14,30 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+FileSession::FileSession(const std::filesystem::path& streams) : last_folder_(streams) {
+  std::error_code ignored;
+  const std::filesystem::path sample = streams / "talk.txt";
+  if (std::filesystem::exists(sample, ignored)) sample_ = sample.string();
+}
+
+void FileSession::begin_with(const gui::KeptSettings& kept) {
+  recent_ = kept.recent_files;
+  tables_.known = std::make_shared<const std::vector<gui::KnownTable>>(kept.tables);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(kept.own_folder, ignored)) {
+    own_folder_ = saved_in_ = kept.own_folder;
+  }
+}
+
+void FileSession::keep(gui::KeptSettings& kept) const {
+  kept.recent_files = recent_;
+  kept.own_folder = saved_in_.string();
+  if (tables_.known != nullptr) kept.tables = *tables_.known;
+}
+
 void FileSession::opened(const std::filesystem::path& file) {
   last_folder_ = folder_of(file);
   gui::remember_file(recent_, whole_path(file).string());
-}
-
-void FileSession::set_own_folder(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  if (folder.empty() || !std::filesystem::is_directory(folder, ignored)) return;
-  own_folder_ = saved_in_ = folder;
 }
 
 /// The folder in which a file of this purpose was last.
@@ -39,9 +54,21 @@ std::filesystem::path& FileSession::folder_for(gui::Purpose purpose) {
   }
 }
 
+/// What was chosen or asked in the dialog before is over.
+void FileSession::begin_dialog() {
+  tables_.asked.reset();
+  credentials_ = {};
+}
+
 void FileSession::browse(gui::Purpose purpose, std::string name) {
+  begin_dialog();
   browser_.open(purpose, folder_for(purpose),
                 gui::is_saving(purpose) ? std::move(name) : std::string());
+}
+
+void FileSession::look_for_faces(const std::filesystem::path& folder) {
+  begin_dialog();
+  browser_.open(gui::Purpose::LookForFaces, folder);
 }
 
 std::string FileSession::choose(const std::string& name, const Use& use) {
@@ -55,6 +82,8 @@ std::string FileSession::choose(const std::string& name, const Use& use) {
     return {};
   }
   browser_.close();
+  if (purpose == gui::Purpose::AuthoritiesFile) credentials_.authorities = file.string();
+  if (purpose == gui::Purpose::TokenFile) credentials_.token = file.string();
   // Where faces lie is no place for streams, nor for what the user exports.
   if (purpose != gui::Purpose::LookForFaces && !gui::is_face_file(file)) {
     folder_for(purpose) = gui::is_folder(purpose) ? file : folder_of(file);
@@ -75,6 +104,17 @@ bool FileSession::refuse(std::string problem) {
   if (!browser_.view().open) return false;
   browser_.refuse(std::move(problem));
   return true;
+}
+
+void FileSession::change_table(const gui::TableSettings& settings) {
+  tables_.asked = settings;
+  browser_.forget_problem();
+}
+
+gui::KnownTable FileSession::table_of(const std::filesystem::path& file) {
+  if (!browser_.view().open) tables_.asked.reset();
+  const std::string name = whole_path(file).string();
+  return {name, gui::settings_for(tables_, name)};
 }
 
 }  // namespace aucast::app

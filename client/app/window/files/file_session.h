@@ -5,12 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "client/gui/model/table_settings.h"
 #include "client/gui/storage/file_browser.h"
+#include "client/gui/storage/kept_settings.h"
 #include "common/result.h"
 
 namespace aucast::app {
 
-/// The file dialog. It begins in the folder in which the user was last. Thread: the player's.
+/// The file dialog, which begins in the folder in which the user was last, and what it remembers:
+/// streams that were opened, how tables are read, files for the next connection. Opens no file.
+/// Thread: the player's.
 class FileSession {
  public:
   /// Uses the file that was chosen; returns a sentence for the user, which may be empty.
@@ -18,24 +22,23 @@ class FileSession {
       std::function<Result<std::string>(gui::Purpose purpose, const std::filesystem::path& file)>;
 
   /// `streams`: the folder in which stream files are looked for at first.
-  explicit FileSession(std::filesystem::path streams) : last_folder_(std::move(streams)) {}
+  explicit FileSession(const std::filesystem::path& streams);
 
-  void set_recent(std::vector<std::string> files) { recent_ = std::move(files); }
-  /// Streams that were opened, the newest first.
-  [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
-  /// Call it at the start with the folder in which a file was saved before; empty: none was. A
-  /// folder that no longer exists is ignored.
-  void set_own_folder(const std::filesystem::path& folder);
-  /// The folder in which a file was saved or exported last; empty: none was.
-  [[nodiscard]] const std::filesystem::path& own_folder() const { return saved_in_; }
+  /// Begins with what the window remembered. A folder that no longer exists is ignored.
+  void begin_with(const gui::KeptSettings& kept);
+  /// Adds what the window should remember.
+  void keep(gui::KeptSettings& kept) const;
   /// Call it when this stream was opened.
   void opened(const std::filesystem::path& file);
+  /// Streams that were opened, the newest first.
+  [[nodiscard]] const std::vector<std::string>& recent() const { return recent_; }
+  /// A stream file that came with the player; empty: none did.
+  [[nodiscard]] const std::string& sample() const { return sample_; }
 
   /// Opens the dialog. `name`: suggested for a new file.
   void browse(gui::Purpose purpose, std::string name);
-  void look_for_faces(const std::filesystem::path& folder) {
-    browser_.open(gui::Purpose::LookForFaces, folder);
-  }
+  /// Opens the dialog for Purpose::LookForFaces, in this folder.
+  void look_for_faces(const std::filesystem::path& folder);
   void enter(const std::filesystem::path& folder) { browser_.enter(folder); }
   /// The user has chosen or typed `name`, in which a leading ~ is the home folder. Calls `use` for
   /// that file and returns the sentence from `use`, unless the user must be asked something first.
@@ -43,13 +46,23 @@ class FileSession {
   [[nodiscard]] std::string choose(const std::string& name, const Use& use);
   /// Says in the dialog why a file cannot be used. Returns false if the dialog is not open.
   [[nodiscard]] bool refuse(std::string problem);
-  /// Stops saying why a file cannot be used. Call it when the user has changed how a file is used.
-  void forget_problem() { browser_.forget_problem(); }
   /// Closes the dialog. The next one begins in the folder that this one has shown.
   void close();
   [[nodiscard]] const gui::BrowserView& view() const { return browser_.view(); }
+  [[nodiscard]] const gui::CredentialFiles& credentials() const { return credentials_; }
+
+  /// The user has changed how the table that is about to be opened is read: the dialog no longer
+  /// says why it cannot be.
+  void change_table(const gui::TableSettings& settings);
+  /// How this file is to be read if it is a table: as the user has said in the open dialog, else as
+  /// it was read last.
+  [[nodiscard]] gui::KnownTable table_of(const std::filesystem::path& file);
+  /// Call it when this table was read.
+  void remember(const gui::KnownTable& table) { gui::remember_table(tables_, table); }
+  [[nodiscard]] const gui::TablesView& tables() const { return tables_; }
 
  private:
+  void begin_dialog();
   [[nodiscard]] std::filesystem::path& folder_for(gui::Purpose purpose);
 
   gui::FileBrowser browser_;
@@ -58,6 +71,9 @@ class FileSession {
   std::filesystem::path last_folder_;               ///< where a stream was opened last
   std::filesystem::path credentials_folder_ = ".";  ///< where a token or authorities were chosen
   std::vector<std::string> recent_;
+  std::string sample_;
+  gui::TablesView tables_;
+  gui::CredentialFiles credentials_;
 };
 
 /// The folder of a file; "." if its path has none.

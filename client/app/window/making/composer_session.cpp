@@ -119,7 +119,7 @@ void ComposerSession::list_keyframes() {
   total_ = total_of(composer_.keyframes());
 }
 
-Result<void> ComposerSession::load(const std::filesystem::path& file) {
+Result<std::string> ComposerSession::load(const std::filesystem::path& file) {
   auto read = read_stream(file);
   if (!read) return read.error();
   gui::Composer::Keyframes keyframes;
@@ -127,11 +127,12 @@ Result<void> ComposerSession::load(const std::filesystem::path& file) {
   for (const playback::Keyframe& timed : read->keyframes) {
     keyframes.push_back(std::make_shared<const gui::ComposedKeyframe>(composed(timed)));
   }
+  const bool unsaved = composer_.unsaved();
   composer_.load(std::move(keyframes), file.string(), std::move(read->title));
   pad_at_.reset();
   remake();
   list_keyframes();
-  return {};
+  return unsaved ? std::string(gui::tr("said.other_stream")) : std::string();
 }
 
 Result<std::string> ComposerSession::save(const std::filesystem::path& file) {

@@ -35,8 +35,9 @@ class ComposerSession {
     rows_ = nullptr;
     list_keyframes();
   }
-  /// Replaces the stream by that of a file. Undo brings the previous one back.
-  [[nodiscard]] Result<void> load(const std::filesystem::path& file);
+  /// Replaces the stream by that of a file. Undo brings the previous one back, and if that was not
+  /// saved, the sentence that is returned says so; else it is empty.
+  [[nodiscard]] Result<std::string> load(const std::filesystem::path& file);
   /// Saves the stream and returns a sentence about where it was saved.
   [[nodiscard]] Result<std::string> save(const std::filesystem::path& file);
 

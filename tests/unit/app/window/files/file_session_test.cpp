@@ -23,6 +23,11 @@ class FileSessionTest : public testing::Test {
   }
   [[nodiscard]] std::string in(const char* name) const { return folder_.path() / name; }
   [[nodiscard]] const gui::BrowserView& view() const { return session_.view(); }
+  [[nodiscard]] static gui::KeptSettings kept_by(const FileSession& session) {
+    gui::KeptSettings kept;
+    session.keep(kept);
+    return kept;
+  }
   /// Uses every file, and notes it.
   std::string choose(const std::string& name) {
     return session_.choose(name, [this](Purpose, const std::filesystem::path& file) {
@@ -49,17 +54,19 @@ TEST_F(FileSessionTest, TheFolderOfWhatWasSavedIsKeptForTheNextStart) {
   session_.browse(Purpose::ExportTable, "two.csv");
   session_.enter(in("lectures"));
   session_.close();
-  EXPECT_EQ(session_.own_folder(), "") << "nothing was saved there";
+  EXPECT_EQ(kept_by(session_).own_folder, "") << "nothing was saved there";
   session_.browse(Purpose::ExportTable, "two.csv");
   EXPECT_EQ(choose(in("made") + "/two.csv"), "used");
-  EXPECT_EQ(session_.own_folder(), in("made"));
+  EXPECT_EQ(kept_by(session_).own_folder, in("made"));
   FileSession next{folder_.path() / "streams"};
-  next.set_own_folder(session_.own_folder());
+  next.begin_with(kept_by(session_));
   next.browse(Purpose::ExportMesh, "two.obj");
   EXPECT_EQ(next.view().folder, in("made"));
-  EXPECT_EQ(next.own_folder(), in("made"));
+  EXPECT_EQ(kept_by(next).own_folder, in("made"));
   FileSession later{folder_.path() / "streams"};
-  later.set_own_folder(in("gone"));
+  gui::KeptSettings gone;
+  gone.own_folder = in("gone");
+  later.begin_with(gone);
   later.browse(Purpose::ExportMesh, "two.obj");
   EXPECT_NE(later.view().folder, in("gone"));
 }
