@@ -33,7 +33,8 @@ void WindowLoop::tick(bool stopped_from_outside) {
   session_.advance(now());
   keep_recent();
   show_title();
-  if (display_.make_thumbnails([this](const auto& aus) { return session_.face_of(aus); })) {
+  if (display_.make_thumbnails(
+          [this](const auto& aus) { return session_.composer().face_of(aus); })) {
     changed();
   }
   draw();

@@ -8,14 +8,12 @@
 #include "client/app/video/glb_export.h"
 #include "client/app/window/files/play_file.h"
 #include "client/app/window/making/face_commands.h"
-#include "client/gui/model/view_text.h"
 #include "client/gui/storage/user_face.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
 #include "client/net/stream_list.h"
 #include "common/files.h"
 #include "common/overloaded.h"
-#include "protocol/codec.h"
 
 namespace aucast::app {
 
@@ -54,7 +52,7 @@ WindowSession::WindowSession(Assets& assets, const PlayerOptions& options,
       activations_(face_.size()),
       playback_(mapping_, options, stats, notices_, face_),
       editor_(assets, mapping_, notices_, face_),
-      composer_(assets, mapping_),
+      composer_(assets, mapping_, notices_),
       mirror_(options.mirror),
       lister_(net::list_streams),
       idle_(assets.face),
@@ -177,12 +175,6 @@ void WindowSession::face_shown(Instant at, bool moved) {
   onsets_.add(at, {keyframe_shown(), playback_.reached(), aus_shown()});
 }
 
-std::vector<float> WindowSession::face_of(const std::string& aus) const {
-  std::vector<float> activations(mapping_.face.channels.size());
-  if (const auto frame = protocol::parse_au_set(aus)) mapping_.apply(*frame, activations);
-  return activations;
-}
-
 std::optional<AuFrame> WindowSession::aus_shown() const {
   switch (shown_) {
     case Shown::Playback:
@@ -192,7 +184,7 @@ std::optional<AuFrame> WindowSession::aus_shown() const {
     case Shown::Composer:
       break;
   }
-  return composer_.blended();
+  return composer_.aus();
 }
 
 void WindowSession::show(Shown shown) {
@@ -229,13 +221,8 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       },
       [&](const gui::SoundCommand& one) { playback_.sound().apply(one, now); },
       [&](const gui::EditorCommand& one) {
-        const bool of_sliders =
-            gui::command_if<gui::SetChannel>(one) || gui::command_if<gui::SaveAu>(one);
-        if (shown_ != Shown::Editor && of_sliders) editor_.begin_with_shown();
-        if (editor_.apply(one, now)) show_edited(Shown::Editor, now);
-        if (gui::command_if<gui::SaveAu>(one) && !editor_.save_failed()) {
-          show_saved_face(now);
-        }
+        if (editor_.apply(one, shown_ == Shown::Editor, now)) show_edited(Shown::Editor, now);
+        show_saved_face(now);
       },
       [&](const gui::ComposerCommand& one) { apply_composer(one, now); },
       [&](const gui::MirrorCommand& one) { mirror_.apply(one); },
@@ -272,42 +259,32 @@ void WindowSession::ask_streams(const gui::RemoteSettings& settings, Instant now
 }
 
 void WindowSession::apply_composer(const gui::ComposerCommand& command, Instant now) {
-  // Nothing is added that is not seen.
-  if (gui::command_if<gui::AddKeyframe>(command) && shown_ != Shown::Composer &&
-      composer_.begun()) {
-    say(gui::tr("said.composed_face"), false, now);
-    return show_edited(Shown::Composer, now);
+  using Next = ComposerSession::Next;
+  switch (composer_.apply(command, shown_ == Shown::Composer, aus_shown(), now)) {
+    case Next::Nothing:
+      return;
+    case Next::Show:
+      return show_edited(Shown::Composer, now);
+    case Next::Play:
+      return play_composition(now);
+    case Next::Save:
+      return save_composition(now);
   }
-  // Where nothing is being composed, what is added is the face that is seen.
-  const bool takes = std::holds_alternative<gui::ComposeShown>(command) ||
-                     (gui::command_if<gui::AddKeyframe>(command) && !composer_.composes());
-  if (takes && shown_ != Shown::Composer) {
-    if (const auto aus = aus_shown()) {
-      composer_.take(*aus);
-      show_edited(Shown::Composer, now);
-    }
-  }
-  if (gui::command_if<gui::NewComposition>(command) && composer_.unsaved()) {
-    say(gui::tr("said.new_stream"), false, now);
-  }
-  if (composer_.apply(command)) show_edited(Shown::Composer, now);
-  if (std::holds_alternative<gui::PlayComposition>(command)) {
-    auto keyframes = composer_.keyframes();
-    if (keyframes.empty()) return;
-    const fs::path file = composer_.file();
-    const std::string name = file.empty() ? gui::tr("said.composed") : file.filename().string();
-    playback_.open(std::move(keyframes), name, now);
-    show(Shown::Playback);
-    if (composer_.begun()) say(gui::tr("said.not_added"), false, now);
-  }
-  if (std::holds_alternative<gui::SaveComposition>(command)) save_composition(now);
 }
 
-/// Shows the face that was saved to, also at the next start. It is read anew because the user's
-/// copy may have other changes than the one just made.
+void WindowSession::play_composition(Instant now) {
+  const fs::path file = composer_.file();
+  const std::string name = file.empty() ? gui::tr("said.composed") : file.filename().string();
+  playback_.open(composer_.keyframes(), name, now);
+  show(Shown::Playback);
+  if (composer_.begun()) say(gui::tr("said.not_added"), false, now);
+}
+
+/// Shows the face that was just saved to, also at the next start. It is read anew because the
+/// user's copy may have other changes than the one just made.
 void WindowSession::show_saved_face(Instant now) {
-  const std::string& saved = editor_.saved_face();
-  if (saved == faces_.view().shown) return;
+  const std::string saved = editor_.take_saved_face();
+  if (saved.empty() || saved == faces_.view().shown) return;
   if (const auto shown = show_face(saved, now); !shown) say(shown.error().message, true, now);
 }
 
@@ -515,14 +492,6 @@ Result<std::string> WindowSession::save_composition(const fs::path& file) {
 
 // === What the panels show.
 
-/// The AUs of the editor's or the composer's face, as they were asked for and as it shows them.
-std::vector<gui::AuRow> WindowSession::au_rows_of_made() const {
-  const std::optional<AuFrame> aus = aus_shown();
-  if (!aus) return {};  // made of muscles
-  const AuFrame asked = shown_ == Shown::Composer ? composer_.aus() : *aus;
-  return gui::au_rows(asked, *aus, {}, mapping_.recordings);
-}
-
 gui::GuiModel WindowSession::model() const {
   gui::GuiModel model;
   model.remote_settings = playback_.servers().settings();
@@ -550,11 +519,8 @@ gui::GuiModel WindowSession::model() const {
   model.animation = settings_.animation();
   model.editor = editor_.view(shown_ == Shown::Editor);
   model.composer = composer_.view(shown_ == Shown::Composer);
-  if (shown_ != Shown::Playback) {
-    model.playing.aus = model.editor.active && !model.editor.compound.empty()
-                            ? model.editor.compound
-                            : au_rows_of_made();
-  }
+  if (shown_ == Shown::Editor) model.playing.aus = editor_.au_rows();
+  if (shown_ == Shown::Composer) model.playing.aus = composer_.au_rows();
   model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();
   model.known_aus = editor_.known_aus();
   model.video = video_;

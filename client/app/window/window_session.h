@@ -83,8 +83,7 @@ class WindowSession {
   /// Where that face's hair hangs. It swings while the face is played, and settles when it is not;
   /// a face that is edited, or sought while it stands, is a still.
   [[nodiscard]] const face::HairSway& hair() const { return hair_sway_; }
-  /// The face for these AUs, written as in a packet; one activation per channel.
-  [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
+  [[nodiscard]] const ComposerSession& composer() const { return composer_; }
   /// The AUs of which the face is made now, after the rules; nullopt if it is made of muscles.
   [[nodiscard]] std::optional<AuFrame> aus_shown() const;
   /// If the face is edited muscle by muscle, what it shows, in a form for file names; else empty.
@@ -140,6 +139,7 @@ class WindowSession {
   [[nodiscard]] PlayerOptions options_as_shown() const;
   void ask_streams(const gui::RemoteSettings& settings, Instant now);
   void apply_composer(const gui::ComposerCommand& command, Instant now);
+  void play_composition(Instant now);
   void apply_file(const gui::FileCommand& command, Instant now);
   void browse(gui::Purpose purpose);
   [[nodiscard]] Result<std::string> use(gui::Purpose purpose, const std::filesystem::path& file,
@@ -159,7 +159,6 @@ class WindowSession {
   void show_saved_face(Instant now);
   [[nodiscard]] Result<void> show_face(const std::filesystem::path& folder, Instant now);
   [[nodiscard]] Named named() const;
-  [[nodiscard]] std::vector<gui::AuRow> au_rows_of_made() const;
   [[nodiscard]] SettingsSession::Events settings_events();
 
   Assets& assets_;

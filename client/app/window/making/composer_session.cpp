@@ -39,67 +39,90 @@ std::vector<gui::PadPoint> pad_of(const std::vector<Expression>& expressions) {
 
 }  // namespace
 
-ComposerSession::ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping)
+ComposerSession::ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping,
+                                 Notices& notices)
     : mapping_(mapping),
+      notices_(notices),
       activations_(mapping.face.channels.size()),
       pad_(std::make_shared<const std::vector<gui::PadPoint>>(pad_of(assets.expressions))) {
   list_keyframes();
 }
 
-bool ComposerSession::apply(const gui::ComposerCommand& command) {
-  if (std::holds_alternative<gui::ComposeShown>(command) ||
-      std::holds_alternative<gui::PlayComposition>(command) ||
-      std::holds_alternative<gui::SaveComposition>(command)) {
-    return false;
-  }
-  if (std::holds_alternative<gui::ShowComposed>(command)) return true;
-  const bool shows = !std::holds_alternative<gui::ComposeTime>(command);
-  if (shows) pad_at_.reset();
+ComposerSession::Next ComposerSession::apply(const gui::ComposerCommand& command, bool active,
+                                             const std::optional<AuFrame>& seen, Instant now) {
+  // What is composed is shown at once, and is no longer of the pad.
+  const auto edit = [&](auto change) {
+    pad_at_.reset();
+    change();
+    remake();
+    list_keyframes();
+    return Next::Show;
+  };
+  const auto take = [&] { return edit([&] { composer_.set_aus(*seen, false); }); };
   const Overloaded carry_out{
       [&](const gui::ComposeAu& au) {
-        composer_.set_au(au.number, au.left_percent, au.right_percent, au.continued);
+        return edit(
+            [&] { composer_.set_au(au.number, au.left_percent, au.right_percent, au.continued); });
       },
       [&](const gui::ComposeMood& mood) {
-        pad_at_ = {mood.x, mood.y};
-        composer_.set_aus(gui::pad_face(*pad_, mood.x, mood.y), mood.continued);
+        return edit([&] {
+          pad_at_ = {mood.x, mood.y};
+          composer_.set_aus(gui::pad_face(*pad_, mood.x, mood.y), mood.continued);
+        });
       },
-      [&](const gui::ComposeNeutral&) { composer_.set_aus({}, false); },
+      [&](const gui::ComposeNeutral&) { return edit([&] { composer_.set_aus({}, false); }); },
+      [&](const gui::ComposeShown&) { return active || !seen ? Next::Nothing : take(); },
       [&](const gui::ComposeTime& time) {
         std::optional<std::uint32_t> ms;
         if (time.ms) ms = static_cast<std::uint32_t>(*time.ms);
         composer_.set_time(ms, time.continued);
+        list_keyframes();
+        return Next::Nothing;
       },
-      [&](const gui::AddKeyframe&) { composer_.add(); },
+      [&](const gui::AddKeyframe&) {
+        // Nothing is added that is not seen.
+        if (!active && begun()) {
+          notices_.say(gui::tr("said.composed_face"), false, now);
+          return Next::Show;
+        }
+        // Where nothing is being composed, what is added is the face that is seen.
+        if (!active && !composes() && seen) take();
+        return edit([&] { composer_.add(); });
+      },
       [&](const gui::ChooseKeyframe& choice) {
         std::optional<std::size_t> keyframe;
         if (choice.keyframe >= 0) keyframe = static_cast<std::size_t>(choice.keyframe);
-        composer_.choose(keyframe);
+        return edit([&] { composer_.choose(keyframe); });
       },
-      [&](const gui::RemoveKeyframe&) { composer_.remove(); },
-      [&](const gui::MoveKeyframe& move) { composer_.move(move.direction); },
-      [&](const gui::UndoComposing&) { composer_.undo(); },
-      [&](const gui::RedoComposing&) { composer_.redo(); },
-      [&](const gui::NewComposition&) { composer_.begin_anew(); },
-      [](const gui::ComposeShown&) {},
-      [](const gui::ShowComposed&) {},
-      [](const gui::PlayComposition&) {},
-      [](const gui::SaveComposition&) {}};
-  std::visit(carry_out, command);
-  remake();
-  list_keyframes();
-  return shows;
-}
-
-void ComposerSession::take(const AuFrame& aus) {
-  pad_at_.reset();
-  composer_.set_aus(aus, false);
-  remake();
-  list_keyframes();
+      [&](const gui::RemoveKeyframe&) { return edit([&] { composer_.remove(); }); },
+      [&](const gui::MoveKeyframe& move) { return edit([&] { composer_.move(move.direction); }); },
+      [&](const gui::UndoComposing&) { return edit([&] { composer_.undo(); }); },
+      [&](const gui::RedoComposing&) { return edit([&] { composer_.redo(); }); },
+      [&](const gui::NewComposition&) {
+        if (unsaved()) notices_.say(gui::tr("said.new_stream"), false, now);
+        return edit([&] { composer_.begin_anew(); });
+      },
+      [](const gui::ShowComposed&) { return Next::Show; },
+      [&](const gui::PlayComposition&) {
+        return composer_.keyframes().empty() ? Next::Nothing : Next::Play;
+      },
+      [](const gui::SaveComposition&) { return Next::Save; }};
+  return std::visit(carry_out, command);
 }
 
 void ComposerSession::remake() {
   activations_.resize(mapping_.face.channels.size());
-  blended_ = mapping_.apply(composer_.current().aus, activations_);
+  aus_ = mapping_.apply(composer_.current().aus, activations_);
+}
+
+std::vector<gui::AuRow> ComposerSession::au_rows() const {
+  return gui::au_rows(composer_.current().aus, aus_, {}, mapping_.recordings);
+}
+
+std::vector<float> ComposerSession::face_of(const std::string& aus) const {
+  std::vector<float> activations(mapping_.face.channels.size());
+  if (const auto frame = protocol::parse_au_set(aus)) mapping_.apply(*frame, activations);
+  return activations;
 }
 
 void ComposerSession::list_keyframes() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "client/app/assets.h"
+#include "client/app/notices.h"
 #include "client/gui/editing/composer.h"
 #include "client/gui/model/gui_model.h"
 #include "client/pipeline/au_mapping.h"
@@ -17,17 +19,22 @@
 namespace aucast::app {
 
 /// The composer in the window: the stream that is being made, and the face of its current keyframe.
-/// Assets and mapping must outlive it. Thread: the player's.
+/// The constructor's arguments must outlive it. Thread: the player's.
 class ComposerSession {
  public:
-  ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping);
+  ComposerSession(const Assets& assets, const pipeline::AuMapping& mapping, Notices& notices);
 
-  /// Returns true if the composer's face is to be shown. Does nothing for ComposeShown,
-  /// PlayComposition and SaveComposition: the caller carries them out, because this class has
-  /// neither the face that is shown nor a player nor the file dialog.
-  bool apply(const gui::ComposerCommand& command);
-  /// Sets the AUs of the current keyframe.
-  void take(const AuFrame& aus);
+  /// What the caller is to do next, who has what this class has not.
+  enum class Next : std::uint8_t {
+    Nothing,
+    Show,  ///< the composer's face
+    Play,  ///< keyframes(), of which there are some
+    Save,  ///< in file() or, if that is empty, in a file that the user is asked for
+  };
+  /// `active`: whether the composer's face is shown; `seen`: the AUs of the face that is, nullopt
+  /// if it is made of muscles.
+  [[nodiscard]] Next apply(const gui::ComposerCommand& command, bool active,
+                           const std::optional<AuFrame>& seen, Instant now);
   /// Call it when the mapping or its face has changed.
   void remake();
   /// Call it when the language has changed: makes all texts anew.
@@ -42,10 +49,12 @@ class ComposerSession {
   [[nodiscard]] Result<std::string> save(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<float>& activations() const { return activations_; }
-  /// The AUs of the current keyframe.
-  [[nodiscard]] const AuFrame& aus() const { return composer_.current().aus; }
-  /// The same after the rules, as the face shows them.
-  [[nodiscard]] const AuFrame& blended() const { return blended_; }
+  /// The AUs of the face, after the rules.
+  [[nodiscard]] const AuFrame& aus() const { return aus_; }
+  /// The AUs of the current keyframe, and what the face shows of them.
+  [[nodiscard]] std::vector<gui::AuRow> au_rows() const;
+  /// The face of a keyframe with these AUs, written as in a packet; one activation per channel.
+  [[nodiscard]] std::vector<float> face_of(const std::string& aus) const;
   [[nodiscard]] bool unsaved() const { return composer_.unsaved(); }
   /// Whether a new keyframe was begun and has not been added to the stream.
   [[nodiscard]] bool begun() const { return composer_.begun(); }
@@ -61,8 +70,9 @@ class ComposerSession {
   void list_keyframes();
 
   const pipeline::AuMapping& mapping_;
+  Notices& notices_;
   gui::Composer composer_;
-  AuFrame blended_;
+  AuFrame aus_;
   std::vector<float> activations_;
   gui::Composer::Keyframes listed_;  ///< the keyframes that rows_ and total_ show
   std::shared_ptr<const std::vector<gui::TimelineRow>> rows_;

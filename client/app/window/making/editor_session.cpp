@@ -51,6 +51,8 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
   list_aus();
 }
 
+/// Begins to edit the face in the window, which another session shows, as a free expression. If
+/// something is being edited already, goes on with that.
 void EditorSession::begin_with_shown() {
   if (edits() || editor_.activations() == shown_) return;
   transition_.reset();
@@ -58,7 +60,10 @@ void EditorSession::begin_with_shown() {
   editor_.take(shown_, false);
 }
 
-bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
+bool EditorSession::apply(const gui::EditorCommand& command, bool active, Instant now) {
+  const bool of_sliders = std::holds_alternative<gui::SetChannel>(command) ||
+                          std::holds_alternative<gui::SaveAu>(command);
+  if (of_sliders && !active) begin_with_shown();
   // What is edited is shown at once, and is no longer the expression or the combined AUs.
   const auto edit = [&](auto change) {
     transition_.reset();
@@ -95,7 +100,7 @@ bool EditorSession::apply(const gui::EditorCommand& command, Instant now) {
       },
       [](const gui::ShowEdited&) { return true; },
       [&](const gui::SaveAu& one) {
-        save_au(one, now);
+        notices_.tell(save_au(one), now);
         return false;
       },
       [&](const gui::NameAu& one) {
@@ -213,19 +218,13 @@ void EditorSession::change_face(const std::vector<std::string>& before) {
   editor_.take(target, true);
 }
 
-void EditorSession::save_au(const gui::SaveAu& wanted, Instant now) {
-  const Result<std::string> saved = save_recording(wanted);
-  save_failed_ = !saved;
-  notices_.say(saved ? *saved : saved.error().message, !saved, now);
-}
-
 std::string EditorSession::note_of(int number) const {
   const auto saved = mapping_.recordings.find(number);
   return saved == mapping_.recordings.end() ? std::string() : saved->second.note;
 }
 
 /// Returns a sentence about where it was saved.
-Result<std::string> EditorSession::save_recording(const gui::SaveAu& wanted) {
+Result<std::string> EditorSession::save_au(const gui::SaveAu& wanted) {
   const std::string name = names_.name_for(wanted.number, wanted.name);
   if (name.empty() && !facs_name(wanted.number) && note_of(wanted.number).empty()) {
     return Error{ErrorKind::Usage, gui::tr("said.au_unnamed", wanted.number)};
@@ -304,6 +303,12 @@ std::optional<AuFrame> EditorSession::aus() const {
   if (aus_ || !editor_.au() || editor_.unsaved()) return aus_;
   const std::array terms = {AuTerm{static_cast<std::uint8_t>(*editor_.au()), Side::Both, 100}};
   return frame_from_terms(terms);
+}
+
+std::vector<gui::AuRow> EditorSession::au_rows() const {
+  const auto made_of_aus = compound_.empty() ? aus() : std::nullopt;
+  return made_of_aus ? gui::au_rows(*made_of_aus, *made_of_aus, {}, mapping_.recordings)
+                     : compound_;
 }
 
 std::string EditorSession::made_of() const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/app/assets.h"
@@ -27,11 +28,8 @@ class EditorSession {
   EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                 const std::vector<float>& shown);
 
-  /// Begins to edit the face in the window, which another session shows, as a free expression. If
-  /// something is being edited already, goes on with that.
-  void begin_with_shown();
-  /// Returns true if the editor's face is to be shown.
-  bool apply(const gui::EditorCommand& command, Instant now);
+  /// Returns true if the editor's face is to be shown. `active`: whether it is shown.
+  bool apply(const gui::EditorCommand& command, bool active, Instant now);
   void set_transition(const gui::TransitionSettings& settings) { transition_settings_ = settings; }
   [[nodiscard]] const gui::TransitionSettings& transition() const { return transition_settings_; }
 
@@ -69,10 +67,11 @@ class EditorSession {
   /// Whether an AU or an unsaved expression is being edited. The editor then keeps it while another
   /// face is shown.
   [[nodiscard]] bool edits() const { return editor_.au() || editor_.unsaved(); }
-  /// Whether the last attempt to save an AU failed.
-  [[nodiscard]] bool save_failed() const { return save_failed_; }
-  /// The folder of the face into which AUs were saved; empty: none were.
-  [[nodiscard]] const std::string& saved_face() const { return saved_face_; }
+  /// The AUs of the face as they were asked for and as it shows them; empty if it is made of
+  /// muscles.
+  [[nodiscard]] std::vector<gui::AuRow> au_rows() const;
+  /// The folder of the face into which AUs were saved since the last call; empty: none were.
+  [[nodiscard]] std::string take_saved_face() { return std::exchange(saved_face_, {}); }
   /// `active`: whether the editor's face is shown.
   [[nodiscard]] gui::EditorView view(bool active) const;
   /// One button for each expression of the assets, in their order.
@@ -83,6 +82,7 @@ class EditorSession {
   }
 
  private:
+  void begin_with_shown();
   bool show_expression(std::size_t index, bool continued, Instant now);
   bool change_strength(const gui::ChangeStrength& change, Instant now);
   bool show_aus(const std::string& text, Instant now);
@@ -90,14 +90,13 @@ class EditorSession {
   [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
   AuFrame explained(std::span<float> target);
   void show_none_of_them();
-  void save_au(const gui::SaveAu& wanted, Instant now);
   /// The name that an AU is saved with; empty: none.
   [[nodiscard]] std::string note_of(int number) const;
   bool remove_au(int number, Instant now);
   void go_to(std::vector<float> target, bool continued, Instant now);
   [[nodiscard]] std::string replaced() const;
   void tell_of_replaced(Instant now);
-  [[nodiscard]] Result<std::string> save_recording(const gui::SaveAu& wanted);
+  [[nodiscard]] Result<std::string> save_au(const gui::SaveAu& wanted);
   void saved_in(const std::filesystem::path& file);
   void list_aus();
 
@@ -109,7 +108,6 @@ class EditorSession {
   gui::ExpressionEditor editor_;
   std::optional<gui::Transition> transition_;
   gui::TransitionSettings transition_settings_;
-  bool save_failed_ = false;
   std::string saved_face_;
   AuNames names_;
   std::string complaint_;  ///< what is wrong with the AUs that were typed last

@@ -588,12 +588,12 @@ TEST_F(WindowSessionFaceTest, AFileOfAusThatIsNoneIsRefusedWhole) {
 
 TEST_F(WindowSessionFaceTest, AThumbnailIsOfTheFaceAsItWouldBeShown) {
   const std::size_t jaw = *assets_->face.channel_index("jaw");
-  const float open = session_->face_of("27").at(jaw);
+  const float open = session_->composer().face_of("27").at(jaw);
   EXPECT_GT(open, 0);
-  EXPECT_FLOAT_EQ(session_->face_of("27:50").at(jaw), open / 2);
+  EXPECT_FLOAT_EQ(session_->composer().face_of("27:50").at(jaw), open / 2);
   ask(gui::SetChannel{static_cast<int>(jaw), 0.5F, false});
   ask(gui::SaveAu{27});
-  EXPECT_FLOAT_EQ(session_->face_of("27").at(jaw), 0.5F) << "as it is recorded now";
+  EXPECT_FLOAT_EQ(session_->composer().face_of("27").at(jaw), 0.5F) << "as it is recorded now";
 }
 
 }  // namespace

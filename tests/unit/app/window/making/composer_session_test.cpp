@@ -8,11 +8,14 @@
 #include "client/gui/texts/texts.h"
 #include "common/files.h"
 #include "protocol/codec.h"
+#include "tests/support/manual_clock.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::app {
 namespace {
+
+using Next = ComposerSession::Next;
 
 /// On the small face, with two expressions on the pad.
 class ComposerSessionTest : public testing::Test {
@@ -23,17 +26,28 @@ class ComposerSessionTest : public testing::Test {
     assets_.expressions.push_back({"calm", "Calm", set("43:20"), {}, "", {{0.6F, -0.8F}}});
     assets_.expressions.push_back({"yawn", "Yawn", set("26"), {}, "", {}});
     mapping_.emplace(pipeline::AuMapping{assets_.face, assets_.face.recordings, {}});
-    composer_.emplace(assets_, *mapping_);
+    composer_.emplace(assets_, *mapping_, notices_);
   }
 
   static AuFrame set(const char* text) { return *protocol::parse_au_set(text); }
-  bool ask(const gui::ComposerCommand& command) { return composer_->apply(command); }
+  /// While the composer's face is shown.
+  Next ask(const gui::ComposerCommand& command) { return ask_beside(command, true, std::nullopt); }
+  /// While a face of these AUs is shown.
+  Next ask_beside(const gui::ComposerCommand& command, const char* aus) {
+    return ask_beside(command, false, set(aus));
+  }
+  Next ask_beside(const gui::ComposerCommand& command, bool active,
+                  const std::optional<AuFrame>& seen) {
+    return composer_->apply(command, active, seen, clock_.now());
+  }
   [[nodiscard]] float jaw() const {
     return composer_->activations()[*assets_.face.channel_index("jaw")];
   }
 
   Assets assets_;
   std::optional<pipeline::AuMapping> mapping_;
+  Notices notices_;
+  test::ManualClock clock_;
   std::optional<ComposerSession> composer_;
 };
 
@@ -59,12 +73,12 @@ TEST_F(ComposerSessionTest, RowsAreMadeAnewOnlyWhenKeyframesChange) {
 }
 
 TEST_F(ComposerSessionTest, AnAuIsShownAndListedWhenItsKeyframeIsAdded) {
-  EXPECT_TRUE(ask(gui::ComposeAu{26, 100, 100, false}));
+  EXPECT_EQ(ask(gui::ComposeAu{26, 100, 100, false}), Next::Show);
   EXPECT_GT(jaw(), 0);
   ASSERT_EQ(composer_->view(true).aus.size(), 1U);
   EXPECT_EQ(composer_->view(true).aus[0].name, "Jaw Drop");
   EXPECT_TRUE(composer_->view(true).rows->empty());
-  EXPECT_TRUE(ask(gui::AddKeyframe{}));
+  EXPECT_EQ(ask(gui::AddKeyframe{}), Next::Show);
   ASSERT_EQ(composer_->view(true).rows->size(), 1U);
   EXPECT_EQ(composer_->view(true).rows->front(), (gui::TimelineRow{"26", "500 ms"}));
   EXPECT_EQ(composer_->view(true).total, "1 keyframe, 0.50 s");
@@ -82,7 +96,7 @@ TEST_F(ComposerSessionTest, AnAuOfTheUsersOwnHasItsName) {
 
 TEST_F(ComposerSessionTest, ATimeChangesNoFace) {
   ask(gui::ComposeMood{0.8F, 0.5F, false});
-  EXPECT_FALSE(ask(gui::ComposeTime{std::nullopt, false}));
+  EXPECT_EQ(ask(gui::ComposeTime{std::nullopt, false}), Next::Nothing);
   EXPECT_EQ(composer_->view(true).ms, std::nullopt);
   EXPECT_TRUE(composer_->view(true).pad_at.has_value()) << "the pad is where it was";
   ask(gui::AddKeyframe{});
@@ -92,39 +106,53 @@ TEST_F(ComposerSessionTest, ATimeChangesNoFace) {
 
 TEST_F(ComposerSessionTest, ThePadHasTheExpressionsThatHaveAPlaceOnIt) {
   ASSERT_EQ(composer_->view(true).pad->size(), 2U);
-  EXPECT_TRUE(ask(gui::ComposeMood{0.8F, 0.5F, false}));
+  EXPECT_EQ(ask(gui::ComposeMood{0.8F, 0.5F, false}), Next::Show);
   EXPECT_EQ(protocol::format_au_set(composer_->aus()), "12:80");
   ask(gui::ComposeAu{26, 50, 50, false});
   EXPECT_EQ(composer_->view(true).pad_at, std::nullopt) << "the face is no longer of the pad";
 }
 
-TEST_F(ComposerSessionTest, WhatTheWindowCarriesOutIsLeftToIt) {
+TEST_F(ComposerSessionTest, WhatIsToBePlayedOrSavedIsLeftToTheWindow) {
+  EXPECT_EQ(ask(gui::PlayComposition{}), Next::Nothing) << "there is no keyframe";
   ask(gui::ComposeAu{26, 100, 100, false});
-  for (const gui::ComposerCommand& command : std::initializer_list<gui::ComposerCommand>{
-           gui::ComposeShown{}, gui::PlayComposition{}, gui::SaveComposition{}}) {
-    EXPECT_FALSE(ask(command));
-    EXPECT_EQ(protocol::format_au_set(composer_->aus()), "26");
-  }
+  ask(gui::AddKeyframe{});
+  EXPECT_EQ(ask(gui::PlayComposition{}), Next::Play);
+  EXPECT_EQ(ask(gui::SaveComposition{}), Next::Save);
+  EXPECT_EQ(composer_->keyframes().size(), 1U);
 }
 
 TEST_F(ComposerSessionTest, TakesAFaceAsOneStep) {
-  composer_->take(set("12:40,26"));
+  EXPECT_EQ(ask_beside(gui::ComposeShown{}, "12:40,26"), Next::Show);
   EXPECT_EQ(protocol::format_au_set(composer_->aus()), "12:40,26");
   EXPECT_GT(jaw(), 0);
-  EXPECT_TRUE(ask(gui::UndoComposing{}));
+  EXPECT_EQ(ask(gui::UndoComposing{}), Next::Show);
   EXPECT_EQ(jaw(), 0);
   EXPECT_FALSE(composer_->view(true).can_undo);
   ask(gui::RedoComposing{});
   EXPECT_GT(jaw(), 0);
 }
 
+TEST_F(ComposerSessionTest, AFaceOfMusclesIsNotTaken) {
+  EXPECT_EQ(ask_beside(gui::ComposeShown{}, false, std::nullopt), Next::Nothing);
+  EXPECT_FALSE(composer_->composes());
+}
+
 TEST_F(ComposerSessionTest, WhatIsTakenIsInTheTimelineAtOnce) {
   ask(gui::ComposeAu{26, 100, 100, false});
   ask(gui::AddKeyframe{});
   ask(gui::ChooseKeyframe{0});
-  composer_->take(set("12:40"));
+  ask_beside(gui::ComposeShown{}, "12:40");
   ASSERT_EQ(composer_->view(true).rows->size(), 1U);
   EXPECT_EQ(composer_->view(true).rows->front(), (gui::TimelineRow{"12:40", "500 ms"}));
+}
+
+TEST_F(ComposerSessionTest, WhatIsAddedWasSeen) {
+  EXPECT_EQ(ask_beside(gui::AddKeyframe{}, "12:40"), Next::Show);
+  EXPECT_EQ(composer_->view(true).rows->front().aus, "12:40");
+  ask(gui::ComposeAu{26, 100, 100, false});
+  EXPECT_EQ(ask_beside(gui::AddKeyframe{}, "12:40"), Next::Show);
+  EXPECT_EQ(composer_->view(true).rows->size(), 1U) << "it is shown first";
+  EXPECT_EQ(notices_.view().text, gui::tr("said.composed_face"));
 }
 
 TEST_F(ComposerSessionTest, IsRemadeForAnotherFace) {

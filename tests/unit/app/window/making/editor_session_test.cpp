@@ -46,7 +46,9 @@ class EditorSessionTest : public testing::Test {
   void TearDown() override { ASSERT_EQ(::unsetenv("XDG_DATA_HOME"), 0); }
 
   static AuFrame aus_of(const char* text) { return *protocol::parse_au_set(text); }
-  bool ask(const gui::EditorCommand& command) { return editor_->apply(command, clock_.now()); }
+  bool ask(const gui::EditorCommand& command) {
+    return editor_->apply(command, true, clock_.now());
+  }
   [[nodiscard]] std::size_t channel(const char* name) const {
     return *assets_.face.channel_index(name);
   }
@@ -63,7 +65,7 @@ class EditorSessionTest : public testing::Test {
   }
   /// As the window does when AUs were saved: the face is the user's copy from now on.
   void show_saved_face() {
-    assets_.face_folder = editor_->saved_face();
+    assets_.face_folder = editor_->take_saved_face();
     auto face = face::load_face(assets_.face_folder, assets_.data_folder);
     ASSERT_TRUE(face.has_value()) << face.error().message;
     assets_.face = std::move(*face);
@@ -185,10 +187,10 @@ TEST_F(EditorSessionTest, AnAuIsSavedIntoACopyOfTheFace) {
   set("jaw", 1);
   EXPECT_TRUE(editor_->unsaved());
   ask(gui::SaveAu{26});
-  EXPECT_FALSE(editor_->save_failed()) << notices_.view().text;
+  EXPECT_FALSE(notices_.view().bad) << notices_.view().text;
   EXPECT_FALSE(editor_->unsaved());
   const auto copy = home_.path() / "aucast" / "faces" / "small";
-  EXPECT_EQ(editor_->saved_face(), copy.string());
+  EXPECT_EQ(editor_->take_saved_face(), copy.string());
   EXPECT_FLOAT_EQ(mapping_->recordings.at(26).activation[channel("jaw")], 1)
       << "what plays has it at once";
   const auto saved = face::load_face(copy, assets_.data_folder);
@@ -205,7 +207,7 @@ TEST_F(EditorSessionTest, ShippedFacesInThePlaceOfOnesOwnAreNotSavedTo) {
   ask(gui::LoadAu{26});
   set("jaw", 3.5F);
   ask(gui::SaveAu{26});
-  EXPECT_TRUE(editor_->save_failed());
+  EXPECT_TRUE(notices_.view().bad);
   EXPECT_NE(notices_.view().text.find("leads to the shipped faces"), std::string::npos)
       << notices_.view().text;
   EXPECT_EQ(data_.read("faces/small/aus.toml"), before);
@@ -214,12 +216,12 @@ TEST_F(EditorSessionTest, ShippedFacesInThePlaceOfOnesOwnAreNotSavedTo) {
 TEST_F(EditorSessionTest, AnAuWithoutANameIsNotSavedAndItsNameIsKeptUntilThen) {
   set("jaw", 3);
   ask(gui::SaveAu{77});
-  EXPECT_TRUE(editor_->save_failed());
+  EXPECT_TRUE(notices_.view().bad);
   EXPECT_EQ(notices_.view().text, gui::tr("said.au_unnamed", 77));
   ask(gui::NameAu{77, " wide "});
   EXPECT_EQ(editor_->view(true).names.at(77), " wide ");
   ask(gui::SaveAu{77});
-  EXPECT_FALSE(editor_->save_failed()) << notices_.view().text;
+  EXPECT_FALSE(notices_.view().bad) << notices_.view().text;
   EXPECT_EQ(entry(77).name, "wide");
   EXPECT_FALSE(entry(77).shipped);
   EXPECT_TRUE(editor_->view(true).names.empty());
@@ -256,7 +258,7 @@ TEST_F(EditorSessionTest, AnAuOfAFaceFromElsewhereIsNotThatOfTheShippedOneOfItsN
   ask(gui::LoadAu{26});
   set("jaw", 3.5F);
   ask(gui::SaveAu{26});
-  ASSERT_FALSE(editor_->save_failed()) << notices_.view().text;
+  ASSERT_FALSE(notices_.view().bad) << notices_.view().text;
   show_saved_face();
   EXPECT_TRUE(entry(26).own);
   EXPECT_FALSE(entry(12).own);
@@ -276,7 +278,7 @@ TEST_F(EditorSessionTest, AnAuThatIsOnlyOnesOwnIsGoneWhenItIsRemovedAndKeepsItsN
   EXPECT_EQ(entry(77).number, 0);
   EXPECT_FALSE(editor_->unsaved());
   ask(gui::SaveAu{77});
-  EXPECT_FALSE(editor_->save_failed()) << notices_.view().text;
+  EXPECT_FALSE(notices_.view().bad) << notices_.view().text;
   EXPECT_EQ(entry(77).name, "wide");
 }
 
@@ -287,7 +289,7 @@ TEST_F(EditorSessionTest, AusOfAFileBecomeOnesOwnAndTheFirstIsShown) {
   const auto imported = editor_->import_aus(file);
   ASSERT_TRUE(imported.has_value()) << imported.error().message;
   const auto aus = home_.path() / "aucast" / "faces" / "small";
-  EXPECT_EQ(editor_->saved_face(), aus.string());
+  EXPECT_EQ(editor_->take_saved_face(), aus.string());
   EXPECT_NE(imported->find("26, 77"), std::string::npos) << *imported;
   EXPECT_EQ(at("jaw"), 2);
   EXPECT_EQ(editor_->au(), 26);
@@ -355,7 +357,7 @@ TEST_F(EditorSessionTest, AFileThatHasNoAusIsRefused) {
   EXPECT_NE(imported.error().message.find(gui::tr("said.no_aus")), std::string::npos)
       << imported.error().message;
   EXPECT_FALSE(editor_->import_aus("/no/such/aus.toml").has_value());
-  EXPECT_EQ(editor_->saved_face(), "");
+  EXPECT_EQ(editor_->take_saved_face(), "");
 }
 
 TEST_F(EditorSessionTest, WithoutAnAuThereIsNoneToExport) {
