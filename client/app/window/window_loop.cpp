@@ -154,6 +154,9 @@ void WindowLoop::draw() {
   const std::vector<float>& activations = session_.activations(begin);
   const Duration mix = now() - begin;
   gui::GuiModel model = session_.model();
+  if (model.display.language != shown_model_.display.language) pace_rows_.clear();
+  model.rendering.pace = pace_rows_;
+  model.video = pictures_.video();
   const bool moved = activations != shown_activations_;
   if (display_.take_redraw(now())) changed();
   frames_due_ = std::max(frames_due_, gui::frames_due(shown_model_, model));
@@ -182,7 +185,7 @@ void WindowLoop::count_frame(const FrameTimes& times, bool moved, Instant end) {
   stats.draw_seconds += seconds(times.deform + times.face + times.panels);
   // Only frames in which the face moved count, or showing the pace would be a reason to draw.
   if (!moved) return;
-  if (auto pace = pace_.add(times, end)) session_.set_pace(std::move(*pace));
+  if (auto pace = pace_.add(times, end)) pace_rows_ = std::move(*pace);
 }
 
 }  // namespace aucast::app

@@ -69,6 +69,7 @@ class WindowLoop {
   WindowDisplay& display_;
   WindowPictures pictures_;
   PaceMeter pace_;
+  std::vector<gui::PaceRow> pace_rows_;  ///< what pace_ measured last, in the language in use
   std::vector<float> shown_activations_;
   face::HairSway shown_hair_;
   gui::GuiModel shown_model_;

@@ -19,6 +19,7 @@ class WindowPictures {
                  const OutputOptions& output)
       : session_(session), display_(display), assets_(assets), output_(output) {}
 
+  [[nodiscard]] gui::VideoView video() const { return video_.view(); }
   /// How the face is drawn now.
   [[nodiscard]] view::Style style() const;
   /// Saves a picture. `activations`: those of the face that was drawn last.
@@ -45,8 +46,7 @@ class WindowPictures {
   const OutputOptions& output_;
   VideoRecorder video_{
       {.new_file = [this] { return session_.picture_file(".mp4"); },
-       .hear = [this](sound::SoundPlayer::Tap tap) { session_.set_sound_tap(std::move(tap)); },
-       .show = [this](gui::VideoView view) { session_.set_video(std::move(view)); }}};
+       .hear = [this](sound::SoundPlayer::Tap tap) { session_.set_sound_tap(std::move(tap)); }}};
 };
 
 }  // namespace aucast::app

@@ -101,7 +101,6 @@ SettingsSession::Events WindowSession::settings_events() {
           },
       .on_language =
           [this] {
-            pace_.clear();
             composer_.change_language();
             editor_.change_language();
           },
@@ -523,13 +522,11 @@ gui::GuiModel WindowSession::model() const {
   if (shown_ == Shown::Composer) model.playing.aus = composer_.au_rows();
   model.composer.can_take = shown_ != Shown::Composer && aus_shown().has_value();
   model.known_aus = editor_.known_aus();
-  model.video = video_;
   model.exported = export_.view();
   model.onsets = onsets_.file();
   model.expressions = editor_.expressions();
   model.transition = editor_.transition();
   model.rendering.settings = settings_.rendering();
-  model.rendering.pace = pace_;
   model.asks_to_leave = leaving_.asks();
   return model;
 }

@@ -97,6 +97,7 @@ class WindowSession {
   /// How often the face in the assets has been replaced; each time, what was made from it must be
   /// made anew.
   [[nodiscard]] std::uint64_t face_changes() const { return faces_.changes(); }
+  /// What the panels show, without what the window itself does: videos and the pace of drawing.
   [[nodiscard]] gui::GuiModel model() const;
   /// "lecture.example.org/talk - AUcast - playing", for the title of the window.
   [[nodiscard]] std::string title() const { return playback_.title(); }
@@ -123,10 +124,6 @@ class WindowSession {
   [[nodiscard]] Result<std::filesystem::path> picture_file(const std::string& ending) const;
   /// Shows a sentence to the user for a while.
   void say(const std::string& text, bool bad, Instant now) { notices_.say(text, bad, now); }
-  /// Sets what the panel says about the video.
-  void set_video(gui::VideoView video) { video_ = std::move(video); }
-  /// Sets what the panel says about the speed of drawing.
-  void set_pace(std::vector<gui::PaceRow> pace) { pace_ = std::move(pace); }
 
   /// Stops what plays, completes the statistics and hands out what played last; may be null.
   [[nodiscard]] std::unique_ptr<playback::Playback> finish(Instant now);
@@ -182,8 +179,6 @@ class WindowSession {
   OnsetSession onsets_;
   SettingsSession settings_;
   FileSession files_;
-  gui::VideoView video_;
-  std::vector<gui::PaceRow> pace_;
   Leaving leaving_;
 };
 

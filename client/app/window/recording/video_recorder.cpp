@@ -17,7 +17,6 @@ Result<void> VideoRecorder::begin(int width, int height, Instant now) {
   if (!video) return video.error();
   video_ = std::move(*video);
   file_ = whole_path(*file);
-  show();
   hooks_.hear([this](Instant heard_at, std::span<const float> samples) {
     video_->hear(heard_at, samples);
   });
@@ -42,14 +41,12 @@ Result<std::string> VideoRecorder::end() {
   if (!work_.begin([complete](BackgroundWork::Course&) { return complete(); })) {
     return sentence(complete());
   }
-  show();
   return gui::tr("said.writing", file_.string());
 }
 
 std::optional<Result<std::string>> VideoRecorder::ended() {
   const auto outcome = work_.take_outcome();
   if (!outcome) return std::nullopt;
-  show();
   return sentence(*outcome);
 }
 
@@ -61,14 +58,12 @@ Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) 
 
 std::unique_ptr<SessionVideo> VideoRecorder::let_go() {
   hooks_.hear({});
-  auto video = std::move(video_);
-  show();
-  return video;
+  return std::move(video_);
 }
 
-void VideoRecorder::show() {
+gui::VideoView VideoRecorder::view() const {
   const std::string name = file_.filename().string();
-  hooks_.show({running() ? name : "", completing() ? name : ""});
+  return {running() ? name : "", completing() ? name : ""};
 }
 
 }  // namespace aucast::app

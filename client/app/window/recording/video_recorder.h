@@ -30,13 +30,12 @@ class VideoRecorder {
     std::function<Result<std::filesystem::path>()> new_file;
     /// Sets where the sound that is heard goes; empty: nowhere.
     std::function<void(sound::SoundPlayer::Tap)> hear;
-    /// Shows the state of the recording in the panel.
-    std::function<void(gui::VideoView)> show;
   };
   explicit VideoRecorder(Hooks hooks) : hooks_(std::move(hooks)) {}
   VideoRecorder(const VideoRecorder&) = delete;
   VideoRecorder& operator=(const VideoRecorder&) = delete;
 
+  [[nodiscard]] gui::VideoView view() const;
   [[nodiscard]] bool running() const { return video_ != nullptr; }
   /// Begins a video. Must not be called while running(). Fails while the previous one is being
   /// completed.
@@ -54,7 +53,6 @@ class VideoRecorder {
  private:
   [[nodiscard]] Result<std::string> sentence(const Result<std::string>& outcome) const;
   std::unique_ptr<SessionVideo> let_go();
-  void show();
 
   Hooks hooks_;
   std::filesystem::path file_;  ///< the file of the running or, if none runs, the last video

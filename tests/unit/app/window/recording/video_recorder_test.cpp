@@ -19,8 +19,7 @@ class VideoRecorderTest : public testing::Test {
  protected:
   VideoRecorder::Hooks hooks() {
     return {.new_file = [this] { return file_; },
-            .hear = [this](const sound::SoundPlayer::Tap& tap) { heard_ = tap != nullptr; },
-            .show = [this](const gui::VideoView& view) { view_ = view; }};
+            .hear = [this](const sound::SoundPlayer::Tap& tap) { heard_ = tap != nullptr; }};
   }
   Result<void> record(VideoRecorder& recorder) {
     const auto grey = [this](int width, int height) -> Result<view::Image> {
@@ -35,7 +34,6 @@ class VideoRecorderTest : public testing::Test {
   test::ManualClock clock_;
   Result<std::filesystem::path> file_ = folder_.path() / "video.mp4";
   bool heard_ = false;
-  gui::VideoView view_;
   int pictures_ = 0;
   int last_picture_ = 1000;
 };
@@ -47,7 +45,7 @@ TEST_F(VideoRecorderTest, TheFileIsThereWhenTheVideoHasEnded) {
   const auto begun = recorder.begin(64, 64, clock_.now());
   ASSERT_TRUE(begun) << begun.error().message;
   EXPECT_TRUE(recorder.running());
-  const std::string name = view_.recording;
+  const std::string name = recorder.view().recording;
   EXPECT_EQ(name, "video.mp4");
   EXPECT_TRUE(heard_);
   for (int frame = 0; frame < 10; ++frame) {
@@ -63,7 +61,7 @@ TEST_F(VideoRecorderTest, TheFileIsThereWhenTheVideoHasEnded) {
   EXPECT_NE(ended->find(name), std::string::npos) << *ended;
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / name));
   EXPECT_FALSE(recorder.running());
-  EXPECT_EQ(view_, gui::VideoView{});
+  EXPECT_EQ(recorder.view(), gui::VideoView{});
   EXPECT_FALSE(recorder.ended()) << "said once";
 }
 
@@ -137,18 +135,18 @@ TEST_F(VideoRecorderTest, AVideoIsCompletedWhileTheWindowGoesOn) {
   VideoRecorder recorder(hooks());
   ASSERT_TRUE(recorder.begin(64, 64, clock_.now()));
   ASSERT_TRUE(record(recorder));
-  const std::string name = view_.recording;
+  const std::string name = recorder.view().recording;
   ASSERT_TRUE(recorder.end());
   EXPECT_FALSE(recorder.ended());
-  EXPECT_EQ(view_.recording, "");
-  EXPECT_EQ(view_.completing, name);
+  EXPECT_EQ(recorder.view().recording, "");
+  EXPECT_EQ(recorder.view().completing, name);
   EXPECT_FALSE(recorder.begin(64, 64, clock_.now())) << "it would have the same name";
   folder_.write("may_end", "");
   recorder.wait();
   const auto ended = recorder.ended();
   ASSERT_TRUE(ended);
   ASSERT_TRUE(*ended) << ended->error().message;
-  EXPECT_EQ(view_, gui::VideoView{});
+  EXPECT_EQ(recorder.view(), gui::VideoView{});
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / name));
   EXPECT_TRUE(recorder.begin(64, 64, clock_.now()));
 }
@@ -173,7 +171,7 @@ TEST_F(VideoRecorderTest, AVideoThatFailsIsOver) {
   clock_.advance(Milliseconds(40));
   EXPECT_EQ(record(recorder).error().message, "no picture");
   EXPECT_FALSE(recorder.running());
-  EXPECT_EQ(view_.recording, "");
+  EXPECT_EQ(recorder.view().recording, "");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing is left behind";
 }
 
