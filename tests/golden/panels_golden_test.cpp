@@ -15,6 +15,7 @@
 #include <memory>
 #include <sstream>
 
+#include "client/app/window/window_model.h"
 #include "client/app/window/window_session.h"
 #include "client/face/face_folder.h"
 #include "client/gui/gui.h"
@@ -147,7 +148,7 @@ class Replay : public testing::Test {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(kWidth * scale_, static_cast<float>(height_) * scale_);
     io.DeltaTime = 1.0F / 60;
-    gui::GuiModel model = session_->model();
+    gui::GuiModel model = model_of(*session_);
     if (gui_->prepare(model.display)) {
       ImGui_ImplOpenGL3_DestroyFontsTexture();
       ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -215,7 +216,7 @@ TEST_F(Replay, AStreamPlaysAndTheMixerIsChanged) {
   dress_ = as_from_a_server;
   open(1, small_stream());
   replay("at 0\nat 250\nat 250\nat 250\nat 250\nat 250\nat 250\n");
-  const gui::GuiModel model = session_->model();
+  const gui::GuiModel model = model_of(*session_);
   EXPECT_EQ(model.playing.state, "playing");
   EXPECT_EQ(model.playing.keyframe, "keyframe 2");
   test::expect_as_baseline(panel(), "panel_play", kTolerance, kShareMax);
@@ -225,7 +226,7 @@ TEST_F(Replay, TheViewIsSetByMouse) {
   open(1, nullptr);
   // The tab, then the boxes for wireframe and muscles, then a white ground.
   replay("click 693 54\nclick 638 485\nclick 638 547\nclick 729 647\n");
-  const gui::RenderingSettings rendering = session_->rendering();
+  const gui::RenderingSettings rendering = session_->settings().rendering();
   EXPECT_TRUE(rendering.layers.wireframe);
   EXPECT_TRUE(rendering.layers.muscles);
   EXPECT_EQ(rendering.ground, gui::Ground::White);
@@ -245,7 +246,7 @@ TEST_F(Replay, InFrenchAllHasRoom) {
   open(1, small_stream());
   session_->apply(gui::ChangeDisplay{{"fr", 100}}, clock_.now());
   replay("at 0\nat 250\nat 250\nat 250\nat 250\nat 250\nat 250\n");
-  EXPECT_EQ(session_->model().playing.state, "lecture");
+  EXPECT_EQ(model_of(*session_).playing.state, "lecture");
   test::expect_as_baseline(panel(), "panel_play_french", kTolerance, kShareMax);
   replay("click 620 54\n");
   test::expect_as_baseline(panel(), "panel_compose_french", kTolerance, kShareMax);
@@ -316,7 +317,7 @@ class Making : public Replay {
     Replay::TearDown();
   }
   [[nodiscard]] float shown(const char* channel) {
-    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
+    return session_->face().activations(clock_.now())[*assets_->face.channel_index(channel)];
   }
 
   test::TempFolder folder_;
@@ -338,7 +339,7 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
   open(1, nullptr);
   // The tab, then AU 12 from the list: what it drives is opened.
   replay("click 577 54\nclick 655 123\nclick 655 368\n");
-  EXPECT_EQ(session_->model().editor.au, 12);
+  EXPECT_EQ(model_of(*session_).editor.au, 12);
   const float before = shown("left_cheek_raiser");
   // The cheeks by drag, one step more by button, which is taken back.
   replay("drag 665 578 693 578\n");
@@ -349,10 +350,10 @@ TEST_F(Making, AnAuIsEditedAndSaved) {
   EXPECT_NEAR(shown("left_cheek_raiser"), dragged + 0.05F, 0.006F);
   replay("click 475 154\n");
   EXPECT_EQ(shown("left_cheek_raiser"), dragged);
-  EXPECT_TRUE(session_->model().editor.unsaved);
+  EXPECT_TRUE(model_of(*session_).editor.unsaved);
   test::expect_as_baseline(panel(), "panel_editor", kTolerance, kShareMax);
   replay("click 727 185\n");
-  EXPECT_FALSE(session_->model().editor.unsaved);
+  EXPECT_FALSE(model_of(*session_).editor.unsaved);
   const auto mine = face::load_face(folder_.path() / "aucast" / "faces" / "default", {});
   ASSERT_TRUE(mine) << mine.error().message;
   EXPECT_NEAR(mine->recordings.at(12).activation[*mine->channel_index("left_cheek_raiser")],
@@ -364,12 +365,12 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   open(1, nullptr);
   // The tab; AUs 12 and 6, of which 6 is drawn down; added. Then a face from the pad, added.
   replay("click 637 54\nclick 766 597\nclick 576 597\ndrag 726 756 645 756\nclick 475 394\n");
-  ASSERT_EQ(session_->model().composer.rows->size(), 1U);
+  ASSERT_EQ(model_of(*session_).composer.rows->size(), 1U);
   replay("click 639 460\nclick 766 425\nclick 475 394\n");
-  ASSERT_EQ(session_->model().composer.rows->size(), 2U);
+  ASSERT_EQ(model_of(*session_).composer.rows->size(), 2U);
   // The first is moved behind the second, which is taken back.
   replay("click 560 170\nclick 651 304\n");
-  EXPECT_EQ(session_->model().composer.chosen, 1);
+  EXPECT_EQ(model_of(*session_).composer.chosen, 1);
   replay("undo\n");
   test::expect_as_baseline(panel(), "panel_compose", kTolerance, kShareMax);
   // Save asks where to.
@@ -378,16 +379,16 @@ TEST_F(Making, AStreamIsComposedSavedAndPlayed) {
   replay("click 550 630\n");
   EXPECT_EQ(folder_.read("streams/composed.txt"),
             "Beg_Stream\n6:11,12;500\n1,2,5:25,26;550\nEnd_Stream\n");
-  EXPECT_FALSE(session_->model().composer.unsaved);
+  EXPECT_FALSE(model_of(*session_).composer.unsaved);
   replay("click 475 304\nat 10\nat 250\n");
-  EXPECT_EQ(session_->model().playing.state, "playing");
+  EXPECT_EQ(model_of(*session_).playing.state, "playing");
   EXPECT_GT(shown("left_zygomaticus_major"), 0.3F);
 }
 
 TEST_F(Making, TheComposerAtTwiceTheScale) {
   open(2, nullptr);
   replay("click 637 54\nclick 766 597\nclick 576 597\nclick 475 394\nclick 639 460\n");
-  ASSERT_EQ(session_->model().composer.rows->size(), 1U);
+  ASSERT_EQ(model_of(*session_).composer.rows->size(), 1U);
   test::expect_as_baseline(panel(), "panel_compose_twice", kTolerance, kShareMax);
 }
 

@@ -6,6 +6,7 @@
 
 #include "client/app/steady.h"
 #include "client/app/window/playing/playing_stream.h"
+#include "client/app/window/window_model.h"
 #include "common/log.h"
 #include "common/overloaded.h"
 
@@ -17,10 +18,10 @@ WindowLoop::WindowLoop(const Parts& parts)
       display_(parts.display),
       pictures_(parts.session, parts.display, parts.assets, parts.options.output),
       pace_(parts.now()),
-      shown_face_(session_.face_changes()),
-      kept_addresses_(session_.recent()),
-      kept_files_(session_.recent_files()),
-      kept_face_(session_.face_changes()) {}
+      shown_face_(session_.faces().changes()),
+      kept_addresses_(session_.playback().servers().recent()),
+      kept_files_(session_.files().recent()),
+      kept_face_(session_.faces().changes()) {}
 
 void WindowLoop::tick(bool stopped_from_outside) {
   display_.poll(wait_max());
@@ -46,8 +47,8 @@ void WindowLoop::tick(bool stopped_from_outside) {
 }
 
 bool WindowLoop::done() const {
-  return failed_ || leaving_ || session_.leaving() ||
-         (parts_.options.exit_at_end && session_.over());
+  return failed_ || leaving_ || session_.leaving().leaves() ||
+         (parts_.options.exit_at_end && session_.playback().over());
 }
 
 Result<void> WindowLoop::outcome() const {
@@ -77,7 +78,7 @@ void WindowLoop::handle_keys() {
   const Overloaded carry_out_one{
       [&](const gui::GuiCommand& command) { carry_out(command); }, [&](WindowAct one) { act(one); },
       [&](SessionAct one) { (session_.*one)(now()); },
-      [&](ChangeVolume by) { session_.change_volume(by.percent, now()); }};
+      [&](ChangeVolume by) { session_.sound().change_volume(by.percent, now()); }};
   for (render::Key key = display_.next_key(); key != render::Key::None; key = display_.next_key()) {
     changed();
     if (const KeyMeaning* meaning = meaning_of(key)) std::visit(carry_out_one, *meaning);
@@ -111,7 +112,7 @@ void WindowLoop::take_picture() {
 
 /// What was made of the last face cannot show another one.
 void WindowLoop::show_new_face() {
-  if (std::exchange(shown_face_, session_.face_changes()) == session_.face_changes()) return;
+  if (std::exchange(shown_face_, session_.faces().changes()) == session_.faces().changes()) return;
   if (auto shown = display_.change_face(); !shown) {
     failed_ = shown.error();
     return;
@@ -123,13 +124,14 @@ void WindowLoop::show_new_face() {
 
 /// An address, a file and a face are worth remembering even if the machine goes down.
 void WindowLoop::keep_recent() {
-  if (session_.face_changes() == kept_face_ && session_.recent() == kept_addresses_ &&
-      session_.recent_files() == kept_files_) {
+  if (session_.faces().changes() == kept_face_ &&
+      session_.playback().servers().recent() == kept_addresses_ &&
+      session_.files().recent() == kept_files_) {
     return;
   }
-  kept_face_ = session_.face_changes();
-  kept_addresses_ = session_.recent();
-  kept_files_ = session_.recent_files();
+  kept_face_ = session_.faces().changes();
+  kept_addresses_ = session_.playback().servers().recent();
+  kept_files_ = session_.files().recent();
   keep_settings();
 }
 
@@ -142,7 +144,7 @@ void WindowLoop::keep_settings() {
 // === What is shown.
 
 void WindowLoop::show_title() {
-  std::string title = session_.title();
+  std::string title = session_.playback().title();
   if (title == title_) return;
   title_ = std::move(title);
   display_.set_title(title_);
@@ -151,9 +153,9 @@ void WindowLoop::show_title() {
 /// Draws if something differs from what is shown.
 void WindowLoop::draw() {
   const Instant begin = now();
-  const std::vector<float>& activations = session_.activations(begin);
+  const std::vector<float>& activations = session_.face().activations(begin);
   const Duration mix = now() - begin;
-  gui::GuiModel model = session_.model();
+  gui::GuiModel model = model_of(session_);
   if (model.display.language != shown_model_.display.language) pace_rows_.clear();
   model.rendering.pace = pace_rows_;
   model.video = pictures_.video();
@@ -161,7 +163,7 @@ void WindowLoop::draw() {
   if (display_.take_redraw(now())) changed();
   frames_due_ = std::max(frames_due_, gui::frames_due(shown_model_, model));
   // Hair that swings on is drawn, but it is no other face.
-  const bool swung = std::exchange(shown_hair_, session_.hair()) != session_.hair();
+  const bool swung = std::exchange(shown_hair_, session_.face().hair()) != session_.face().hair();
   if (!moved && !swung && frames_due_ == 0) return;
   frames_due_ = std::max(0, frames_due_ - 1);
   if (moved) shown_activations_ = activations;

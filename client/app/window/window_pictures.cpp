@@ -13,7 +13,8 @@
 namespace aucast::app {
 
 view::Style WindowPictures::style() const {
-  view::Style style = window_style(session_.rendering(), output_.background, display_.scale());
+  view::Style style =
+      window_style(session_.settings().rendering(), output_.background, display_.scale());
   style.background.transparent |= output_.transparent;
   return style;
 }
@@ -26,7 +27,7 @@ void WindowPictures::size(int& width, int& height) const {
   } else {
     display_.free_size(width, height);
   }
-  const gui::PictureSettings& wanted = session_.pictures();
+  const gui::PictureSettings& wanted = session_.settings().pictures();
   if (wanted.width <= 0 || wanted.height <= 0) return;
   width = wanted.width;
   height = wanted.height;
@@ -38,12 +39,12 @@ void WindowPictures::save(const std::vector<float>& activations, Instant now) {
   size(width, height);
   const auto image = display_.picture(width, height, Sharpness::Still, style());
   if (!image) return complain(image.error(), now);
-  const auto file = session_.picture_file(".png");
+  const auto file = new_picture_file(session_.settings().pictures(), session_.named(), ".png");
   if (!file) return complain(file.error(), now);
-  const gui::AnimationSettings& animation = session_.animation();
-  const std::string edited = session_.edited_shown();
+  const gui::AnimationSettings& animation = session_.settings().animation();
+  const std::string edited = session_.face().edited();
   const auto texts = texts_of({assets_.face,
-                               session_.aus_shown(),
+                               session_.face().aus(),
                                animation.rules,
                                animation.mixer,
                                style().layers,
@@ -64,7 +65,8 @@ void WindowPictures::toggle_video(Instant now) {
   if (const auto begun = video_.begin(width, height, now); !begun) {
     return complain(begun.error(), now);
   }
-  if (session_.rendering().ground == gui::Ground::None) tell(gui::tr("said.video_black"), now);
+  if (session_.settings().rendering().ground == gui::Ground::None)
+    tell(gui::tr("said.video_black"), now);
 }
 
 void WindowPictures::advance(Instant now) {
@@ -101,12 +103,12 @@ void WindowPictures::tell_of_video(Instant now) {
 
 void WindowPictures::tell(const std::string& sentence, Instant now) {
   std::fprintf(stderr, "%s\n", printable(sentence).c_str());
-  session_.say(sentence, false, now);
+  session_.notices().say(sentence, false, now);
 }
 
 void WindowPictures::complain(const Error& error, Instant now) {
   spdlog::error("{}", error.message);
-  session_.say(error.message, true, now);
+  session_.notices().say(error.message, true, now);
 }
 
 }  // namespace aucast::app

@@ -45,8 +45,11 @@ class WindowPictures {
   const Assets& assets_;
   const OutputOptions& output_;
   VideoRecorder video_{
-      {.new_file = [this] { return session_.picture_file(".mp4"); },
-       .hear = [this](sound::SoundPlayer::Tap tap) { session_.set_sound_tap(std::move(tap)); }}};
+      {.new_file =
+           [this] {
+             return new_picture_file(session_.settings().pictures(), session_.named(), ".mp4");
+           },
+       .hear = [this](sound::SoundPlayer::Tap tap) { session_.sound().set_tap(std::move(tap)); }}};
 };
 
 }  // namespace aucast::app

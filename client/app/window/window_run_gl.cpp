@@ -27,7 +27,7 @@ Result<void> run_window(Assets& assets, const PlayerOptions& options,
     const auto display = open_display(assets, options.output, start_times);
     if (!display) return display.error();
     const std::filesystem::path& onsets = options.output.onsets;
-    if (auto logged = onsets.empty() ? Result<void>() : session.log_onsets(onsets); !logged) {
+    if (auto logged = onsets.empty() ? Result<void>() : session.onsets().begin(onsets); !logged) {
       return logged;
     }
     WindowLoop loop(
@@ -36,7 +36,7 @@ Result<void> run_window(Assets& assets, const PlayerOptions& options,
     loop.finish();
     const auto ended = loop.outcome();
     // What there is of the table is kept in both cases.
-    return ended ? session.end_onsets() : ended;
+    return ended ? session.onsets().end() : ended;
   };
   const auto outcome = run();
   playback = session.finish(steady_now());

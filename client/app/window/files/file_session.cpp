@@ -54,21 +54,13 @@ std::filesystem::path& FileSession::folder_for(gui::Purpose purpose) {
   }
 }
 
-/// What was chosen or asked in the dialog before is over.
-void FileSession::begin_dialog() {
+void FileSession::browse(gui::Purpose purpose, std::string name,
+                         const std::optional<std::filesystem::path>& folder) {
+  // What was asked and chosen in the dialog before is over.
   tables_.asked.reset();
   credentials_ = {};
-}
-
-void FileSession::browse(gui::Purpose purpose, std::string name) {
-  begin_dialog();
-  browser_.open(purpose, folder_for(purpose),
+  browser_.open(purpose, folder.value_or(folder_for(purpose)),
                 gui::is_saving(purpose) ? std::move(name) : std::string());
-}
-
-void FileSession::look_for_faces(const std::filesystem::path& folder) {
-  begin_dialog();
-  browser_.open(gui::Purpose::LookForFaces, folder);
 }
 
 std::string FileSession::choose(const std::string& name, const Use& use) {

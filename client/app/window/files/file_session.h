@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,10 +36,10 @@ class FileSession {
   /// A stream file that came with the player; empty: none did.
   [[nodiscard]] const std::string& sample() const { return sample_; }
 
-  /// Opens the dialog. `name`: suggested for a new file.
-  void browse(gui::Purpose purpose, std::string name);
-  /// Opens the dialog for Purpose::LookForFaces, in this folder.
-  void look_for_faces(const std::filesystem::path& folder);
+  /// Opens the dialog. `name`: suggested for a new file; `folder`: where it begins, if that is not
+  /// where the user was last.
+  void browse(gui::Purpose purpose, std::string name,
+              const std::optional<std::filesystem::path>& folder = {});
   void enter(const std::filesystem::path& folder) { browser_.enter(folder); }
   /// The user has chosen or typed `name`, in which a leading ~ is the home folder. Calls `use` for
   /// that file and returns the sentence from `use`, unless the user must be asked something first.
@@ -62,7 +63,6 @@ class FileSession {
   [[nodiscard]] const gui::TablesView& tables() const { return tables_; }
 
  private:
-  void begin_dialog();
   [[nodiscard]] std::filesystem::path& folder_for(gui::Purpose purpose);
 
   gui::FileBrowser browser_;

@@ -22,15 +22,6 @@ Result<bool> play_sound(const std::filesystem::path& file, PlaybackSession& play
   return false;
 }
 
-/// What was found in a table, and how it was read.
-std::string told_of(const OpenedStream& opened, const gui::TableSettings& settings) {
-  std::string text = gui::in_used_language(opened.found);
-  const std::string changed = gui::table_in_words(settings);
-  if (!changed.empty()) text += "\n" + gui::tr("file.tables_applied", changed);
-  for (const std::string& one : opened.warnings) text += "\n" + gui::in_used_language(one);
-  return text;
-}
-
 }  // namespace
 
 Result<bool> play_file(const std::filesystem::path& file, FileSession& files,
@@ -46,7 +37,11 @@ Result<bool> play_file(const std::filesystem::path& file, FileSession& files,
   playback.open(std::move(opened->keyframes), file.filename().string(), now);
   if (!opened->found.empty()) {
     files.remember(table);
-    notices.say(told_of(*opened, table.settings), !opened->warnings.empty(), now);
+    std::string text = gui::in_used_language(opened->found);
+    const std::string changed = gui::table_in_words(table.settings);
+    if (!changed.empty()) text += "\n" + gui::tr("file.tables_applied", changed);
+    for (const std::string& one : opened->warnings) text += "\n" + gui::in_used_language(one);
+    notices.say(text, !opened->warnings.empty(), now);
   }
   playback.play_beside(file, now);
   return true;

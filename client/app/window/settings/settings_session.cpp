@@ -26,7 +26,8 @@ SettingsSession::SettingsSession(const Assets& assets, const PlayerOptions& opti
       mapping_(mapping),
       notices_(notices),
       events_(std::move(events)),
-      animation_{options.face.mixer, options.face.rules, options.playback.interpolation} {
+      animation_{options.face.mixer, options.face.rules, options.playback.interpolation},
+      idle_seed_(options.playback.idle_seed) {
   rendering_.blinking = options.playback.blink.has_value();
   rendering_.blink = options.playback.blink.value_or(playback::BlinkOptions{});
   rendering_.layers = options.output.layers;
@@ -96,6 +97,12 @@ void SettingsSession::change_display(const gui::DisplaySettings& settings, Insta
     spdlog::warn("{}", used.error().message);
     notices_.say(used.error().message, true, now);
   }
+}
+
+pipeline::IdleOptions SettingsSession::idle() const {
+  pipeline::IdleOptions idle{idle_seed_, std::nullopt};
+  if (rendering_.blinking) idle.blink = rendering_.blink;
+  return idle;
 }
 
 PlayerOptions SettingsSession::applied(PlayerOptions options) const {

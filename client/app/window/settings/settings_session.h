@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "client/app/assets.h"
 #include "client/app/notices.h"
@@ -10,6 +12,7 @@
 #include "client/gui/model/gui_model.h"
 #include "client/gui/storage/kept_settings.h"
 #include "client/pipeline/au_mapping.h"
+#include "client/pipeline/idle_face.h"
 
 namespace aucast::app {
 
@@ -39,6 +42,8 @@ class SettingsSession {
 
   [[nodiscard]] const gui::AnimationSettings& animation() const { return animation_; }
   [[nodiscard]] const gui::RenderingSettings& rendering() const { return rendering_; }
+  /// What the face in the window does by itself.
+  [[nodiscard]] pipeline::IdleOptions idle() const;
   [[nodiscard]] const gui::PictureSettings& pictures() const { return pictures_; }
   [[nodiscard]] const gui::DisplayView& display() const { return display_; }
 
@@ -52,6 +57,7 @@ class SettingsSession {
   Events events_;
   gui::AnimationSettings animation_;
   gui::RenderingSettings rendering_;
+  std::optional<std::uint64_t> idle_seed_;
   gui::PictureSettings pictures_;
   gui::DisplayView display_{{}, "en", {}};
 };

@@ -187,7 +187,7 @@ TEST_F(WindowLoopTest, WhatHappensInTheWindowIsDrawn) {
   EXPECT_EQ(drawn_by(10), gui::kFramesAfterChange) << "input, or another size";
   display_.thumbnail = true;
   EXPECT_EQ(drawn_by(10), gui::kFramesAfterChange) << "a small picture that was made";
-  session_->say("hello", false, clock_.now());
+  session_->notices().say("hello", false, clock_.now());
   EXPECT_EQ(drawn_by(10), gui::kFramesAfterChange) << "a model that changed";
   EXPECT_EQ(display_.shown.notice.text, "hello");
 }
@@ -209,7 +209,7 @@ TEST_F(WindowLoopTest, AFaceThatMovesIsPosedInEachPicture) {
     tick();
   }
   EXPECT_EQ(display_.poses, poses + 4);
-  EXPECT_EQ(display_.pose, session_->activations(clock_.now()));
+  EXPECT_EQ(display_.pose, session_->face().activations(clock_.now()));
 }
 
 TEST_F(WindowLoopTest, HairThatSwingsOnIsDrawnUntilItIsAtRest) {
@@ -250,7 +250,7 @@ TEST_F(WindowLoopTest, WhatPanelsAskForIsCarriedOutAndDrawn) {
   display_.redraw = true;
   display_.asked = {gui::Browse{gui::Purpose::PlayStream}, gui::LookFrom{gui::Facing::Profile}};
   tick();
-  EXPECT_TRUE(session_->model().browser.open);
+  EXPECT_TRUE(model_of(*session_).browser.open);
   EXPECT_EQ(display_.looked_from, std::vector{gui::Facing::Profile});
   tick();
   EXPECT_TRUE(display_.shown.browser.open);
@@ -263,27 +263,27 @@ TEST_F(WindowLoopTest, KeysActOnTheWindowAndOnTheSession) {
   press(Key::H);
   EXPECT_EQ(display_.acts, (std::vector{WindowAct::ToggleFullScreen, WindowAct::ToggleBare}));
   press(Key::O);
-  EXPECT_TRUE(session_->model().browser.open);
-  const int volume = session_->model().sound.volume;
+  EXPECT_TRUE(model_of(*session_).browser.open);
+  const int volume = model_of(*session_).sound.volume;
   press(Key::Quieter);
-  EXPECT_LT(session_->model().sound.volume, volume);
+  EXPECT_LT(model_of(*session_).sound.volume, volume);
   EXPECT_EQ(drawn_by(10), gui::kFramesAfterChange) << "a key may have changed anything";
 }
 
 TEST_F(WindowLoopTest, EscapeClosesOneThing) {
   settle();
-  session_->say("hello", false, clock_.now());
+  session_->notices().say("hello", false, clock_.now());
   display_.left = {gui::CloseNotice{}};
   press(Key::Escape);
   EXPECT_EQ(display_.closed, 1);
-  EXPECT_EQ(session_->model().notice.text, "");
+  EXPECT_EQ(model_of(*session_).notice.text, "");
   EXPECT_FALSE(loop().done());
 }
 
 TEST_F(WindowLoopTest, AFileThatIsDroppedPlays) {
   display_.dropped.push_back(stream());
   tick();
-  EXPECT_TRUE(session_->model().local.open);
+  EXPECT_TRUE(model_of(*session_).local.open);
 }
 
 // === Leaving.
@@ -323,7 +323,7 @@ TEST_F(WindowLoopTest, TheEndOfPlayingIsTheEndOnlyWhenThatIsWanted) {
   open({});
   source_->now.end = playback::EndReason::EndOfStream;
   settle();
-  ASSERT_TRUE(session_->over());
+  ASSERT_TRUE(session_->playback().over());
   EXPECT_FALSE(loop().done());
   options_.exit_at_end = true;
   EXPECT_TRUE(loop().done());
@@ -338,7 +338,7 @@ TEST_F(WindowLoopTest, AnotherFaceIsMadeAnewAlsoWhenAKeyHasSavedIt) {
   settle();
   const int poses = display_.poses;
   press(Key::Save);
-  EXPECT_EQ(display_.faces, 1) << session_->model().notice.text;
+  EXPECT_EQ(display_.faces, 1) << model_of(*session_).notice.text;
   tick();
   EXPECT_EQ(display_.poses, poses + 1) << "it has no pose yet";
   EXPECT_EQ(display_.faces, 1);
@@ -359,7 +359,7 @@ TEST_F(WindowLoopTest, AFaceThatCannotBeShownIsTheEndAndSaysWhy) {
   ASSERT_FALSE(loop().outcome());
   EXPECT_EQ(loop().outcome().error().message, "no memory on the graphics card");
   EXPECT_EQ(display_.drawn, drawn) << "there is nothing to draw with";
-  EXPECT_FALSE(session_->model().local.open) << "and nothing else is begun";
+  EXPECT_FALSE(model_of(*session_).local.open) << "and nothing else is begun";
 }
 
 // === What is kept.
@@ -375,7 +375,7 @@ TEST_F(WindowLoopTest, AFileThatWasOpenedIsRememberedAtOnce) {
 
 TEST_F(WindowLoopTest, SettingsAreRememberedAtTheEnd) {
   settle();
-  gui::RenderingSettings rendering = session_->rendering();
+  gui::RenderingSettings rendering = session_->settings().rendering();
   rendering.light_percent = 50;
   ask(gui::ChangeRendering{rendering});
   settle();
@@ -397,7 +397,7 @@ TEST_F(WindowLoopTest, APictureIsAsLargeAsTheFaceInTheWindowOrAsTheSettingsSay) 
   ASSERT_TRUE(first) << first.error().message;
   EXPECT_EQ(first->width, 40);
   EXPECT_EQ(first->height, 30);
-  EXPECT_EQ(session_->model().notice.text,
+  EXPECT_EQ(model_of(*session_).notice.text,
             gui::tr("said.picture", (folder_.path() / "it-1.png").string()));
   pictures.width = 64;
   pictures.height = 48;
@@ -439,7 +439,7 @@ TEST_F(WindowLoopTest, APictureHasFaceAndNameOfOneMoment) {
   tick(2);
   EXPECT_FALSE(model().editor.active);
   EXPECT_NE(display_.pictured, edited) << "the file plays again";
-  EXPECT_EQ(display_.pictured, session_->activations(clock_.now()));
+  EXPECT_EQ(display_.pictured, session_->face().activations(clock_.now()));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "au12_edited.png"));
 }
 
@@ -460,8 +460,8 @@ TEST_F(WindowLoopTest, APictureThatCannotBeMadeIsSaid) {
   display_.problem = Error{ErrorKind::Failed, "too large for this driver"};
   press(Key::S);
   tick();
-  EXPECT_TRUE(session_->model().notice.bad);
-  EXPECT_EQ(session_->model().notice.text, "too large for this driver");
+  EXPECT_TRUE(model_of(*session_).notice.bad);
+  EXPECT_EQ(model_of(*session_).notice.text, "too large for this driver");
   EXPECT_FALSE(loop().done());
 }
 

@@ -55,7 +55,7 @@ TEST_F(WindowMirror, IsPrivateUntilItIsToldToGoLiveAndEnds) {
   ASSERT_TRUE(reaches(Phase::Private));
   EXPECT_NE(model().mirror.seen, nullptr);
   EXPECT_NE(model().playing.state, "no connection") << "its own stream is played";
-  EXPECT_TRUE(session_->recent().empty()) << "and not remembered";
+  EXPECT_TRUE(session_->playback().servers().recent().empty()) << "and not remembered";
   const int window = ::accept(child.descriptor, nullptr, nullptr);
   std::string hello;
   for (char letter = 0; letter != '}' && ::recv(window, &letter, 1, 0) == 1;) hello += letter;

@@ -203,10 +203,10 @@ TEST_F(WindowSessionComposerTest, LeavingAsksAboutAKeyframeThatWasNotAdded) {
   EXPECT_FALSE(model().composer.unsaved) << "nothing can be saved";
   EXPECT_TRUE(model().composer.begun);
   session_->ask_to_leave();
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().asks_to_leave);
   ask(gui::Leave{false});
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   compose(gui::AddKeyframe{});
   EXPECT_TRUE(model().composer.unsaved);
   EXPECT_FALSE(model().composer.begun);
@@ -219,7 +219,7 @@ TEST_F(WindowSessionComposerTest, LeavingAsksAboutAKeyframeThatWasNotAdded) {
   ask(gui::Leave{.really = false, .saves = true});
   EXPECT_FALSE(model().composer.unsaved);
   EXPECT_TRUE(model().asks_to_leave) << "saving did not add it";
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
 }
 
 TEST_F(WindowSessionComposerTest, SavingOnLeavingLeavesOnceTheNewFileHasItsName) {
@@ -229,10 +229,10 @@ TEST_F(WindowSessionComposerTest, SavingOnLeavingLeavesOnceTheNewFileHasItsName)
   ask(gui::Leave{.really = false, .saves = true});
   ASSERT_TRUE(model().browser.open);
   ask(gui::ChooseFile{"/proc/no-such-file.txt"});
-  EXPECT_FALSE(session_->leaving()) << "it is not saved yet";
+  EXPECT_FALSE(session_->leaving().leaves()) << "it is not saved yet";
   ask(gui::ChooseFile{(folder.path() / "mine.txt").string()});
   EXPECT_FALSE(model().composer.unsaved);
-  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(session_->leaving().leaves());
 }
 
 TEST_F(WindowSessionComposerTest, WhoCancelsTheSavingOnLeavingStays) {
@@ -241,24 +241,24 @@ TEST_F(WindowSessionComposerTest, WhoCancelsTheSavingOnLeavingStays) {
   session_->ask_to_leave();
   ask(gui::Leave{.really = false, .saves = true});
   ask(gui::CloseBrowser{});
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_FALSE(model().asks_to_leave);
   ask(gui::Browse{gui::Purpose::SaveStream});
   ask(gui::ChooseFile{(folder.path() / "mine.txt").string()});
-  EXPECT_FALSE(session_->leaving()) << "that was saved for its own sake";
+  EXPECT_FALSE(session_->leaving().leaves()) << "that was saved for its own sake";
 }
 
 TEST_F(WindowSessionComposerTest, LeavingAsksWhenTheStreamIsNotSaved) {
   compose(gui::ComposeAu{12, 50, 50, false});
   compose(gui::AddKeyframe{});
   session_->ask_to_leave();
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().asks_to_leave);
   ask(gui::Leave{false});
   compose(gui::UndoComposing{});
   compose(gui::UndoComposing{});
   session_->ask_to_leave();
-  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(session_->leaving().leaves());
 }
 
 /// A gallery for which no picture is drawn. It is seen to have ended in advance() only.
@@ -276,13 +276,13 @@ TEST_F(WindowSessionComposerTest, LeavingAsksWhileAGalleryIsBeingMade) {
   session_->apply(gui::GalleryCommand(gui::BeginGallery{}), clock_.now());
   ASSERT_TRUE(model().gallery.running);
   session_->ask_to_leave();
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().asks_to_leave);
   while (model().gallery.running) session_->advance(clock_.now());
   EXPECT_FALSE(model().asks_to_leave) << "there is nothing left to lose";
-  EXPECT_FALSE(session_->leaving()) << "how it ended is to be read";
+  EXPECT_FALSE(session_->leaving().leaves()) << "how it ended is to be read";
   session_->ask_to_leave();
-  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(session_->leaving().leaves());
 }
 
 TEST_F(WindowSessionComposerTest, HowAGalleryEndedIsSaidWhereItsDialogIsClosed) {
@@ -309,10 +309,10 @@ TEST_F(WindowSessionComposerTest, SavingOnLeavingStillAsksAboutTheGallery) {
   session_->ask_to_leave();
   session_->apply(gui::Leave{.really = false, .saves = true}, clock_.now());
   EXPECT_FALSE(model().composer.unsaved);
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().asks_to_leave);
   ask(gui::Leave{true});
-  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(session_->leaving().leaves());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_F(ConnectTest, TheVolumeIsKeptWithoutAWord) {
   session_->begin_with(settings, "", clock_.now());
   EXPECT_EQ(model().sound.volume, 96);
   EXPECT_TRUE(model().notice.text.empty());
-  session_->change_volume(-2, clock_.now());
+  session_->sound().change_volume(-2, clock_.now());
   EXPECT_EQ(session_->kept().volume, 94);
 }
 
@@ -90,8 +90,8 @@ TEST_F(ConnectTest, TheTitleOfTheWindowNamesServerAndStream) {
   gui::RemoteSettings settings{"127.0.0.1", 1};
   settings.stream = "lecture";
   ask(gui::Connect{settings});
-  EXPECT_TRUE(session_->title().starts_with("127.0.0.1:1/lecture - AUcast - "))
-      << session_->title();
+  EXPECT_TRUE(session_->playback().title().starts_with("127.0.0.1:1/lecture - AUcast - "))
+      << session_->playback().title();
 }
 
 }  // namespace

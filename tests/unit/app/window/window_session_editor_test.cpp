@@ -124,8 +124,8 @@ TEST_F(EditedSessionTest, TheComposerTakesTheFaceThatIsShown) {
   ASSERT_EQ(model().composer.aus.size(), 2U);
   EXPECT_EQ(model().composer.aus[0].number, 6);
   EXPECT_EQ(model().composer.aus[0].left_percent, 60);
-  ASSERT_TRUE(session_->aus_shown().has_value());
-  EXPECT_FLOAT_EQ(session_->aus_shown()->right[12], 0.6F);
+  ASSERT_TRUE(session_->face().aus().has_value());
+  EXPECT_FLOAT_EQ(session_->face().aus()->right[12], 0.6F);
 }
 
 TEST_F(EditedSessionTest, EveryKindOfExpressionHasOneButton) {
@@ -344,14 +344,14 @@ TEST_F(EditedSessionTest, LeavingAsksWhenSomethingIsNotSaved) {
   open_nothing();
   ask(gui::SetChannel{channel("jaw"), 1, false});
   session_->ask_to_leave();
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().asks_to_leave);
   ask(gui::Leave{false});
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_FALSE(model().asks_to_leave);
   ask(gui::Undo{});
   session_->ask_to_leave();
-  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(session_->leaving().leaves());
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ TEST_F(WindowSessionFaceTest, WhatPlaysGoesOnOnAnotherFace) {
   go_on(Milliseconds(150));
   EXPECT_GT(shown("jaw"), 0);
   ask(gui::ShowFace{small_.string()});
-  EXPECT_EQ(session_->face_changes(), 1U);
-  ASSERT_EQ(session_->activations(clock_.now()).size(), assets_->face.channels.size());
+  EXPECT_EQ(session_->faces().changes(), 1U);
+  ASSERT_EQ(session_->face().activations(clock_.now()).size(), assets_->face.channels.size());
   const auto& recording = assets_->face.recordings.at(26).activation;
   const float whole = recording[static_cast<std::size_t>(channel("jaw"))];
   EXPECT_FLOAT_EQ(shown("jaw"), whole * 0.75F) << "the jaw of this face, at the same place";
@@ -182,7 +182,7 @@ TEST_F(WindowSessionFaceTest, ANameThatCannotBeTakenChangesNothing) {
     ask(gui::RenameFace{small_.string(), name});
     EXPECT_TRUE(model().notice.bad) << name;
   }
-  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(session_->faces().changes(), 0U);
   EXPECT_EQ(std::distance(fs::directory_iterator(small_.parent_path()), {}), 1);
 }
 
@@ -215,7 +215,7 @@ TEST_F(WindowSessionFaceTest, InPlaceOfADeletedFaceTheOneIsShownThatItWasMadeOf)
 TEST_F(WindowSessionFaceTest, AFaceThatIsNotShownIsDeletedBehindIt) {
   ask(gui::DeleteFace{small_.string()});
   EXPECT_FALSE(fs::exists(small_));
-  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(session_->faces().changes(), 0U);
   const auto& faces = *model().faces.entries;
   EXPECT_TRUE(std::none_of(faces.begin(), faces.end(),
                            [](const auto& one) { return one.kind == gui::FaceKind::Own; }));
@@ -233,7 +233,7 @@ TEST_F(WindowSessionFaceTest, OnlyOnesOwnFacesAreRenamedAndDeleted) {
         << model().notice.text;
     EXPECT_TRUE(fs::exists(folder));
   }
-  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(session_->faces().changes(), 0U);
 }
 
 TEST_F(WindowSessionFaceTest, AFaceThatAnotherProgramTookAwayIsNotDeleted) {
@@ -261,7 +261,7 @@ TEST_F(WindowSessionFaceTest, ACopyThatCannotBeMadeIsSaidAndNothingIsLost) {
   ask(gui::CopyFace{model().faces.shown, "anna"});
   EXPECT_NE(model().notice.text.find("cannot be copied to"), std::string::npos)
       << model().notice.text;
-  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(session_->faces().changes(), 0U);
 }
 
 TEST_F(WindowSessionFaceTest, WhatIsEditedOrComposedStays) {
@@ -294,7 +294,7 @@ TEST_F(WindowSessionFaceTest, AFaceThatCannotBeReadIsSaidAndChangesNothing) {
   ask(gui::ShowFace{small_.string()});
   EXPECT_TRUE(model().notice.bad);
   EXPECT_NE(model().notice.text.find("aus.toml"), std::string::npos) << model().notice.text;
-  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(session_->faces().changes(), 0U);
   EXPECT_EQ(assets_->face.name, "default");
   EXPECT_EQ(session_->kept().face, "");
 }
@@ -309,7 +309,7 @@ TEST_F(WindowSessionFaceTest, FacesOfAFolderAreListedAndADroppedOneIsShown) {
   EXPECT_EQ(model().faces.elsewhere, folder.path().string());
   EXPECT_EQ(model().faces.entries->back().name, "anna");
   EXPECT_EQ(model().faces.entries->back().kind, gui::FaceKind::Elsewhere);
-  EXPECT_EQ(session_->face_changes(), 0U);
+  EXPECT_EQ(session_->faces().changes(), 0U);
   ask(gui::OpenStream{(folder.path() / "anna" / "face.toml").string()});
   EXPECT_EQ(model().faces.shown, (folder.path() / "anna").string());
   ask(gui::ShowFace{made_.path().string()});
@@ -401,7 +401,7 @@ TEST_F(WindowSessionFaceTest, ANameThatWasTypedIsNotLeftWithoutAQuestion) {
   ask(gui::NameAu{77, " yawn"});
   EXPECT_TRUE(model().editor.unsaved);
   session_->ask_to_leave();
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().asks_to_leave);
   ask(gui::Leave{false});
   ask(gui::LoadAu{6});
@@ -423,7 +423,7 @@ TEST_F(WindowSessionFaceTest, WhoLeavesSavesAndThenLeaves) {
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   session_->ask_to_leave();
   ask(gui::Leave{.really = false, .saves = true});
-  EXPECT_TRUE(session_->leaving());
+  EXPECT_TRUE(session_->leaving().leaves());
   EXPECT_TRUE(entry_of(model(), 12).own);
 }
 
@@ -434,14 +434,14 @@ TEST_F(WindowSessionFaceTest, NobodyLeavesWhenSavingFailsOrAsksForAName) {
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   session_->ask_to_leave();
   ask(gui::Leave{.really = false, .saves = true});
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().notice.bad) << "why is said";
   ask(gui::RevertAu{});
   ask(gui::ComposeAu{26, 50, 50, false});
   ask(gui::AddKeyframe{});
   session_->ask_to_leave();
   ask(gui::Leave{.really = false, .saves = true});
-  EXPECT_FALSE(session_->leaving());
+  EXPECT_FALSE(session_->leaving().leaves());
   EXPECT_TRUE(model().browser.open) << "the stream has no file yet";
 }
 
@@ -464,7 +464,7 @@ TEST_F(WindowSessionFaceTest, WhatIsSaidOfAusIsSaidInTheNewLanguage) {
 
 TEST_F(WindowSessionFaceTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
   const auto name = [this] {
-    const auto file = session_->picture_file(".png");
+    const auto file = new_picture();
     return file ? file->stem().string() : file.error().message;
   };
   gui::PictureSettings pictures;
@@ -473,12 +473,12 @@ TEST_F(WindowSessionFaceTest, APictureOfTheEditorIsNamedAfterWhatIsEdited) {
   ask(gui::ChangePictures{pictures});
   ask(gui::LoadAu{12});
   EXPECT_EQ(name(), "au12");
-  ASSERT_TRUE(session_->aus_shown().has_value());
-  EXPECT_EQ(session_->aus_shown()->left[12], 1);
+  ASSERT_TRUE(session_->face().aus().has_value());
+  EXPECT_EQ(session_->face().aus()->left[12], 1);
   ask(gui::SetChannel{channel("jaw"), 3.5F, false});
   EXPECT_EQ(name(), "au12_edited");
-  EXPECT_EQ(session_->edited_shown(), "au12_edited");
-  EXPECT_FALSE(session_->aus_shown().has_value()) << "it is no AU 12 any more";
+  EXPECT_EQ(session_->face().edited(), "au12_edited");
+  EXPECT_FALSE(session_->face().aus().has_value()) << "it is no AU 12 any more";
 }
 
 TEST_F(WindowSessionFaceTest, NoPictureIsSavedUnderANameThatIsHalfTyped) {
@@ -487,13 +487,13 @@ TEST_F(WindowSessionFaceTest, NoPictureIsSavedUnderANameThatIsHalfTyped) {
   pictures.pattern = "lesson-{numb";
   ask(gui::ChangePictures{pictures});
   EXPECT_EQ(model().pictures.pattern, "lesson-{numb") << "it may be typed on";
-  EXPECT_FALSE(session_->picture_file(".png").has_value());
+  EXPECT_FALSE(new_picture().has_value());
   EXPECT_EQ(session_->kept().pictures.pattern, gui::PictureSettings().pattern);
   pictures.pattern = "lesson-{number}";
   ask(gui::ChangePictures{pictures});
   EXPECT_EQ(session_->kept().pictures.pattern, "lesson-{number}");
-  ASSERT_TRUE(session_->picture_file(".png").has_value());
-  EXPECT_EQ(session_->picture_file(".png")->filename(), "lesson-1.png");
+  ASSERT_TRUE(new_picture().has_value());
+  EXPECT_EQ(new_picture()->filename(), "lesson-1.png");
 }
 
 TEST_F(WindowSessionFaceTest, AnAuThatCameWithTheFaceIsAsItCameAgain) {

@@ -111,7 +111,7 @@ TEST_F(WindowSessionFilesTest, AFolderThatIsAFaceIsShown) {
   ask(gui::EnterFolder{assets_->face_folder.string()});
   ask(gui::ChooseFile{"."});
   EXPECT_FALSE(model().browser.open) << model().browser.problem;
-  EXPECT_EQ(session_->face_changes(), 1U);
+  EXPECT_EQ(session_->faces().changes(), 1U);
 }
 
 TEST_F(WindowSessionFilesTest, AFilmIsWhatTheCameraOpensNext) {

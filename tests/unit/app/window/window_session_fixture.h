@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/app/window/window_model.h"
 #include "client/app/window/window_session.h"
 #include "client/playback/source_playback.h"
 #include "tests/support/manual_clock.h"
@@ -31,9 +33,12 @@ class SessionOnDefaultFace : public testing::Test {
     session_->advance(clock_.now());
   }
   [[nodiscard]] float shown(const char* channel) {
-    return session_->activations(clock_.now())[*assets_->face.channel_index(channel)];
+    return session_->face().activations(clock_.now())[*assets_->face.channel_index(channel)];
   }
-  [[nodiscard]] gui::GuiModel model() const { return session_->model(); }
+  [[nodiscard]] gui::GuiModel model() const { return model_of(*session_); }
+  [[nodiscard]] Result<std::filesystem::path> new_picture() const {
+    return new_picture_file(session_->settings().pictures(), session_->named(), ".png");
+  }
 
   inline static std::unique_ptr<Assets> assets_;
   PlayerOptions options_;

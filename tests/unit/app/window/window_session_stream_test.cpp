@@ -70,9 +70,9 @@ TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
   EXPECT_GT(open_jaw, 0);
   go_on(Milliseconds(100));
   EXPECT_FLOAT_EQ(shown("jaw"), open_jaw / 2);
-  EXPECT_FALSE(session_->over());
+  EXPECT_FALSE(session_->playback().over());
   go_on(Milliseconds(1000));
-  EXPECT_TRUE(session_->over());
+  EXPECT_TRUE(session_->playback().over());
   EXPECT_EQ(model().playing.state, "ended");
   EXPECT_EQ(model().playing.aus[0].label, "51");
   EXPECT_GT(shown("head_turn_left"), 0.5F);
@@ -81,11 +81,11 @@ TEST_F(StreamSessionTest, AFilePlaysAsSoonAsItIsOpened) {
 TEST_F(StreamSessionTest, AnyPlaceShowsTheFaceThatPlayingShowsThere) {
   open();
   go_on(Milliseconds(370));
-  const std::vector<float> played = session_->activations(clock_.now());
+  const std::vector<float> played = session_->face().activations(clock_.now());
   ask(LocalCommand(gui::Seek{Milliseconds(20)}));
-  EXPECT_NE(session_->activations(clock_.now()), played);
+  EXPECT_NE(session_->face().activations(clock_.now()), played);
   ask(LocalCommand(gui::Seek{Milliseconds(370)}));
-  EXPECT_EQ(session_->activations(clock_.now()), played);
+  EXPECT_EQ(session_->face().activations(clock_.now()), played);
 }
 
 TEST_F(StreamSessionTest, KeysSeekByTimeAndToBothEnds) {
@@ -109,10 +109,10 @@ TEST_F(StreamSessionTest, AWholeFileIsRepeated) {
   EXPECT_TRUE(model().local.repeats);
   go_on(Milliseconds(6250));
   EXPECT_EQ(model().local.position, Milliseconds(250));
-  EXPECT_FALSE(session_->over());
+  EXPECT_FALSE(session_->playback().over());
   ask(LocalCommand(gui::ToggleRepeat{}));
   go_on(Milliseconds(6000));
-  EXPECT_TRUE(session_->over());
+  EXPECT_TRUE(session_->playback().over());
 }
 
 TEST_F(StreamSessionTest, RepeatingIsSaidWhereNoBarShowsIt) {
@@ -132,7 +132,7 @@ TEST_F(StreamSessionTest, SpaceHoldsAndPlaysAgainFromTheEnd) {
   EXPECT_EQ(model().playing.activity, Activity::Paused);
   session_->toggle_pause(clock_.now());
   go_on(Milliseconds(5000));
-  EXPECT_TRUE(session_->over());
+  EXPECT_TRUE(session_->playback().over());
   session_->toggle_pause(clock_.now());
   go_on(Milliseconds(10));
   EXPECT_EQ(model().local.position, Milliseconds(10));
@@ -212,14 +212,14 @@ TEST_F(StreamSessionTest, AStepTakesTheFaceBackFromTheEditor) {
 TEST_F(StreamSessionTest, RepeatAfterTheEndTakesTheFaceBackFromTheEditor) {
   open();
   go_on(Milliseconds(600));
-  ASSERT_TRUE(session_->over());
+  ASSERT_TRUE(session_->playback().over());
   ask(gui::ShowAus{"12"});
   EXPECT_TRUE(model().editor.active);
   ask(LocalCommand(gui::ToggleRepeat{}));
   EXPECT_FALSE(model().editor.active);
   EXPECT_EQ(model().playing.activity, Activity::Playing);
   go_on(Milliseconds(100));
-  EXPECT_EQ(session_->keyframe_shown(), 1U);
+  EXPECT_EQ(session_->face().keyframe(), 1U);
 }
 
 TEST_F(StreamSessionTest, TheTableOfAusIsOfTheFaceThatIsShown) {

@@ -25,17 +25,18 @@ TEST_F(WindowSessionTest, WithoutASourceTheFaceIsNeutral) {
   open_nothing();
   EXPECT_EQ(model().playing.activity, Activity::Idle);
   EXPECT_EQ(model().playing.state, "no connection");
-  EXPECT_EQ(session_->title(), "AUcast");
-  EXPECT_FALSE(session_->over());
+  EXPECT_EQ(session_->playback().title(), "AUcast");
+  EXPECT_FALSE(session_->playback().over());
   EXPECT_GE(session_->idle_time(clock_.now()), Milliseconds(250));
-  EXPECT_EQ(session_->activations(clock_.now()), std::vector<float>(assets_->face.channels.size()));
+  EXPECT_EQ(session_->face().activations(clock_.now()),
+            std::vector<float>(assets_->face.channels.size()));
 }
 
 TEST_F(WindowSessionTest, TheFolderForPicturesHasAWholePath) {
   open_nothing();
   const std::filesystem::path here = std::filesystem::current_path();
   EXPECT_EQ(std::filesystem::path(model().picture_folder).parent_path(), here);
-  gui::PictureSettings pictures = session_->pictures();
+  gui::PictureSettings pictures = session_->settings().pictures();
   pictures.folder = "out";
   ask(gui::ChangePictures{pictures});
   EXPECT_EQ(model().picture_folder, here / "out");
@@ -100,7 +101,7 @@ TEST_F(WindowSessionTest, StopKeepsTheFace) {
   ask(gui::Stop{});
   go_on(Milliseconds(1000));
   EXPECT_EQ(shown("jaw"), half);
-  EXPECT_TRUE(session_->over());
+  EXPECT_TRUE(session_->playback().over());
   EXPECT_EQ(model().playing.activity, Activity::Over);
   EXPECT_EQ(source_->now.end, EndReason::Stopped);
   source_->now.detail = "stopped by the user";
@@ -206,7 +207,7 @@ TEST_F(WindowSessionTest, OtherRulesAreSeenOnAFaceThatStands) {
   source_->now.end = EndReason::EndOfStream;
   go_on(Milliseconds(100));
   go_on(Milliseconds(0));
-  ASSERT_TRUE(session_->over());
+  ASSERT_TRUE(session_->playback().over());
   EXPECT_EQ(shown("head_turn_right"), 0);
   gui::AnimationSettings settings = model().animation;
   settings.rules = "none";
@@ -259,6 +260,7 @@ TEST_F(WindowSessionTest, IdleLifeMovesTheEyesAndNothingElseDoes) {
   open_nothing();
   EXPECT_EQ(gaze_of_ten_seconds(), 0);
   options_.playback.idle_seed = 3;
+  open_nothing();
   EXPECT_GT(gaze_of_ten_seconds(), 0.02F);
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
 }
@@ -269,14 +271,14 @@ TEST_F(WindowSessionTest, HairSwingsAfterTheHeadWhileItPlaysAndSettlesWhenItPaus
     go_on(Milliseconds(10));
     static_cast<void>(shown("head_turn_left"));
   }
-  EXPECT_LT(session_->hair().turn, -0.2F);
+  EXPECT_LT(session_->face().hair().turn, -0.2F);
   session_->toggle_pause(clock_.now());
   const float turned = shown("head_turn_left");
-  EXPECT_LT(session_->hair().turn, -0.2F);
+  EXPECT_LT(session_->face().hair().turn, -0.2F);
   EXPECT_LE(session_->idle_time(clock_.now()), Milliseconds(20));
   go_on(pipeline::HairSwing::kMemory);
   EXPECT_EQ(shown("head_turn_left"), turned);
-  EXPECT_EQ(session_->hair(), face::HairSway{});
+  EXPECT_EQ(session_->face().hair(), face::HairSway{});
 }
 
 TEST_F(WindowSessionTest, EveryChannelStandsWithItsRegionOfTheFace) {
@@ -297,10 +299,10 @@ TEST_F(WindowSessionTest, AnEmptyViewIsNotKeptForTheNextStart) {
   gui::KeptSettings settings;
   settings.rendering.layers.textured = false;
   session_->begin_with(settings, "", clock_.now());
-  EXPECT_TRUE(session_->rendering().layers.textured);
+  EXPECT_TRUE(session_->settings().rendering().layers.textured);
   settings.rendering.layers.wireframe = true;
   session_->begin_with(settings, "", clock_.now());
-  EXPECT_FALSE(session_->rendering().layers.textured);
+  EXPECT_FALSE(session_->settings().rendering().layers.textured);
 }
 
 TEST_F(WindowSessionTest, ABufferThatWaitsForATimeHasNoThreshold) {
@@ -332,13 +334,15 @@ TEST_F(WindowSessionTest, OnlyAnAddressThatAnsweredIsAmongTheRecentOnes) {
   open({frame({{26, Side::Both, 100}})});
   session_->begin_with(WindowSettings(options_, {}).in_force(), "", clock_.now());
   go_on(Milliseconds(0));
-  EXPECT_TRUE(session_->recent().empty());
+  EXPECT_TRUE(session_->playback().servers().recent().empty());
   source_->now.keyframes_received = 1;
   go_on(Milliseconds(0));
-  EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
+  EXPECT_EQ(session_->playback().servers().recent(),
+            std::vector<std::string>{"lecture.example.org"});
   ask(gui::Connect{{"127.0.0.1", 1, 50, 20, 30, 0}});  // nothing listens there
   go_on(Milliseconds(100));
-  EXPECT_EQ(session_->recent(), std::vector<std::string>{"lecture.example.org"});
+  EXPECT_EQ(session_->playback().servers().recent(),
+            std::vector<std::string>{"lecture.example.org"});
 }
 
 TEST_F(WindowSessionTest, KeyframesWithTimesOfTheirOwnMakeTheSpeedUseless) {

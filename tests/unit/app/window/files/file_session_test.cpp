@@ -76,7 +76,7 @@ TEST_F(FileSessionTest, WhereFacesLieIsNoPlaceForStreamsAndExports) {
   session_.browse(Purpose::ExportAu, "au12.toml");
   session_.enter(in("made"));
   session_.close();
-  session_.look_for_faces(in("faces"));
+  session_.browse(Purpose::LookForFaces, "", in("faces"));
   session_.close();
   session_.browse(Purpose::ExportAu, "au12.toml");
   EXPECT_EQ(view().folder, in("made"));
