@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace aucast {
@@ -12,5 +13,10 @@ inline constexpr std::array<std::string_view, 5> kSoundEndings{".wav", ".flac", 
 
 /// Whether a path names a sound file, by its ending.
 [[nodiscard]] bool is_sound(const std::filesystem::path& path);
+
+/// The sound file of the same name beside a stream file: that with the first of kSoundEndings that
+/// exists; nullopt: none does.
+[[nodiscard]] std::optional<std::filesystem::path> sound_beside(
+    const std::filesystem::path& stream_file);
 
 }  // namespace aucast

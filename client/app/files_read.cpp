@@ -5,9 +5,9 @@
 
 #include "client/app/assets.h"
 #include "client/face/face_folder.h"
-#include "client/sound/file_track.h"
 #include "common/files.h"
 #include "common/overwriting.h"
+#include "common/sound_name.h"
 #include "common/text.h"
 #include "common/toml_document.h"
 
@@ -29,7 +29,7 @@ void add_folder(const std::filesystem::path& folder, Paths& files) {
 void add_stream(const std::filesystem::path& stream, Paths& files) {
   if (stream.empty()) return;
   files.push_back(stream);
-  if (auto sound = sound::sound_beside(stream)) files.push_back(*std::move(sound));
+  if (auto sound = sound_beside(stream)) files.push_back(*std::move(sound));
   files.push_back(std::filesystem::path(stream).replace_extension(".vtt"));
 }
 

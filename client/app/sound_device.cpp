@@ -3,6 +3,7 @@
 #include "client/sound/file_track.h"
 #include "client/sound/openal_out.h"
 #include "common/log.h"
+#include "common/sound_name.h"
 
 namespace aucast::app {
 
@@ -19,7 +20,7 @@ std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options) {
 
 Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
     const std::filesystem::path& stream_file) {
-  const auto file = sound::sound_beside(stream_file);
+  const auto file = sound_beside(stream_file);
   if (!file) return std::unique_ptr<sound::SoundTrack>();
   auto track = sound::FileTrack::open(*file);
   if (!track) return track.error();

@@ -7,12 +7,9 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "client/sound/pcm.h"
-#include "common/sound_name.h"
 #include "common/text.h"
 #include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
@@ -154,16 +151,6 @@ float FileTrack::at(std::int64_t sample) const {
 
 std::int64_t FileTrack::end() const {
   return count_ * kPhases;
-}
-
-std::optional<std::filesystem::path> sound_beside(const std::filesystem::path& stream_file) {
-  for (const std::string_view ending : kSoundEndings) {
-    std::filesystem::path sound = stream_file;
-    sound.replace_extension(ending);
-    std::error_code ignored;
-    if (sound != stream_file && std::filesystem::exists(sound, ignored)) return sound;
-  }
-  return std::nullopt;
 }
 
 }  // namespace aucast::sound

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -62,10 +61,5 @@ class FileTrack final : public SoundTrack {
   std::stop_source stop_;
   Task<std::string> reading_;  ///< gives the complaint; the last member, since it uses the others
 };
-
-/// The sound file of the same name beside a stream file: .wav, .flac, .opus, .ogg or .mp3, the
-/// first of them that exists; nullopt: none does.
-[[nodiscard]] std::optional<std::filesystem::path> sound_beside(
-    const std::filesystem::path& stream_file);
 
 }  // namespace aucast::sound

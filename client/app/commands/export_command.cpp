@@ -5,7 +5,7 @@
 #include "client/app/assets.h"
 #include "client/app/stream_files.h"
 #include "client/app/video/glb_export.h"
-#include "client/sound/file_track.h"
+#include "common/sound_name.h"
 
 namespace aucast::app {
 namespace {
@@ -19,7 +19,7 @@ Result<ExportedStream> read_exported(const PlayerOptions& options) {
   if (auto fits = check_length(*keyframes, options, file.string()); !fits) return fits.error();
   stream.keyframes = *std::move(keyframes);
   stream.name = file.stem().string();
-  if (const auto sound = sound::sound_beside(file)) stream.sound = sound->filename().string();
+  if (const auto sound = sound_beside(file)) stream.sound = sound->filename().string();
   return stream;
 }
 

@@ -150,15 +150,5 @@ TEST(FileTrack, RefusesWhatWouldNotFitIntoMemory) {
   }
 }
 
-TEST(SoundBeside, IsTheFileOfTheSameName) {
-  const TempFolder folder;
-  const auto stream = folder.write("talk.txt", "{12 100}\n");
-  EXPECT_FALSE(sound_beside(stream).has_value());
-  folder.write("talk.mp3", "x");
-  EXPECT_EQ(sound_beside(stream), folder.path() / "talk.mp3");
-  folder.write("talk.wav", "x");
-  EXPECT_EQ(sound_beside(stream), folder.path() / "talk.wav");
-}
-
 }  // namespace
 }  // namespace aucast::sound

@@ -8,6 +8,7 @@
 #include "client/sound/openal_out.h"
 #include "common/log.h"
 #include "common/overloaded.h"
+#include "common/sound_name.h"
 
 namespace aucast::app {
 
@@ -40,7 +41,7 @@ void SoundSession::play_beside(const std::filesystem::path& file, Instant now) {
 
 void SoundSession::play_sound_file(Instant now) {
   if (!has_device_ || file_.empty() || track_ != nullptr) return;
-  const auto sound = sound::sound_beside(file_);
+  const auto sound = sound_beside(file_);
   if (!sound) return;
   auto track = sound::FileTrack::begin(*sound);
   if (!track) {
