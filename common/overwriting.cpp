@@ -1,7 +1,9 @@
 #include "common/overwriting.h"
 
+#include <set>
 #include <system_error>
 
+#include "common/files.h"
 #include "common/text.h"
 
 namespace aucast {
@@ -19,6 +21,22 @@ Result<void> check_not_read(const std::vector<std::filesystem::path>& outputs,
                                          (standard ? "standard input" : printable(input.string())) +
                                          ", which is read; choose another name or folder"};
     }
+  }
+  return {};
+}
+
+Result<void> check_distinct(const std::vector<std::filesystem::path>& outputs) {
+  std::error_code none;
+  std::set<std::filesystem::path> places;
+  for (const std::filesystem::path& output : outputs) {
+    const bool file = std::filesystem::is_regular_file(output, none);
+    if (output.empty() || output == "-" || (!file && std::filesystem::exists(output, none))) {
+      continue;
+    }
+    if (places.insert(std::filesystem::weakly_canonical(whole_path(output), none)).second) continue;
+    return Error{ErrorKind::Usage, printable(output.string()) +
+                                       " would be written twice, for two options; choose another "
+                                       "name for one of them"};
   }
   return {};
 }

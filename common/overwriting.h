@@ -13,4 +13,9 @@ namespace aucast {
 [[nodiscard]] Result<void> check_not_read(const std::vector<std::filesystem::path>& outputs,
                                           const std::vector<std::filesystem::path>& inputs);
 
+/// Refuses to write one file twice: fails with Usage if two of `outputs` name the same file,
+/// whether or not it is there. Empty ones, "-" and what is no regular file, such as /dev/null, may
+/// be named twice.
+[[nodiscard]] Result<void> check_distinct(const std::vector<std::filesystem::path>& outputs);
+
 }  // namespace aucast

@@ -44,6 +44,15 @@ void add_face(const std::filesystem::path& folder, Paths& files) {
   }
 }
 
+/// Whether FrameFolder may write a picture to `file`.
+bool is_frame_of(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code none;
+  const std::string name = file.filename().string();
+  return !folder.empty() && name.starts_with("frame_") && name.ends_with(".png") &&
+         std::filesystem::weakly_canonical(whole_path(folder / name), none) ==
+             std::filesystem::weakly_canonical(whole_path(file), none);
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> files_read(const PlayerOptions& options) {
@@ -72,6 +81,13 @@ Result<void> check_outputs(const PlayerOptions& options) {
   // Most windows write nothing: they need not look for what they read.
   std::erase_if(outputs, [](const auto& output) { return output.empty(); });
   if (outputs.empty()) return {};
+  if (auto good = check_distinct(outputs); !good) return good;
+  for (const auto& output : outputs) {
+    if (!is_frame_of(options.output.frames, output)) continue;
+    return Error{
+        ErrorKind::Usage,
+        printable(output.string()) + " has the name of a picture of --frames; choose another one"};
+  }
   return check_not_read(outputs, files_read(options));
 }
 

@@ -12,8 +12,8 @@ namespace aucast::app {
 /// sound and captions, rules, the face, what comes with it in the data folder, and secrets.
 [[nodiscard]] std::vector<std::filesystem::path> files_read(const PlayerOptions& options);
 
-/// Refuses options that would write over a file that is read; see check_not_read(). What a gallery
-/// writes is known only to itself.
+/// Refuses options that would write over a file that is read, or write one file twice; see
+/// check_not_read() and check_distinct(). What a gallery writes is known only to itself.
 [[nodiscard]] Result<void> check_outputs(const PlayerOptions& options);
 
 }  // namespace aucast::app

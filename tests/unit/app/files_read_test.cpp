@@ -63,5 +63,25 @@ TEST_F(CheckOutputs, AreThoseOfAllOptions) {
   EXPECT_FALSE(check_outputs(options_).has_value());
 }
 
+TEST_F(CheckOutputs, RefuseOneFileTwice) {
+  options_.output.record = at("a");
+  options_.output.stats = at("b");
+  EXPECT_TRUE(check_outputs(options_).has_value());
+  options_.output.stats = at("a");
+  const auto checked = check_outputs(options_);
+  ASSERT_FALSE(checked.has_value());
+  EXPECT_EQ(checked.error().kind, ErrorKind::Usage);
+}
+
+TEST_F(CheckOutputs, RefuseThePicturesOfAFrameFolder) {
+  options_.output.frames = at("frames");
+  for (const char* other : {"frames/sheet.png", "frames/stats.json", "frame_000001.png"}) {
+    options_.output.sheet = at(other);
+    EXPECT_TRUE(check_outputs(options_).has_value()) << other;
+  }
+  options_.output.sheet = at("face/../frames/frame_000001.png");
+  EXPECT_FALSE(check_outputs(options_).has_value());
+}
+
 }  // namespace
 }  // namespace aucast::app

@@ -33,5 +33,28 @@ TEST(CheckNotRead, LetsOtherFilesBeWritten) {
   EXPECT_TRUE(check_not_read({"/dev/null"}, {"/dev/null"}));
 }
 
+TEST(CheckDistinct, RefusesOneFileTwice) {
+  const test::TempFolder folder;
+  const auto there = folder.write("there.txt", "x");
+  const auto link = folder.path() / "link";
+  std::filesystem::create_symlink(there, link);
+  const auto fresh = folder.path() / "new";
+  for (const auto& again : {fresh, folder.path() / "none" / ".." / "new", there, link}) {
+    const auto checked = check_distinct({fresh, "", there, again});
+    ASSERT_FALSE(checked.has_value()) << again;
+    EXPECT_EQ(checked.error(),
+              (Error{ErrorKind::Usage, again.string() +
+                                           " would be written twice, for two options; choose "
+                                           "another name for one of them"}));
+  }
+  EXPECT_FALSE(check_distinct({"none", "./none"}));
+}
+
+TEST(CheckDistinct, LetsOtherFilesBeWritten) {
+  const test::TempFolder folder;
+  EXPECT_TRUE(check_distinct({folder.path() / "a", folder.path() / "b", "", "", "-", "-"}));
+  EXPECT_TRUE(check_distinct({"/dev/null", "/dev/null"}));
+}
+
 }  // namespace
 }  // namespace aucast
