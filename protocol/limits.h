@@ -19,7 +19,7 @@ inline constexpr std::size_t kHelloBytesMax = 512;
 inline constexpr std::size_t kVoiceBytesMax = 2048;
 inline constexpr std::size_t kCaptionBytesMax = 1024;
 inline constexpr std::size_t kTitleBytesMax = 120;  ///< of a stream's title in UTF-8
-/// How far the voice of a recorded stream runs ahead of the last answered keyframe's end.
+/// How far voice runs ahead of the last answered keyframe's end, and beyond the last keyframe's.
 inline constexpr std::chrono::milliseconds kVoiceAheadMax{2000};
 inline constexpr std::size_t kBlankBytesMax = 1024;  ///< blanks in a row, between packets or codes
 inline constexpr std::size_t kEarlyAnswersMax = 4096;  ///< answers that come before their keyframes

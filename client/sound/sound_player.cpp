@@ -120,6 +120,8 @@ void SoundPlayer::advanced() {
   feed();
   const auto passing = playback_->passing();
   if (!sounds_ && passing) voice_->skip(samples_of(passing->place));
+  const bool ended = playback_->state() == playback::PlaybackState::Ended;
+  if (ended && passing) voice_->end_at(samples_of(passing->place));
   if (!sounds_) return;
   const std::int64_t due = samples_of(now_ - begin_) - written_;
   if (due <= 0) return;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/playback/keyframe_source.h"
+#include "protocol/limits.h"
 #include "protocol/voice_packet.h"
 
 namespace aucast::sound {
@@ -73,6 +74,16 @@ void VoiceTrack::skip(std::int64_t begin) {
   begin_ = begin - kRunUp;
   silent_ = true;
   while (!waiting_.empty() && waiting_.front().end <= begin_) drop_front();
+}
+
+void VoiceTrack::end_at(std::int64_t end) {
+  const std::int64_t last = end + protocol::kVoiceAheadMax.count() * kSamplesPerMs;
+  while (!waiting_.empty() && waiting_.back().end > last) {
+    waiting_bytes_ -= waiting_.back().opus.size();
+    waiting_.pop_back();
+    ++counts_.left_out;
+    last_end_ = waiting_.empty() ? decoded_end() : waiting_.back().end;
+  }
 }
 
 void VoiceTrack::decode_until(std::int64_t end) {

@@ -28,7 +28,7 @@ class VoiceTrack final : public SoundTrack {
     std::uint64_t gaps = 0;   ///< times that the voice faded out, also in the speaker's pauses
     // Packets that were not heard, by cause.
     std::uint64_t too_late = 0;      ///< their time had passed
-    std::uint64_t left_out = 0;      ///< there was no room for them
+    std::uint64_t left_out = 0;      ///< there was no room for them, or the stream had ended
     std::uint64_t out_of_order = 0;  ///< they began before the end of another packet that waits
     std::uint64_t unreadable = 0;    ///< they are not valid Opus
 
@@ -41,6 +41,9 @@ class VoiceTrack final : public SoundTrack {
   /// Says that read() will not go back before sample `begin`, except by a few samples: earlier
   /// packets may be dropped.
   void skip(std::int64_t begin);
+  /// Says that the last keyframe ends at sample `end`. The voice may go on for
+  /// protocol::kVoiceAheadMax; packets that end later are left out.
+  void end_at(std::int64_t end);
   void read(std::int64_t begin, std::span<float> samples) override;
   [[nodiscard]] std::int64_t end() const override { return last_end_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
@@ -62,7 +65,7 @@ class VoiceTrack final : public SoundTrack {
   voice::VoiceDecoder decoder_;
   std::deque<Packet> waiting_;
   std::size_t waiting_bytes_ = 0;
-  std::int64_t last_end_ = 0;  ///< the end of the last packet
+  std::int64_t last_end_ = 0;  ///< the end of the last packet that is not left out
   std::int64_t begin_ = 0;     ///< the number of decoded_'s first sample
   std::vector<float> decoded_;
   bool silent_ = true;  ///< decoded_ ends in silence

@@ -129,6 +129,26 @@ TEST(PlayerSound, ADeviceIsTheClockAndFaceAndSoundAreTogether) {
   EXPECT_LT(std::abs(run.stats["face_to_sound_p50_ms"].get<double>()), 45);
 }
 
+/// Whose voice is heard 31 years after the face.
+std::string far_voice() {
+  return "{hello v=2 window=64 voice=opus}{a@1000000000000 SGhp}{a SGhp}{1;100}{2;100}{-2}";
+}
+
+TEST(PlayerSound, VoiceLongAfterTheFaceIsLeftOut) {
+  const TempFolder folder;
+  const std::string wav = (folder.path() / "a.wav").string();
+  const std::vector<std::vector<std::string>> ways{{"--sound", wav}, {"--sound-device", "default"}};
+  for (const auto& way : ways) {
+    ScriptedServer server({Accept{}, ExpectHello{}, Send{far_voice()}, ExpectEnd{}});
+    std::vector<std::string> arguments{"--headless", "127.0.0.1:" + std::to_string(server.port())};
+    arguments.insert(arguments.end(), way.begin(), way.end());
+    const PlayerRun run = run_player(arguments, {"ALSOFT_DRIVERS=null"});
+    ASSERT_EQ(run.finished.exit_code, 0) << way[0] << run.finished.err;
+    EXPECT_EQ(run.stats["voice_left_out"], 2) << way[0];
+  }
+  EXPECT_EQ(samples_of(folder.read("a.wav")).size(), 48U * 200);
+}
+
 TEST(PlayerSound, WithoutADeviceNoVoiceIsAskedForAndTheFacePlays) {
   TalkingServer server(true);
   const PlayerRun run =

@@ -102,7 +102,7 @@ class VideoRun {
         progress_(options.output.pictures() && !options.quiet),
         idle_(assets.face),
         hair_(assets.face),
-        sound_(playback, track) {
+        sound_(playback, track, stop) {
     player_.open(&playback);
   }
 

@@ -12,8 +12,12 @@ constexpr std::int64_t kPortion = sound::kRate;
 
 }  // namespace
 
-VideoRunSound::VideoRunSound(playback::Playback& playback, sound::SoundTrack* track)
-    : playback_(playback), track_(track != nullptr ? *track : voice_), mixer_(track_) {}
+VideoRunSound::VideoRunSound(playback::Playback& playback, sound::SoundTrack* track,
+                             const std::function<bool()>& stop)
+    : playback_(playback),
+      track_(track != nullptr ? *track : voice_),
+      stop_(stop),
+      mixer_(track_) {}
 
 Result<void> VideoRunSound::open(const SoundOptions& sound, const OutputOptions& output) {
   if (!wants_video_sound(sound, output)) return {};
@@ -41,8 +45,10 @@ void VideoRunSound::keyframe(const playback::KeyframeBegun& begun, std::int64_t 
   write(playback::Passing{*begun.target.place, speed}, end_ms);
 }
 
-std::int64_t VideoRunSound::tail_ms() const {
+std::int64_t VideoRunSound::tail_ms() {
   if (wav_ == nullptr) return 0;
+  take_in();
+  voice_.end_at(place_ms_ * sound::kSamplesPerMs);
   const std::int64_t end_ms = (track_.end() + sound::kSamplesPerMs - 1) / sound::kSamplesPerMs;
   return std::max<std::int64_t>(end_ms - place_ms_, 0);
 }
@@ -62,7 +68,7 @@ void VideoRunSound::write(std::optional<playback::Passing> at_end, std::int64_t 
 
 void VideoRunSound::mix(std::optional<playback::Passing> at_end, std::int64_t end_ms) {
   const std::int64_t due = end_ms * sound::kSamplesPerMs;
-  while (written_ < due) {
+  while (written_ < due && !stop_()) {
     const std::int64_t count = std::min(due - written_, kPortion);
     auto passing = at_end;
     if (passing) {

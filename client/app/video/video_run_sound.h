@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -16,17 +17,19 @@ namespace aucast::app {
 /// in step with the pictures, exact to one sample.
 class VideoRunSound {
  public:
-  /// `track`: the sound of what is played; null: the voice of what is played is its sound.
-  /// `playback` and `track` must outlive this object.
-  VideoRunSound(playback::Playback& playback, sound::SoundTrack* track);
+  /// `track`: the sound of what is played; null: the voice of what is played is its sound. `stop`
+  /// is asked for each second of sound; when it returns true, no more is written. All three must
+  /// outlive this object.
+  VideoRunSound(playback::Playback& playback, sound::SoundTrack* track,
+                const std::function<bool()>& stop);
 
   /// Begins the sound, if the options ask for any. Fails if its file cannot be written.
   [[nodiscard]] Result<void> open(const SoundOptions& sound, const OutputOptions& output);
   /// Call it for each keyframe that begins. `end_ms`: when the keyframe ends, on the video clock.
   /// Takes the voice that has come and writes the sound up to `end_ms`.
   void keyframe(const playback::KeyframeBegun& begun, std::int64_t end_ms);
-  /// How much sound is left after the last keyframe.
-  [[nodiscard]] std::int64_t tail_ms() const;
+  /// Call it after the last keyframe: how much sound is left.
+  [[nodiscard]] std::int64_t tail_ms();
   /// Writes the sound after the last keyframe, up to `end_ms` on the video clock.
   void tail(std::int64_t end_ms);
   /// The WAV file with all of the sound, for the videos; empty: there was no sound.
@@ -42,6 +45,7 @@ class VideoRunSound {
   playback::Playback& playback_;
   sound::VoiceTrack voice_;
   sound::SoundTrack& track_;
+  const std::function<bool()>& stop_;
   sound::SoundMixer mixer_;
   std::unique_ptr<sound::WavFile> wav_;  ///< null: no sound is wanted
   bool keep_ = false;                    ///< the file is that of --sound, so it is not deleted

@@ -20,6 +20,13 @@ class ScriptedSource final : public KeyframeSource {
     keyframes.pop_front();
     return next;
   }
+  std::deque<Voice> voice;
+  [[nodiscard]] std::optional<Voice> take_voice() override {
+    if (voice.empty()) return std::nullopt;
+    Voice next = std::move(voice.front());
+    voice.pop_front();
+    return next;
+  }
   std::deque<Caption> captions;
   [[nodiscard]] std::optional<Caption> take_caption() override {
     if (captions.empty()) return std::nullopt;

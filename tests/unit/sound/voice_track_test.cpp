@@ -77,6 +77,33 @@ TEST(VoiceTrack, IsSilentBeforeAndAfter) {
   EXPECT_EQ(loudest(read(track, 700, 100)), 0);
 }
 
+TEST(VoiceTrack, EndsAtMostTwoSecondsAfterTheLastKeyframe) {
+  VoiceTrack track;
+  const auto spoken = packets(0.3);
+  add(track, spoken);
+  const std::int64_t voice_end = track.end();
+  const auto second = std::int64_t{1000} * kSamplesPerMs;
+  const std::string& opus = spoken.front().opus;
+  track.add(Milliseconds(2900), opus);
+  track.add(Milliseconds(3000), opus);
+  track.add(Milliseconds(1'000'000'000'000), opus);
+  track.end_at(second);
+  EXPECT_EQ(track.counts().left_out, 2U);
+  EXPECT_GT(track.end(), second * 29 / 10);
+  EXPECT_LE(track.end(), 3 * second);
+  track.end_at(second / 2);
+  EXPECT_EQ(track.counts().left_out, 3U);
+  EXPECT_EQ(track.end(), voice_end);
+}
+
+TEST(VoiceTrack, EndsWhereItIsReadIfNoPacketIsLeft) {
+  VoiceTrack track;
+  read(track, 0, 500);
+  track.add(Milliseconds(1'000'000'000'000), packets(0.1).front().opus);
+  track.end_at(std::int64_t{500} * kSamplesPerMs);
+  EXPECT_LE(track.end(), std::int64_t{500} * kSamplesPerMs);
+}
+
 TEST(VoiceTrack, AGapFadesOutAndInAgain) {
   auto all = packets(3);
   // 300 ms in the middle of a syllable are not there.
