@@ -33,7 +33,9 @@ Result<void> check_distinct(const std::vector<std::filesystem::path>& outputs) {
     if (output.empty() || output == "-" || (!file && std::filesystem::exists(output, none))) {
       continue;
     }
-    if (places.insert(std::filesystem::weakly_canonical(whole_path(output), none)).second) continue;
+    const auto place = std::filesystem::weakly_canonical(whole_path(output), none);
+    // A link to itself leads nowhere.
+    if (places.insert(place.empty() ? output : place).second) continue;
     return Error{ErrorKind::Usage, printable(output.string()) +
                                        " would be written twice, for two options; choose another "
                                        "name for one of them"};

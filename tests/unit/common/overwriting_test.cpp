@@ -54,6 +54,9 @@ TEST(CheckDistinct, LetsOtherFilesBeWritten) {
   const test::TempFolder folder;
   EXPECT_TRUE(check_distinct({folder.path() / "a", folder.path() / "b", "", "", "-", "-"}));
   EXPECT_TRUE(check_distinct({"/dev/null", "/dev/null"}));
+  const auto loop = folder.path() / "loop";
+  std::filesystem::create_symlink("loop", loop);
+  EXPECT_TRUE(check_distinct({loop / "a", loop / "b"}));
 }
 
 }  // namespace
