@@ -94,7 +94,7 @@ Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& o
 Result<std::unique_ptr<sound::SoundTrack>> open_track(const PlayerOptions& options) {
   std::unique_ptr<sound::SoundTrack> none;
   if (options.command != Command::Play || !options.headless || !options.wants_voice()) return none;
-  return open_sound_beside(options.playback.file);
+  return open_sound_beside(options.playback.file, stop_asked);
 }
 
 Result<void> print_list(const PlaybackOptions& options, const net::Security& security) {

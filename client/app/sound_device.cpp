@@ -19,10 +19,10 @@ std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options) {
 }
 
 Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
-    const std::filesystem::path& stream_file) {
+    const std::filesystem::path& stream_file, const std::function<bool()>& stop) {
   const auto file = sound_beside(stream_file);
   if (!file) return std::unique_ptr<sound::SoundTrack>();
-  auto track = sound::FileTrack::open(*file);
+  auto track = sound::FileTrack::open(*file, stop);
   if (!track) return track.error();
   if (const auto complaint = (*track)->take_complaint(); !complaint.empty()) {
     spdlog::warn("{}", complaint);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "client/app/player_options.h"
@@ -14,8 +15,9 @@ namespace aucast::app {
 /// cannot be opened, logs that, returns null and clears the request for a voice in `options`.
 [[nodiscard]] std::unique_ptr<sound::SoundOut> open_sound(PlayerOptions& options);
 
-/// Reads the sound file beside a stream file; null: there is none. Errors are those of reading it.
+/// Reads the sound file beside a stream file, until `stop` returns true; null: there is none.
+/// Errors are those of reading it.
 [[nodiscard]] Result<std::unique_ptr<sound::SoundTrack>> open_sound_beside(
-    const std::filesystem::path& stream_file);
+    const std::filesystem::path& stream_file, const std::function<bool()>& stop);
 
 }  // namespace aucast::app

@@ -41,24 +41,27 @@ Filter make_filter() {
 
 constexpr std::size_t kBlockSamples = voice::kEncoderRate;
 
+std::string too_long(const std::filesystem::path& path, const std::string& consequence) {
+  return at_place(path.string(), "lasts more than the " + std::to_string(FileTrack::kHoursMax) +
+                                     " hours that are played with a face; " + consequence);
+}
+
 Result<voice::SoundFile> open_short(const std::filesystem::path& path) {
   auto file = voice::SoundFile::open(path);
   if (file && file->duration() > std::chrono::hours(FileTrack::kHoursMax)) {
-    return Error{
-        ErrorKind::BadData,
-        at_place(path.string(), "lasts more than the " + std::to_string(FileTrack::kHoursMax) +
-                                    " hours that are played with a face; cut it")};
+    return Error{ErrorKind::BadData, too_long(path, "cut it")};
   }
   return file;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<FileTrack>> FileTrack::open(const std::filesystem::path& path) {
+Result<std::unique_ptr<FileTrack>> FileTrack::open(const std::filesystem::path& path,
+                                                   const std::function<bool()>& stop) {
   auto file = open_short(path);
   if (!file) return file.error();
-  std::unique_ptr<FileTrack> track(new FileTrack);
-  track->complaint_ = track->read_rest(*file);
+  std::unique_ptr<FileTrack> track(new FileTrack(path));
+  track->complaint_ = track->read_rest(*file, stop);
   track->take_news();
   return track;
 }
@@ -66,7 +69,7 @@ Result<std::unique_ptr<FileTrack>> FileTrack::open(const std::filesystem::path& 
 Result<std::unique_ptr<FileTrack>> FileTrack::begin(const std::filesystem::path& path) {
   auto opened = open_short(path);
   if (!opened) return opened.error();
-  std::unique_ptr<FileTrack> track(new FileTrack);
+  std::unique_ptr<FileTrack> track(new FileTrack(path));
   // Shared, since a std::function is copied.
   const auto file = std::make_shared<voice::SoundFile>(*std::move(opened));
   const bool more = track->read_block(*file);
@@ -75,18 +78,11 @@ Result<std::unique_ptr<FileTrack>> FileTrack::begin(const std::filesystem::path&
     track->complaint_ = file->complaint();
     return track;
   }
-  const auto started =
-      track->reading_.start([self = track.get(), file] { return self->read_rest(*file); });
+  const auto started = track->reading_.start([self = track.get(), file] {
+    return self->read_rest(*file, [self] { return self->stop_.stop_requested(); });
+  });
   if (!started) return started.error();
   return track;
-}
-
-FileTrack::FileTrack(const std::vector<float>& samples) {
-  for (std::span<const float> left = samples; !left.empty();) {
-    const auto block = left.first(std::min(left.size(), kBlockSamples));
-    append(pcm_of(block));
-    left = left.subspan(block.size());
-  }
 }
 
 FileTrack::~FileTrack() {
@@ -104,13 +100,13 @@ bool FileTrack::read_block(voice::SoundFile& file) {
 }
 
 /// Returns the file's complaint.
-std::string FileTrack::read_rest(voice::SoundFile& file) {
+std::string FileTrack::read_rest(voice::SoundFile& file, const std::function<bool()>& stop) {
   // A header may tell of less than there is.
   constexpr int kBlocksMax = kHoursMax * 3600;
-  for (int i = 0; i < kBlocksMax && !stop_.stop_requested(); ++i) {
+  for (int i = 0; i < kBlocksMax && !stop(); ++i) {
     if (!read_block(file)) return file.complaint();
   }
-  return {};
+  return stop() ? std::string() : too_long(path_, "the rest is not played");
 }
 
 void FileTrack::take_news() {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/sound/sound_track.h"
@@ -22,22 +24,22 @@ namespace aucast::sound {
 /// an hour. Thread: the player's; begin() starts another one.
 class FileTrack final : public SoundTrack {
  public:
-  /// A file that lasts longer is refused.
+  /// A file that lasts longer by its header is refused; of one whose header told of less, the rest
+  /// is not played, which is a complaint.
   static constexpr int kHoursMax = 4;
 
-  /// Reads the file to its end. Unreadable or BadData as voice::SoundFile, BadData if the file is
-  /// too long.
-  [[nodiscard]] static Result<std::unique_ptr<FileTrack>> open(const std::filesystem::path& path);
+  /// Reads the file to its end, or until `stop`, which is asked before each second of sound,
+  /// returns true. Unreadable or BadData as voice::SoundFile, BadData if the file is too long.
+  [[nodiscard]] static Result<std::unique_ptr<FileTrack>> open(
+      const std::filesystem::path& path, const std::function<bool()>& stop = [] { return false; });
   /// Reads the first second, and the rest on a thread of its own, many times faster than it is
   /// played. What has not been read yet is silent. Errors as open(), or Failed when the system has
   /// no thread left.
   [[nodiscard]] static Result<std::unique_ptr<FileTrack>> begin(const std::filesystem::path& path);
-  /// Samples at voice::kEncoderRate, in [-1,1].
-  explicit FileTrack(const std::vector<float>& samples);
   /// Waits for the thread, which reads no more than a second on.
   ~FileTrack() override;
 
-  /// voice::SoundFile's complaint, once, when the file has been read to its end; otherwise empty.
+  /// What is wrong with the file, once, when it has been read to its end; otherwise empty.
   [[nodiscard]] std::string take_complaint();
 
   void read(std::int64_t begin, std::span<float> samples) override;
@@ -47,13 +49,14 @@ class FileTrack final : public SoundTrack {
  private:
   /// A second of the file; only the last one may be shorter.
   using Block = std::vector<std::int16_t>;
-  FileTrack() = default;
+  explicit FileTrack(std::filesystem::path path) : path_(std::move(path)) {}
   [[nodiscard]] bool read_block(voice::SoundFile& file);
-  [[nodiscard]] std::string read_rest(voice::SoundFile& file);
+  [[nodiscard]] std::string read_rest(voice::SoundFile& file, const std::function<bool()>& stop);
   void take_news();
   void append(Block block);
   [[nodiscard]] float at(std::int64_t sample) const;
 
+  const std::filesystem::path path_;
   std::vector<Block> blocks_;
   std::int64_t count_ = 0;  ///< samples in blocks_
   std::string complaint_;

@@ -36,7 +36,7 @@ std::string where_they_are(const OutputOptions& output, std::uint64_t pictures) 
   for (const auto& place : {output.frames, output.record, output.sheet}) {
     if (!place.empty()) places += (places.empty() ? "" : ", ") + place.string();
   }
-  return counted(pictures, "picture") + " drawn: " + places;
+  return counted(pictures, "picture") + " drawn" + (places.empty() ? "" : ": " + places);
 }
 
 std::string how_far(std::uint64_t pictures, double video_ms) {

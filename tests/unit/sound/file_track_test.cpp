@@ -1,6 +1,7 @@
 #include "client/sound/file_track.h"
 
 #include <gtest/gtest.h>
+#include <sndfile.h>
 
 #include <cmath>
 #include <filesystem>
@@ -17,15 +18,36 @@ namespace {
 
 using aucast::test::TempFolder;
 
+/// A track of a file with these samples, at the rate in which files are kept.
+std::unique_ptr<FileTrack> track_of(const std::vector<float>& samples) {
+  const TempFolder folder;
+  const auto path = folder.path() / "a.wav";
+  SF_INFO info{};
+  info.samplerate = voice::kEncoderRate;
+  info.channels = 1;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+  SNDFILE* const file = sf_open(path.c_str(), SFM_WRITE, &info);
+  sf_writef_float(file, samples.data(), static_cast<sf_count_t>(samples.size()));
+  sf_close(file);
+  auto track = FileTrack::open(path);
+  EXPECT_TRUE(track.has_value());
+  return track ? *std::move(track) : nullptr;
+}
+
 TEST(FileTrack, ASampleOfTheFileStaysWhereItIs) {
-  std::vector<float> samples(1000);
-  samples[500] = 0.5F;
-  FileTrack track(samples);
-  EXPECT_EQ(track.end(), 3000);
+  const auto hump = [](double at) {
+    const double away = (at - 500) / 8;
+    return 0.5 * std::exp(-away * away);
+  };
+  std::vector<float> samples;
+  for (int i = 0; i < 1000; ++i) samples.push_back(static_cast<float>(hump(i)));
+  const auto track = track_of(samples);
+  ASSERT_NE(track, nullptr);
+  EXPECT_EQ(track->end(), 3000);
   std::vector<float> heard(3000);
-  track.read(0, heard);
-  for (std::size_t i = 0; i < heard.size(); i += 3) {
-    EXPECT_NEAR(heard[i], i == 1500 ? 0.5F : 0, 1e-4F) << i;
+  track->read(0, heard);
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    EXPECT_NEAR(heard[i], hump(static_cast<double>(i) / 3), 1e-3) << i;
   }
 }
 
@@ -36,20 +58,22 @@ TEST(FileTrack, AToneIsTheSameToneAtTheHigherRate) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i] = static_cast<float>(tone(static_cast<double>(i) / voice::kEncoderRate));
   }
-  FileTrack track(samples);
+  const auto track = track_of(samples);
+  ASSERT_NE(track, nullptr);
   std::vector<float> heard(3000);
-  track.read(600, heard);
+  track->read(600, heard);
   for (std::size_t i = 0; i < heard.size(); ++i) {
     EXPECT_NEAR(heard[i], tone(static_cast<double>(i + 600) / kRate), 0.005) << i;
   }
 }
 
 TEST(FileTrack, IsSilentBeforeAndAfter) {
-  FileTrack track(std::vector<float>(160, 0.5F));
+  const auto track = track_of(std::vector<float>(160, 0.5F));
+  ASSERT_NE(track, nullptr);
   std::vector<float> heard(100, 1);
-  track.read(-200, heard);
+  track->read(-200, heard);
   for (const float sample : heard) EXPECT_EQ(sample, 0);
-  track.read(600, heard);
+  track->read(600, heard);
   for (const float sample : heard) EXPECT_EQ(sample, 0);
 }
 
@@ -105,6 +129,14 @@ TEST(FileTrack, InTheBackgroundPlaysTheBeginningAtOnceAndTheRestAsItIsRead) {
     EXPECT_EQ(heard, wanted) << second;
   }
   EXPECT_EQ((*track)->take_complaint(), "");
+}
+
+TEST(FileTrack, IsReadUntilItIsAskedToStop) {
+  const TempFolder folder;
+  int asked = 0;
+  const auto track = FileTrack::open(long_file(folder, 6), [&asked] { return ++asked > 2; });
+  ASSERT_TRUE(track.has_value());
+  EXPECT_EQ((*track)->end(), 2 * kRate);
 }
 
 TEST(FileTrack, IsLetGoWhileItIsStillRead) {
