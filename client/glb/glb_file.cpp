@@ -292,7 +292,8 @@ std::string GlbFile::bytes() {
   document_["bufferViews"] = std::move(views_);
   if (!images_.empty()) document_["images"] = std::move(images_);
   document_["buffers"] = {{{"byteLength", binary_.size()}}};
-  std::string text = document_.dump();
+  // A file's name may be no UTF-8.
+  std::string text = document_.dump(-1, ' ', false, Json::error_handler_t::replace);
   pad(text, ' ');
   std::string file;
   const auto add = [&file](std::size_t number) {

@@ -44,6 +44,13 @@ TEST(GlbFile, HasBothChunksPaddedToFourBytes) {
   }
 }
 
+TEST(GlbFile, ANameThatIsNoUtf8GetsReplacementCharacters) {
+  GlbFile file;
+  file.document()["asset"]["generator"] = "caf\xE9";
+  const Parts parts = taken_apart(file.bytes());
+  EXPECT_EQ(parts.document["asset"]["generator"], "caf\uFFFD");
+}
+
 TEST(GlbFile, APlacesRangeIsThatOfItsNumbers) {
   GlbFile file;
   EXPECT_EQ(file.places(std::vector<glm::vec3>{{1, -2, 3}, {-1, 0.1F, 5}}), 0);
