@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "client/gallery/gallery_sections.h"
+#include "common/mixed_bits.h"
 
 namespace aucast::gallery {
 namespace {
@@ -23,6 +25,9 @@ constexpr std::array kNamed{1,  2,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 
 
 /// Words in a recording's note which say that the mesh cannot show the AU well.
 constexpr std::string_view kLimited = "best form";
+
+/// File systems take names of 255 bytes; a file that is not complete yet has a longer one.
+constexpr std::size_t kStemMax = 200;
 
 }  // namespace
 
@@ -87,7 +92,12 @@ std::string file_stem(const AuFrame& aus) {
     stem += text.data();
     if (term.percent != 100) stem += "-" + std::to_string(term.percent);
   }
-  return stem;
+  if (stem.size() <= kStemMax) return stem;
+  std::uint64_t mixed = 0;
+  for (const char c : stem) mixed = SplitMix64(mixed ^ static_cast<unsigned char>(c)).next();
+  std::array<char, 20> digits{};
+  std::snprintf(digits.data(), digits.size(), "-%016" PRIx64, mixed);
+  return stem.substr(0, kStemMax - 17) + digits.data();
 }
 
 Result<GalleryPlan> plan_gallery(const GalleryInput& input) {

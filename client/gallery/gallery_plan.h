@@ -130,7 +130,8 @@ struct GalleryInput {
 [[nodiscard]] std::vector<Coverage> coverage_of(const face::Face& face);
 
 /// A set of AUs in a form for file names, with only letters, digits, '.', '-' and '_':
-/// au06_au12-80_auR14.
+/// au06_au12-80_auR14. The end of one that is too long for a file's name is replaced by digits made
+/// of the whole.
 [[nodiscard]] std::string file_stem(const AuFrame& aus);
 
 }  // namespace aucast::gallery

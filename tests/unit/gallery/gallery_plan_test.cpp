@@ -148,6 +148,17 @@ TEST(GalleryFileStem, IsMadeOfNumbersSidesAndPercents) {
   EXPECT_EQ(file_stem(*protocol::parse_au_set("0")), "au00");
 }
 
+TEST(GalleryFileStem, OfManyAusIsShortEnoughForAFileAndTheirOwn) {
+  const auto stem = [](const std::string& last) {
+    std::string words = "1";
+    for (int number = 2; number < 90; ++number) words += "," + std::to_string(number) + ":50";
+    return file_stem(*protocol::parse_au_set(words + "," + last));
+  };
+  EXPECT_EQ(stem("99").size(), 200U);
+  EXPECT_TRUE(stem("99").starts_with("au01_au02-50_"));
+  EXPECT_NE(stem("99"), stem("98"));
+}
+
 TEST(ShippedGallery, PlansEveryRecordedAuAndEveryExpression) {
   const std::filesystem::path data = test::program("data");
   const auto face = face::load_face(data / "faces" / "default", data);
