@@ -33,13 +33,6 @@ std::string muscles_text(const std::vector<ExpressionMuscle>& muscles) {
   return joined(words);
 }
 
-std::string strength_text(int time_ms) {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%.1f",
-                100 * static_cast<double>(sweep_strength(time_ms)));
-  return text.data();
-}
-
 /// The fields from aus to rules. A face made of muscles alone has neither rules nor mixer.
 std::vector<std::string> what_is_shown(const GalleryPicture& picture, const std::string& face) {
   const bool only_muscles = !picture.muscles.empty() && picture.aus == AuFrame{};
@@ -91,6 +84,13 @@ std::string line(const std::string& file, const GalleryPicture& picture,
 }
 
 }  // namespace
+
+std::string strength_text(int time_ms) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.1f",
+                100 * static_cast<double>(sweep_strength(time_ms)));
+  return text.data();
+}
 
 std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);

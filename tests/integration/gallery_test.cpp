@@ -74,6 +74,20 @@ TEST(Gallery, WithoutFfmpegTheFramesAreEnough) {
   EXPECT_EQ(files_below(folder.path() / "g").size(), 41U + 2U);
 }
 
+TEST(Gallery, AFrameOfASweepSaysHowFarItIs) {
+  const TempFolder folder;
+  const PlayerRun run = run_player({"gallery", (folder.path() / "g").string(), "--only", "sweeps",
+                                    "--sweep", "12", "--size", "16x20"},
+                                   {"PATH=" + folder.path().string()});
+  ASSERT_EQ(run.finished.exit_code, 0) << run.finished.err;
+  const std::string frame = folder.read("g/sweeps/au12/frame_000008.png");
+  for (const std::string& text :
+       {std::string("AUs\00012", 6), std::string("Strength\00044.8 %", 15),
+        std::string("Time\000280 ms", 11)}) {
+    EXPECT_NE(frame.find(text), std::string::npos) << text;
+  }
+}
+
 TEST(Gallery, MadeQuietlyTheSentenceAtItsEndSaysThatVideosAreMissing) {
   const TempFolder folder;
   const PlayerRun run = run_player({"gallery", (folder.path() / "g").string(), "--only", "sweeps",

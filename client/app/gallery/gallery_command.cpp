@@ -142,9 +142,14 @@ class GalleryWriter {
     }
     const view::Image image = maker_->picture(activations_);
     const bool only_muscles = !picture.muscles.empty() && picture.shown == AuFrame{};
-    const auto texts = texts_of(
-        {assets_.face, only_muscles ? std::nullopt : std::optional(picture.shown), picture.rules,
-         picture.mixer, options_.output.layers, options_.pose.viewpoint, activations_});
+    auto texts = texts_of({assets_.face, only_muscles ? std::nullopt : std::optional(picture.shown),
+                           picture.rules, picture.mixer, options_.output.layers,
+                           options_.pose.viewpoint, activations_});
+    if (picture.sweep_frame) {
+      const int time_ms = picture.sweep_frame->time_ms;
+      texts.push_back({"Strength", gallery::strength_text(time_ms) + " %"});
+      texts.push_back({"Time", std::to_string(time_ms) + " ms"});
+    }
     auto written = view::write_png(image, options_.gallery.folder / picture.file, texts);
     if (!written) return written;
     if (video != nullptr) {
