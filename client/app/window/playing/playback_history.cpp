@@ -19,11 +19,6 @@ PlaybackHistory::Rates rates_of(std::uint64_t in, std::uint64_t out, Duration ti
 
 }  // namespace
 
-void PlaybackHistory::clear() {
-  samples_.clear();
-  begin_.reset();
-}
-
 bool PlaybackHistory::due(Instant now) const {
   return samples_.empty() || now - samples_.back().slot >= kEvery;
 }

@@ -21,7 +21,6 @@ class PlaybackHistory {
   [[nodiscard]] bool due(Instant now) const;
   /// Adds a sample. `fill`: of the Receiver buffer, in [0,1]; `aus`: those on the face.
   void add(Instant now, float fill, const playback::SourceStatus& status, const AuFrame& aus);
-  void clear();
 
   /// The fills of all samples, oldest first.
   [[nodiscard]] std::vector<float> fills() const;
@@ -34,7 +33,7 @@ class PlaybackHistory {
   };
   /// The rates over the last two seconds.
   [[nodiscard]] Rates rates() const;
-  /// The mean rates from the first sample since clear() to the last; 0 with fewer than two samples.
+  /// The mean rates from the first sample to the last; 0 with fewer than two samples.
   [[nodiscard]] Rates mean_rates() const;
 
  private:
@@ -47,7 +46,7 @@ class PlaybackHistory {
     std::map<int, float> aus;  ///< AUs above 0, by number: the stronger side's intensity
   };
   std::vector<Sample> samples_;
-  std::optional<Instant> begin_;  ///< time of the first sample since clear()
+  std::optional<Instant> begin_;  ///< time of the first sample
 };
 
 }  // namespace aucast::app
