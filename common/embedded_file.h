@@ -11,7 +11,7 @@ struct EmbeddedFile {
   std::string_view bytes;
 };
 
-std::span<const EmbeddedFile> fonts();
-std::span<const EmbeddedFile> shaders();
+[[nodiscard]] std::span<const EmbeddedFile> fonts();
+[[nodiscard]] std::span<const EmbeddedFile> shaders();
 
 }  // namespace aucast::embedded
