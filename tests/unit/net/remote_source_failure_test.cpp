@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "client/net/remote_source.h"
+#include "tests/support/eventually.h"
 #include "tests/support/loopback.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/scripted_server.h"
@@ -113,6 +114,29 @@ TEST(RemoteSourceFailure, NoDescriptorLeft) {
   EXPECT_EQ(source.status().end, EndReason::Refused);
   EXPECT_TRUE(holds(source.status(), "Too many open files")) << source.status().detail;
   source.stop();
+}
+
+TEST(RemoteSourceFailure, WithReconnectItOutlivesAShortageOfDescriptors) {
+  if (kSanitized) GTEST_SKIP() << "a sanitizer looks at an exception with descriptors of its own";
+  const DeafPort deaf;
+  RemoteOptions options = options_for(deaf.port());
+  options.reconnect = true;
+  RemoteSource source(options);
+  const auto waits_for = [&source](const std::string& cause) {
+    return eventually([&] { return holds(source.status(), cause); });
+  };
+  ASSERT_TRUE(waits_for("Connection refused")) << source.status().detail;
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &usual), 0);
+  const int next = ::dup(STDERR_FILENO);
+  ::close(next);
+  rlimit none_left = usual;
+  none_left.rlim_cur = static_cast<rlim_t>(next);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none_left), 0);
+  EXPECT_TRUE(waits_for("Too many open files")) << source.status().detail;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
+  EXPECT_TRUE(waits_for("Connection refused")) << source.status().detail;
+  EXPECT_EQ(source.status().end, EndReason::NotEnded);
 }
 
 TEST(RemoteSourceFailure, SilentServer) {
