@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "common/text.h"
+#include "protocol/caption.h"
 
 namespace aucast::speaker {
 namespace {
@@ -63,6 +64,12 @@ std::vector<Piece> pieces_of(const Speech& speech, const Script& script) {
     }
   }
   return pieces;
+}
+
+/// As much of a word as a caption may have.
+std::string fitting(std::string word) {
+  while (!protocol::is_caption(word)) word.pop_back();
+  return word;
 }
 
 std::string joined(Pieces pieces) {
@@ -143,7 +150,7 @@ std::vector<TimedCaption> captions_of(const Speech& speech, const Script& script
     const bool gap = i > 0 && piece.spoken && piece.begin - captions.back().end > kGapMax;
     if (fresh || gap || !lines) {
       first = i;
-      captions.push_back({piece.begin, piece.end, piece.text});
+      captions.push_back({piece.begin, piece.end, fitting(piece.text)});
     } else {
       captions.back().text = *lines;
       if (piece.spoken) captions.back().end = piece.end;

@@ -12,7 +12,8 @@ namespace aucast::speaker {
 struct TimedCaption {
   Milliseconds begin{0};
   Milliseconds end{0};
-  std::string text;  ///< one or two lines of at most 42 characters, unless a word is longer
+  std::string text;  ///< one or two lines of at most 42 characters, unless a word is longer; a
+                     ///< caption to protocol::is_caption()
 };
 
 /// Cuts the text into captions: at the ends of sentences, and wherever a caption would get too long

@@ -117,6 +117,18 @@ TEST(Captions, HaveNoEmptyLineWhereOnlyMarksStandInAParagraph) {
   EXPECT_EQ(captions[0].text, "Before * * * after.");
 }
 
+TEST(Captions, AWordThatIsTooLongIsCutBetweenCharacters) {
+  std::string word;
+  for (int i = 0; i < 1100; ++i) word += "\u00e9";
+  const auto script = parse_script("One " + word + " more.", "t");
+  ASSERT_TRUE(script);
+  const auto captions = captions_of(words_every(300, *script), *script);
+  ASSERT_EQ(captions.size(), 3U);
+  EXPECT_EQ(captions[1].text, word.substr(0, 752));
+  EXPECT_EQ(captions[2].text, "more.");
+  EXPECT_TRUE(voice::parse_webvtt(format_webvtt(captions), "t.vtt"));
+}
+
 TEST(WebVtt, OddTextComesBackAsItWas) {
   const std::string odd = "1 < 2 & <b>x</b> --> &lt;\nAT&T";
   const std::string file = format_webvtt({{Milliseconds(1000), Milliseconds(2000), odd}});
