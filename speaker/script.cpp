@@ -61,6 +61,7 @@ class Reader {
     constexpr std::string_view kTitle = "title:";
     if (lowered(comment).starts_with(kTitle)) {
       script_.title = trimmed(comment.substr(kTitle.size()), kBlanks);
+      script_.title_line = line_;
     }
   }
 

@@ -19,7 +19,8 @@ struct Cue {
 
 /// The content of a text file to be spoken: the words, and what is not spoken.
 struct Script {
-  std::string title;              ///< from a line "# title: ..."; empty: none
+  std::string title;  ///< from a line "# title: ..."; empty: none
+  std::size_t title_line = 0;
   std::string text;               ///< UTF-8, without cues and comments
   std::vector<Cue> cues;          ///< in the order of the text
   std::vector<std::size_t> ends;  ///< of each paragraph: how many characters come before

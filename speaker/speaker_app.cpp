@@ -245,6 +245,8 @@ Result<void> run(const Options& options) {
     say("au-transmitter will not serve '" + name + "': a stream's name has " +
         protocol::kStreamNameRule + "; choose another one (--name)");
   }
+  const protocol::StreamTitle title{script->title, script->title_line};
+  if (const auto wrong = protocol::title_complaint(title, source); !wrong.empty()) say(wrong);
   const fs::path folder = options.output.empty() ? fs::path(stem) : options.output;
   const fs::path stream_file = folder / (name + ".txt");
   const fs::path caption_file = folder / (name + ".vtt");

@@ -11,6 +11,7 @@ TEST(ParseScript, LeavesOutWhatIsNotSpoken) {
       "t");
   ASSERT_TRUE(script) << script.error().message;
   EXPECT_EQ(script->title, "Faces");
+  EXPECT_EQ(script->title_line, 1U);
   EXPECT_EQ(script->text, " Good morning, everybody.\n\n  Two  more.\n\n");
   ASSERT_EQ(script->cues.size(), 2U);
   EXPECT_EQ(script->cues[0].name, "Smile") << "as it is written";

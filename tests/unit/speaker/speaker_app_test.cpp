@@ -201,6 +201,19 @@ TEST(SpeakerApp, WarnsOfANameThatNoStreamCanHave) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(SpeakerApp, WarnsOfATitleThatNobodyGets) {
+  const TempFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const std::string text =
+      folder.write("talk.txt", "# A talk.\n# title: " + std::string(121, 'a') + "\nGood morning.\n")
+          .string();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", out}), 0);
+  EXPECT_EQ(
+      testing::internal::GetCapturedStderr(),
+      "au-speaker: " + text + ":2:1: the title is left out: it has 121 bytes, of at most 120\n");
+}
+
 TEST(SpeakerApp, ExitCodesAreThoseOfTheOtherPrograms) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good [morning]\n").string();
