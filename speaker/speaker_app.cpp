@@ -1,11 +1,13 @@
 #include "speaker/speaker_app.h"
 
-#include <sndfile.h>
-
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "common/options.h"
 #include "common/overwriting.h"
 #include "common/result.h"
+#include "common/sound_name.h"
 #include "common/standard_output.h"
 #include "common/temporary_file.h"
 #include "common/text.h"
@@ -66,7 +69,7 @@ std::vector<OptionRow> rows_of(Options& options) {
       {.option = {"voice", "FILE"},
        .text = "a narration: TEXT read aloud (WAV, FLAC, Ogg, MP3)",
        .more = "A narration, which is somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most "
-               "three hours.",
+               "three hours. It becomes the voice of the stream.",
        .value = word(options.narration)},
       {.option = {"labels", "FILE"},
        .text = "write the times of the sounds (IPA), for Audacity",
@@ -144,26 +147,66 @@ Result<std::string> read_text(const fs::path& file) {
   return file == "-" ? read_standard_input(kTextBytesMax) : read_file(file, kTextBytesMax);
 }
 
-/// 16-bit WAV of mono samples, whole or not at all.
-Result<void> write_wav(const fs::path& path, const Speech& speech) {
-  auto temporary = TemporaryFile::beside(path);
-  if (!temporary) return temporary.error();
-  SF_INFO info{};
-  info.samplerate = speech.rate;
-  info.channels = 1;
-  info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
-  SNDFILE* const file = sf_open(temporary->path().c_str(), SFM_WRITE, &info);
-  const auto count = static_cast<sf_count_t>(speech.samples.size());
-  const bool whole =
-      file != nullptr && sf_writef_float(file, speech.samples.data(), count) == count;
-  std::string why = sf_strerror(file);
-  // The rest is written at the end, and may fail alone.
-  const int closed = sf_close(file);
-  if (closed == SF_ERR_NO_ERROR && whole) return temporary->replace(path);
-  if (whole) why = sf_error_number(closed);
-  return Error{ErrorKind::Failed,
-               at_place(path.string(), "cannot be written whole: " + why + "; is the disk full?")};
+void put(std::string& bytes, std::uint32_t value, int count) {
+  for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
 }
+
+/// A 16-bit WAV file of mono samples.
+void write_wav(const Speech& speech, std::ostream& file) {
+  constexpr std::uint32_t kSampleBytes = 2;
+  constexpr std::size_t kPortion = 65'536;
+  const auto rate = static_cast<std::uint32_t>(speech.rate);
+  const std::uint32_t size = static_cast<std::uint32_t>(speech.samples.size()) * kSampleBytes;
+  std::string bytes = "RIFF";
+  put(bytes, 36 + size, 4);
+  bytes += "WAVEfmt ";
+  put(bytes, 16, 4);
+  put(bytes, 1, 2);  // PCM
+  put(bytes, 1, 2);  // mono
+  put(bytes, rate, 4);
+  put(bytes, rate * kSampleBytes, 4);
+  put(bytes, kSampleBytes, 2);
+  put(bytes, 8 * kSampleBytes, 2);
+  bytes += "data";
+  put(bytes, size, 4);
+  for (const float sample : speech.samples) {
+    put(bytes, static_cast<std::uint32_t>(std::lrint(sample * 32767)), kSampleBytes);
+    if (bytes.size() < kPortion) continue;
+    file << bytes;
+    bytes.clear();
+  }
+  file << bytes;
+}
+
+/// Files that belong together: they get their names when all of them have been written.
+class Files {
+ public:
+  Result<void> add(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+    auto temporary = TemporaryFile::beside(path);
+    if (!temporary) return temporary.error();
+    std::ofstream file(temporary->path(), std::ios::binary);
+    write(file);
+    file.close();
+    if (!file) {
+      return Error{ErrorKind::Failed,
+                   at_place(path.string(), "cannot be written whole: " + system_reason(errno))};
+    }
+    files_.emplace_back(std::move(*temporary), path);
+    return {};
+  }
+  Result<void> add(const fs::path& path, const std::string& text) {
+    return add(path, [&text](std::ostream& file) { file << text; });
+  }
+  Result<void> finish() {
+    for (auto& [temporary, path] : files_) {
+      if (auto replaced = temporary.replace(path); !replaced) return replaced;
+    }
+    return {};
+  }
+
+ private:
+  std::vector<std::pair<TemporaryFile, fs::path>> files_;
+};
 
 /// A line for each sound that is no pause: where it begins and ends, in seconds, and its letters.
 std::string labels_of(const Speech& speech) {
@@ -218,16 +261,23 @@ Result<Expressions> expressions_of(const Options& options) {
   return sets_of(*read);
 }
 
-/// Refuses labels that another file would be written over.
-Result<void> check_labels(const fs::path& labels, const std::vector<fs::path>& others) {
+/// The WAV file of the stream's voice; empty: the narration is beside the stream already.
+fs::path sound_file(const fs::path& stream_file, const fs::path& narration) {
+  const auto beside = sound_beside(stream_file);
   std::error_code none;
-  const fs::path place = fs::weakly_canonical(labels, none);
-  for (const fs::path& other : others) {
-    if (labels.empty() || other.empty() || fs::weakly_canonical(other, none) != place) continue;
-    return Error{ErrorKind::Usage, "--labels " + printable(labels.string()) +
-                                       " names a file that is written too; choose another name"};
-  }
-  return {};
+  if (beside && fs::equivalent(*beside, narration, none)) return {};
+  return fs::path(stream_file).replace_extension(".wav");
+}
+
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return {};
+  // Such as TEXT itself, if its name has no extension.
+  std::error_code unknown;
+  const std::string why = fs::exists(folder, unknown) ? "a file has this name" : error.message();
+  return Error{ErrorKind::Failed, at_place(folder.string(), "no folder can be made: " + why +
+                                                                "; name another one (--output)")};
 }
 
 Result<void> run(const Options& options) {
@@ -250,39 +300,27 @@ Result<void> run(const Options& options) {
   const fs::path folder = options.output.empty() ? fs::path(stem) : options.output;
   const fs::path stream_file = folder / (name + ".txt");
   const fs::path caption_file = folder / (name + ".vtt");
-  const fs::path sound_file = options.narration.empty() ? folder / (name + ".wav") : fs::path();
-  const std::vector<fs::path> outputs{stream_file, caption_file, sound_file, options.labels};
+  const fs::path voice_file = sound_file(stream_file, options.narration);
+  const std::vector<fs::path> outputs{stream_file, caption_file, voice_file, options.labels};
   if (auto good = check_not_read(outputs, {options.text, options.narration}); !good) return good;
-  if (auto good = check_labels(options.labels, {stream_file, caption_file, sound_file}); !good) {
-    return good;
-  }
+  if (auto good = check_distinct(outputs); !good) return good;
   const auto speech = speech_of(*script, options, source);
   if (!speech) return speech.error();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    // Such as TEXT itself, if its name has no extension.
-    std::error_code unknown;
-    const std::string why = fs::exists(folder, unknown) ? "a file has this name" : error.message();
-    return Error{ErrorKind::Failed, at_place(folder.string(), "no folder can be made: " + why +
-                                                                  "; name another one (--output)")};
-  }
-  if (!options.labels.empty()) {
-    if (auto written = write_file_atomically(options.labels, labels_of(*speech)); !written) {
-      return written;
-    }
-  }
+  if (auto made = make_folder(folder); !made) return made;
   auto stream = perform(*speech, *script, *expressions, options.gestures);
   stream.title = script->title;
-  const std::string text = protocol::format_stream_file(stream);
-  if (auto written = write_file_atomically(stream_file, text); !written) return written;
   const auto captions = captions_of(*speech, *script);
-  if (auto written = write_file_atomically(caption_file, format_webvtt(captions)); !written) {
-    return written;
+  Files files;
+  auto written = files.add(stream_file, protocol::format_stream_file(stream));
+  if (written) written = files.add(caption_file, format_webvtt(captions));
+  if (written && !voice_file.empty()) {
+    written = files.add(voice_file, [&](std::ostream& file) { write_wav(*speech, file); });
   }
-  if (!sound_file.empty()) {
-    if (auto written = write_wav(sound_file, *speech); !written) return written;
+  if (written) written = files.finish();
+  if (written && !options.labels.empty()) {
+    written = write_file_atomically(options.labels, labels_of(*speech));
   }
+  if (!written) return written;
   std::printf("%s: %.1f s, %s, %s\n", printable(stream_file.string()).c_str(),
               seconds(speech->length()), counted(stream.keyframes.size(), "keyframe").c_str(),
               counted(captions.size(), "caption").c_str());

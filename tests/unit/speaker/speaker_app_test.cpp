@@ -7,13 +7,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 
 #include "common/voice/sound_file.h"
+#include "common/voice/voice_encoder.h"
 #include "protocol/stream_file.h"
 #include "speaker/espeak_voice.h"
 #include "tests/support/process.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/voice/speech_like.h"
 
 namespace aucast::speaker {
 namespace {
@@ -43,7 +46,45 @@ TEST(SpeakerApp, GivesARecordedVoiceAFace) {
   const std::string again = (folder.path() / "again").string();
   ASSERT_EQ(run_speaker({text, "-o", again, "--voice", voice}), 0);
   EXPECT_TRUE(protocol::parse_stream_file(folder.read("again/talk.txt"), "talk.txt"));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "again/talk.wav"));
+}
+
+/// Of a sound file, as clients are sent it.
+std::vector<float> samples_of(const std::filesystem::path& path) {
+  auto file = voice::SoundFile::open(path);
+  EXPECT_TRUE(file.has_value());
+  std::vector<float> samples(std::size_t{60} * voice::kEncoderRate);
+  if (file) samples.resize(file->read(samples));
+  return samples;
+}
+
+TEST(SpeakerApp, ANarrationIsTheVoiceOfItsStream) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning, everybody.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({text, "-o", out, "--speed", "120"}), 0);
+  const auto reading = folder.path() / "read.wav";
+  std::filesystem::rename(out + "/talk.wav", reading);
+  // A voice that was made is there already.
+  ASSERT_EQ(run_speaker({text, "-o", out}), 0);
+  ASSERT_EQ(run_speaker({text, "-o", out, "--voice", reading.string()}), 0);
+  const auto wanted = samples_of(reading);
+  const auto kept = samples_of(out + "/talk.wav");
+  ASSERT_EQ(kept.size(), wanted.size());
+  EXPECT_GT(voice::test::correlation(kept, wanted, 0), 0.99);
+}
+
+TEST(SpeakerApp, ANarrationBesideItsStreamStaysAsItIs) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning, everybody.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({text, "-o", out}), 0);
+  const std::string before = folder.read("out/talk.wav");
+  ASSERT_EQ(run_speaker({text, "-o", out, "--voice", out + "/talk.wav"}), 0);
+  EXPECT_EQ(folder.read("out/talk.wav"), before);
+  // Under a name that comes later, it is the voice as well.
+  std::filesystem::rename(out + "/talk.wav", out + "/talk.flac");
+  ASSERT_EQ(run_speaker({text, "-o", out, "--voice", out + "/talk.flac"}), 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/talk.wav"));
 }
 
 TEST(SpeakerApp, ANarrationThatWasCutOffIsToldOfAndGetsItsFace) {
@@ -140,6 +181,26 @@ TEST(SpeakerApp, SaysWhyTheSoundIsNotWhole) {
   EXPECT_EXIT(speak_into_little_room(text, out), testing::ExitedWithCode(1),
               "talk.wav: cannot be written whole: .*File too large");
   EXPECT_FALSE(std::filesystem::exists(out + "/talk.wav"));
+}
+
+TEST(SpeakerApp, WhatFailsLeavesTheFilesOfTheLastRun) {
+  const TempFolder folder;
+  const std::string first = folder.write("talk.txt", "Hello.\n").string();
+  const std::string second = folder.write("more.txt", "Good morning, everybody.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_speaker({first, "-o", out}), 0);
+  const std::string stream = folder.read("out/talk.txt");
+  const std::string captions = folder.read("out/talk.vtt");
+  const auto speak_again = [&] {
+    const rlimit limit{16'384, 16'384};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    std::_Exit(run_speaker({second, "-o", out, "--name", "talk"}));
+  };
+  EXPECT_EXIT(speak_again(), testing::ExitedWithCode(1), "talk.wav: cannot be written whole");
+  EXPECT_EQ(folder.read("out/talk.txt"), stream);
+  EXPECT_EQ(folder.read("out/talk.vtt"), captions);
+  const std::filesystem::directory_iterator files(out);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 3) << "none is left half-written";
 }
 
 TEST(SpeakerApp, NeverWritesOverTheLabels) {
