@@ -221,6 +221,34 @@ std::vector<Band> around(const AlignmentPath& coarse, std::size_t by, std::size_
   return bands;
 }
 
+float likeness(const Cepstrum& a, const Cepstrum& b, const AlignmentPath& path) {
+  const auto loudness = [](const Cepstrum& sound, std::size_t frame) {
+    return static_cast<double>(sound.rows[frame * Cepstrum::kCoefficients]);
+  };
+  const auto n = static_cast<double>(path.size());
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
+  for (const auto& [i, j] : path) {
+    const double in_a = loudness(a, i);
+    const double in_b = loudness(b, j);
+    x += in_a;
+    y += in_b;
+    xx += in_a * in_a;
+    yy += in_b * in_b;
+    xy += in_a * in_b;
+  }
+  // Of a sound that never changes, rounding alone is left.
+  constexpr double kVarianceMin = 1e-3;
+  const double variance_a = xx / n - x / n * x / n;
+  const double variance_b = yy / n - y / n * y / n;
+  if (path.empty() || std::min(variance_a, variance_b) < kVarianceMin) return 0;
+  const double together = xy / n - x / n * y / n;
+  return static_cast<float>(together / std::sqrt(variance_a * variance_b));
+}
+
 }  // namespace
 
 Cepstrum cepstrum_of(std::span<const float> samples, int rate) {
@@ -250,9 +278,10 @@ AlignmentPath align(const Cepstrum& a, const Cepstrum& b) {
   return warp(a, b, around(coarse, kCoarser, a.frames(), b.frames(), kReach));
 }
 
-Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate) {
-  const AlignmentPath path =
-      align(cepstrum_of(spoken.samples, spoken.rate), cepstrum_of(narration, rate));
+CarriedOver carried_over(const Speech& spoken, std::vector<float> narration, int rate) {
+  const Cepstrum made = cepstrum_of(spoken.samples, spoken.rate);
+  const Cepstrum read = cepstrum_of(narration, rate);
+  const AlignmentPath path = align(made, read);
   const auto moved = [&path](Milliseconds time) {
     const auto hop = Cepstrum::kHop;
     const auto frame = static_cast<std::size_t>(time / hop);
@@ -283,7 +312,7 @@ Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate
   for (const Milliseconds end : spoken.sentence_ends) {
     speech.sentence_ends.push_back(carried(end, last));
   }
-  return speech;
+  return {std::move(speech), likeness(made, read, path)};
 }
 
 }  // namespace aucast::speaker

@@ -34,9 +34,17 @@ struct Cepstrum {
 /// not with its square.
 [[nodiscard]] AlignmentPath align(const Cepstrum& a, const Cepstrum& b);
 
+/// A narration as the speech of its text.
+struct CarriedOver {
+  Speech speech;
+  float likeness = 0;  ///< the correlation of both sounds' loudness where they belong together: 1
+                       ///< for the same sound, of readings above 0.3, near 0 for what is none
+};
+
 /// Moves a synthesiser's speech onto a narration of the same words; the narration is mono, at
 /// `rate`. Returns the phonemes, words and sentence ends of `spoken` at the times at which they
 /// come in the narration, and the narration as the samples.
-[[nodiscard]] Speech carried_over(const Speech& spoken, std::vector<float> narration, int rate);
+[[nodiscard]] CarriedOver carried_over(const Speech& spoken, std::vector<float> narration,
+                                       int rate);
 
 }  // namespace aucast::speaker

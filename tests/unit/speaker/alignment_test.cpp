@@ -37,7 +37,8 @@ TEST(CarriedOver, FindsTheSoundsOfASlowerVoiceAtAnotherRate) {
     spoken.phonemes.push_back({"a", Milliseconds(at)});
     at += ms;
   }
-  const Speech read = carried_over(spoken, tones(hertz, read_ms, 16000), 16000);
+  const CarriedOver carried = carried_over(spoken, tones(hertz, read_ms, 16000), 16000);
+  const Speech& read = carried.speech;
   ASSERT_EQ(read.phonemes.size(), hertz.size());
   at = 0;
   for (std::size_t i = 0; i < hertz.size(); ++i) {
@@ -57,7 +58,7 @@ TEST(CarriedOver, SkippedWordsKeepTheirOrder) {
     spoken.sentence_ends.emplace_back(at);
   }
   // The reader leaves out the middle.
-  const Speech read = carried_over(spoken, tones({200, 250}, {200, 300}, 16000), 16000);
+  const Speech read = carried_over(spoken, tones({200, 250}, {200, 300}, 16000), 16000).speech;
   ASSERT_EQ(read.words.size(), spoken.words.size());
   for (std::size_t i = 1; i < read.words.size(); ++i) {
     EXPECT_GE(read.words[i].begin, read.words[i - 1].begin) << i;
@@ -70,8 +71,16 @@ TEST(CarriedOver, NothingIsLaterThanANarrationThatIsTooShort) {
   Speech spoken;
   spoken.samples.resize(22050);
   spoken.words = {{Milliseconds(0), 0, 1}, {Milliseconds(900), 2, 1}};
-  const Speech read = carried_over(spoken, std::vector<float>(160), 16000);
+  const Speech read = carried_over(spoken, std::vector<float>(160), 16000).speech;
   EXPECT_EQ(read.words.back().begin, read.length());
+}
+
+TEST(CarriedOver, TellsHowAlikeBothAre) {
+  Speech spoken;
+  spoken.samples = tones({200, 900, 400, 1500}, {300, 300, 300, 300}, spoken.rate);
+  EXPECT_GT(carried_over(spoken, spoken.samples, spoken.rate).likeness, 0.999F);
+  EXPECT_EQ(carried_over(spoken, std::vector<float>(64000), 16000).likeness, 0) << "silence";
+  EXPECT_EQ(carried_over(spoken, std::vector<float>(10), 16000).likeness, 0) << "no frame";
 }
 
 TEST(Align, ASoundWithItselfIsTheDiagonal) {

@@ -1,13 +1,16 @@
 #include "speaker/speaker_app.h"
 
 #include <gtest/gtest.h>
+#include <sndfile.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iterator>
+#include <random>
 
 #include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
@@ -85,6 +88,44 @@ TEST(SpeakerApp, ANarrationBesideItsStreamStaysAsItIs) {
   std::filesystem::rename(out + "/talk.wav", out + "/talk.flac");
   ASSERT_EQ(run_speaker({text, "-o", out, "--voice", out + "/talk.flac"}), 0);
   EXPECT_FALSE(std::filesystem::exists(out + "/talk.wav"));
+}
+
+/// A file of four seconds that nobody speaks in.
+std::string sound_of(const TempFolder& folder, const std::function<float(int)>& sample) {
+  Speech sound;
+  sound.rate = voice::kEncoderRate;
+  for (int i = 0; i < 4 * sound.rate; ++i) sound.samples.push_back(sample(i));
+  const auto path = folder.path() / "sound.wav";
+  SF_INFO info{};
+  info.samplerate = sound.rate;
+  info.channels = 1;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+  SNDFILE* const file = sf_open(path.c_str(), SFM_WRITE, &info);
+  sf_writef_float(file, sound.samples.data(), static_cast<sf_count_t>(sound.samples.size()));
+  sf_close(file);
+  return path.string();
+}
+
+TEST(SpeakerApp, WarnsOfANarrationThatIsNoReading) {
+  const TempFolder folder;
+  const std::string text =
+      folder.write("talk.txt", "Good morning. Faces have more than forty muscles.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  std::minstd_rand random;
+  const auto noise = [&random](int) { return static_cast<float>(random() % 1000) / 1000 - 0.5F; };
+  for (const std::function<float(int)>& sample :
+       {std::function<float(int)>([](int) { return 0.0F; }), std::function<float(int)>(noise)}) {
+    const std::string sound = sound_of(folder, sample);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_speaker({text, "-o", out, "--voice", sound}), 0);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "au-speaker: " + sound +
+                  ": hardly sounds like a reading of the text; is it the right file?\n");
+  }
+  ASSERT_EQ(run_speaker({text, "-o", out, "--pitch", "90", "--speed", "110"}), 0);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", out, "--voice", out + "/talk.wav"}), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(SpeakerApp, ANarrationThatWasCutOffIsToldOfAndGetsItsFace) {
