@@ -1,0 +1,123 @@
+#include "speaker/gestures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "common/au_numbers.h"
+
+namespace aucast::speaker {
+namespace {
+
+/// A minute of sound without a pause.
+Speech minute() {
+  Speech speech;
+  speech.samples.assign(std::size_t{60} * 22050, 0.1F);
+  speech.phonemes.push_back({"a", Milliseconds(0)});
+  return speech;
+}
+
+float strongest(Curves& curves, int au, Milliseconds from, Milliseconds to) {
+  const std::vector<float>& samples = curves.of(au);
+  float most = 0;
+  for (std::size_t i = curves.index(from); i <= curves.index(to); ++i) {
+    most = std::max(most, samples[i]);
+  }
+  return most;
+}
+
+/// When the eyes are shut, in steps.
+std::vector<std::size_t> blinks(Curves& curves) {
+  const std::vector<float>& lids = curves.of(kBlink);
+  std::vector<std::size_t> moments;
+  for (std::size_t i = 1; i < lids.size(); ++i) {
+    if (lids[i] > 0.9F && lids[i - 1] <= 0.9F) moments.push_back(i);
+  }
+  return moments;
+}
+
+TEST(StressedWords, AreLongEnoughAndLouderThanTheirNeighbours) {
+  Speech speech = minute();
+  for (std::size_t i = 0; i < 5; ++i) {
+    speech.words.push_back({Milliseconds(1000 * static_cast<int>(i)), 5 * i, 4});
+  }
+  const auto louder = [&speech](std::size_t word) {
+    std::fill_n(speech.samples.begin() + static_cast<std::ptrdiff_t>(word * 22050 + 5000), 1000,
+                0.3F);
+  };
+  louder(1);
+  louder(3);
+  speech.words[3].length = 3;
+  EXPECT_EQ(stressed_words(speech), (std::vector<bool>{false, true, false, false, false}));
+}
+
+TEST(AddGestures, TheEyesBlinkEveryFewSecondsWhateverTheAmount) {
+  const Speech speech = minute();
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {1, 0}, curves);
+  const auto moments = blinks(curves);
+  EXPECT_GE(moments.size(), 12U);
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    const auto apart = static_cast<int>(moments[i] - moments[i - 1]) * Curves::kStep;
+    EXPECT_GE(apart, Milliseconds(1600));
+    EXPECT_LE(apart, Milliseconds(6400));
+  }
+}
+
+TEST(AddGestures, MostSentencesEndWithABlink) {
+  Speech speech = minute();
+  for (int s = 5; s < 60; s += 5) speech.sentence_ends.emplace_back(1000 * s);
+  int with_blink = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Curves curves(speech.length());
+    add_gestures(speech, {}, {seed, 1}, curves);
+    for (const Milliseconds end : speech.sentence_ends) {
+      if (strongest(curves, kBlink, end + Milliseconds(150), end + Milliseconds(230)) > 0.9F) {
+        ++with_blink;
+      }
+    }
+  }
+  EXPECT_GT(with_blink, 45) << "of 110; by chance some 10";
+}
+
+TEST(AddGestures, AQuestionEndsWithRaisedBrowsAndHead) {
+  Speech speech = minute();
+  speech.words = {{Milliseconds(1000), 0, 3}, {Milliseconds(10'000), 5, 3}};
+  speech.sentence_ends = {Milliseconds(1500), Milliseconds(10'500)};
+  Script script;
+  script.text = "Why? Now.\n\n";
+  Curves curves(speech.length());
+  add_gestures(speech, script, {}, curves);
+  const auto during = [&](int au, int begin_ms) {
+    return strongest(curves, au, Milliseconds(begin_ms), Milliseconds(begin_ms + 600));
+  };
+  EXPECT_GT(during(kOuterBrowRaiser, 1000), 0.35F);
+  EXPECT_GT(during(kHeadUp, 1000), 0.15F);
+  EXPECT_EQ(during(kHeadUp, 10'000), 0);
+  EXPECT_GT(during(kHeadDown, 10'000), 0.1F);
+}
+
+TEST(AddGestures, TheEyesGlanceAsideOnlyInAPause) {
+  Speech speech = minute();
+  speech.phonemes.clear();
+  for (int s = 0; s < 60; s += 3) {
+    speech.phonemes.push_back({"a", Milliseconds(1000 * s)});
+    speech.phonemes.push_back({"", Milliseconds(1000 * s + 2000)});
+  }
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {}, curves);
+  float in_pauses = 0;
+  for (int s = 0; s < 60; s += 3) {
+    const Milliseconds begin(1000 * s);
+    const Milliseconds pause = begin + Milliseconds(2000);
+    for (const int au : {kEyesLeft, kEyesRight}) {
+      EXPECT_EQ(strongest(curves, au, begin, pause - Milliseconds(20)), 0) << s;
+      in_pauses = std::max(in_pauses, strongest(curves, au, pause, begin + Milliseconds(2980)));
+    }
+  }
+  EXPECT_GT(in_pauses, 0.14F);
+}
+
+}  // namespace
+}  // namespace aucast::speaker
