@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace aucast::gui {
 
@@ -12,5 +13,18 @@ struct DisplaySettings {
 };
 inline constexpr int kTextPercentMin = 75;
 inline constexpr int kTextPercentMax = 200;
+
+struct LanguageEntry {
+  std::string code;  ///< "fr"
+  std::string name;  ///< "Français"
+  friend bool operator==(const LanguageEntry&, const LanguageEntry&) = default;
+};
+
+struct DisplayView {
+  DisplaySettings settings;
+  std::string language;  ///< the code of the language in use
+  std::vector<LanguageEntry> languages;
+  friend bool operator==(const DisplayView&, const DisplayView&) = default;
+};
 
 }  // namespace aucast::gui

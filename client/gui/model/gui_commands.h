@@ -111,28 +111,6 @@ struct OpenStream {
 struct ChangeTable {
   TableSettings settings;
 };
-/// Shows the face in this folder, now and when the window is opened next time.
-struct ShowFace {
-  std::string folder;
-};
-/// Copies the face in this folder to a new one of the user's own, and shows the copy.
-struct CopyFace {
-  std::string folder;
-  std::string name;
-};
-/// Renames a face of the user's own.
-struct RenameFace {
-  std::string folder;
-  std::string name;
-};
-/// Deletes a face of the user's own. If it is shown, the shipped face from which it was copied is
-/// shown instead.
-struct DeleteFace {
-  std::string folder;
-};
-/// About the faces to choose from.
-using FaceCommand = std::variant<ShowFace, CopyFace, RenameFace, DeleteFace>;
-
 struct CloseNotice {};
 /// Changes where pictures and videos go, and how large they are.
 struct ChangePictures {

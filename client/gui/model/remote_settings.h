@@ -10,6 +10,7 @@
 #include "client/playback/source_playback.h"
 #include "protocol/endpoint.h"
 #include "protocol/limits.h"
+#include "protocol/packet.h"
 
 namespace aucast::gui {
 
@@ -43,6 +44,14 @@ struct RemoteSettings {
   Behind behind = Behind::Sets;
   int behind_ms = 300;  ///< 0 to kBehindMsMax, of Behind::Time
   friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
+};
+
+/// The streams of the server in the form.
+struct StreamsView {
+  bool asking = false;
+  std::vector<protocol::ListedStream> streams;
+  std::string problem;  ///< why there are no streams, as a sentence
+  friend bool operator==(const StreamsView&, const StreamsView&) = default;
 };
 
 /// What is wrong with the form, as a sentence with the remedy; nullopt: nothing. The limits are
