@@ -22,6 +22,7 @@
 #include "common/temporary_file.h"
 #include "common/text.h"
 #include "common/voice/voice_encoder.h"
+#include "common/voice/wav_bytes.h"
 #include "protocol/codec.h"
 #include "protocol/stream_file.h"
 #include "speaker/alignment.h"
@@ -147,30 +148,12 @@ Result<std::string> read_text(const fs::path& file) {
   return file == "-" ? read_standard_input(kTextBytesMax) : read_file(file, kTextBytesMax);
 }
 
-void put(std::string& bytes, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-}
-
 /// A 16-bit WAV file of mono samples.
 void write_wav(const Speech& speech, std::ostream& file) {
-  constexpr std::uint32_t kSampleBytes = 2;
   constexpr std::size_t kPortion = 65'536;
-  const auto rate = static_cast<std::uint32_t>(speech.rate);
-  const std::uint32_t size = static_cast<std::uint32_t>(speech.samples.size()) * kSampleBytes;
-  std::string bytes = "RIFF";
-  put(bytes, 36 + size, 4);
-  bytes += "WAVEfmt ";
-  put(bytes, 16, 4);
-  put(bytes, 1, 2);  // PCM
-  put(bytes, 1, 2);  // mono
-  put(bytes, rate, 4);
-  put(bytes, rate * kSampleBytes, 4);
-  put(bytes, kSampleBytes, 2);
-  put(bytes, 8 * kSampleBytes, 2);
-  bytes += "data";
-  put(bytes, size, 4);
+  std::string bytes = voice::wav_head(speech.samples.size(), speech.rate);
   for (const float sample : speech.samples) {
-    put(bytes, static_cast<std::uint32_t>(std::lrint(sample * 32767)), kSampleBytes);
+    voice::append_wav_sample(std::lrint(sample * 32767), bytes);
     if (bytes.size() < kPortion) continue;
     file << bytes;
     bytes.clear();

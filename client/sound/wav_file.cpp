@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -10,40 +9,15 @@
 #include "client/sound/sound_track.h"
 #include "common/files.h"
 #include "common/text.h"
+#include "common/voice/wav_bytes.h"
 
 namespace aucast::sound {
-namespace {
-
-constexpr std::size_t kBytesPerSample = 2;
-
-void put(std::string& bytes, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xffU));
-}
-
-std::string header(std::size_t samples) {
-  const auto size = static_cast<std::uint32_t>(samples * kBytesPerSample);
-  std::string bytes = "RIFF";
-  put(bytes, 36 + size, 4);
-  bytes += "WAVEfmt ";
-  put(bytes, 16, 4);
-  put(bytes, 1, 2);  // PCM
-  put(bytes, 1, 2);  // mono
-  put(bytes, kRate, 4);
-  put(bytes, kRate * kBytesPerSample, 4);
-  put(bytes, kBytesPerSample, 2);
-  put(bytes, 8 * kBytesPerSample, 2);
-  bytes += "data";
-  put(bytes, size, 4);
-  return bytes;
-}
-
-}  // namespace
 
 WavFile::WavFile(std::filesystem::path path, TemporaryFile temporary)
     : path_(std::move(path)),
       temporary_(std::move(temporary)),
       file_(temporary_.path(), std::ios::binary | std::ios::trunc) {
-  file_ << header(0);
+  file_ << voice::wav_head(0, kRate);
 }
 
 Result<std::unique_ptr<WavFile>> WavFile::open(const std::filesystem::path& path) {
@@ -55,10 +29,9 @@ Result<std::unique_ptr<WavFile>> WavFile::open(const std::filesystem::path& path
 void WavFile::add(std::span<const float> samples) {
   samples = samples.first(std::min(samples.size(), kSamplesMax - samples_));
   std::string bytes;
-  bytes.reserve(samples.size() * kBytesPerSample);
+  bytes.reserve(samples.size() * 2);
   for (const float sample : samples) {
-    const long whole = std::lround(std::clamp(sample, -1.0F, 1.0F) * 32767);
-    put(bytes, static_cast<std::uint32_t>(whole), kBytesPerSample);
+    voice::append_wav_sample(std::lround(std::clamp(sample, -1.0F, 1.0F) * 32767), bytes);
   }
   file_ << bytes;
   samples_ += samples.size();
@@ -66,7 +39,7 @@ void WavFile::add(std::span<const float> samples) {
 
 Result<void> WavFile::flush() {
   file_.seekp(0);
-  file_ << header(samples_);
+  file_ << voice::wav_head(samples_, kRate);
   file_.seekp(0, std::ios::end);
   file_.flush();
   if (file_) return {};
