@@ -11,12 +11,6 @@ namespace aucast::server {
 
 using protocol::PublishSession;
 
-namespace {
-
-constexpr std::size_t kIdDigits = 12;
-
-}  // namespace
-
 Pusher::Pusher(asio::io_context& io, DialledAddress to, int held_back_max, Hooks hooks)
     : to_(std::move(to)),
       id_(random_digits(kIdDigits)),

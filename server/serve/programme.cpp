@@ -13,8 +13,6 @@
 namespace aucast::server {
 namespace {
 
-/// Of an ID by which relays see their own streams come back.
-constexpr std::size_t kIdDigits = 12;
 /// 128 bits, which nobody guesses.
 constexpr std::size_t kOwnerTokenDigits = 32;
 
