@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "common/files.h"
 #include "common/number_of.h"
@@ -15,7 +16,8 @@ namespace {
 using namespace aucast;
 
 constexpr const char* kUsage =
-    "usage: facegen FACE_FOLDER [PERSON [NUMBER]]   (writes mesh.ply into it)\n"
+    "usage: facegen FACE_FOLDER [PERSON [NUMBER]]\n"
+    "Makes the head of PERSON and writes it as mesh.ply into FACE_FOLDER.\n"
     "PERSON: a name in scripts/facegen/people, or a file like those, FILE.toml (default)\n"
     "NUMBER: somebody else who looks a little like PERSON; 0 is PERSON";
 
@@ -51,8 +53,13 @@ Result<void> run(std::span<char*> arguments) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  const Result<void> written =
-      run(std::span(arguments, static_cast<std::size_t>(argument_count)).subspan(1));
+  const auto words = std::span(arguments, static_cast<std::size_t>(argument_count)).subspan(1);
+  if (words.size() == 1 &&
+      (words[0] == std::string_view("--help") || words[0] == std::string_view("-h"))) {
+    std::puts(kUsage);
+    return 0;
+  }
+  const Result<void> written = run(words);
   if (written) return 0;
   std::fprintf(stderr, "facegen: %s\n", written.error().message.c_str());
   return exit_code(written.error());
