@@ -34,11 +34,12 @@ struct Cepstrum {
 /// not with its square.
 [[nodiscard]] AlignmentPath align(const Cepstrum& a, const Cepstrum& b);
 
-/// A narration as the speech of its text.
+/// A narration in the form of a synthesised speech.
 struct CarriedOver {
   Speech speech;
-  float likeness = 0;  ///< the correlation of both sounds' loudness where they belong together: 1
-                       ///< for the same sound, of readings above 0.3, near 0 for what is none
+  /// The correlation of both sounds' loudness where they belong together: 1 for the same sound,
+  /// above 0.3 if it is a reading of the text, near 0 if it is not.
+  float likeness = 0;
 };
 
 /// Moves a synthesiser's speech onto a narration of the same words; the narration is mono, at

@@ -201,13 +201,13 @@ std::vector<OptionRow> animation_rows(PlaybackOptions& playback) {
 std::vector<OptionRow> picture_rows(OutputOptions& output) {
   return {
       {.option = {"size", "WxH"},
-       .text = "size of the pictures in pixels",
+       .text = "size of pictures and videos in pixels (800x600)",
        .more = "Size of the pictures in pixels, each side up to 8192: 800x600 by default, 300x375 "
                "in a gallery.",
        .value = parsed(Kind::Word, read_size, output),
        .heading = "Pictures"},
       {.option = {"background", "RRGGBB"},
-       .text = "a plain colour behind the face, or none",
+       .text = "colour behind the face, or none: transparent PNGs",
        .more = "A plain background of this colour behind the face. The word none in place of a "
                "colour makes PNGs transparent there.",
        .value = parsed(Kind::Word, read_background, output)},
@@ -278,16 +278,16 @@ std::vector<OptionRow> video_rows(PlayerOptions& options) {
        .value = word(output.sheet)},
       fps_row(output),
       {.option = {"fast"},
-       .text = "do not wait for the clock",
-       .more = "Does not wait for the clock: plays as fast as the computer can. Implied by "
-               "--frames, --record, --sheet and --sound.",
+       .text = "no window; as fast as the computer can",
+       .more = "No window, and no waiting for the clock: plays as fast as the computer can. "
+               "Implied by --frames, --record, --sheet and --sound.",
        .value = flag(output.fast)},
       {.option = {"stats", "FILE.json"},
        .text = "write statistics at exit; - for stdout",
        .more = "Writes statistics of buffers, delays and frames at exit, with - to stdout.",
        .value = parsed(Kind::Word, read_output_path, output.stats)},
       {.option = {"onsets", "FILE.csv"},
-       .text = "write the times at which the face changed",
+       .text = "write when the window showed each change",
        .more = "Writes a row for each picture in which the face had moved: when the picture was on "
                "the display (CLOCK_MONOTONIC, s), its keyframe and its AUs, for the clock of an "
                "experiment. The last column is called reached. In the first picture that shows a "
@@ -356,8 +356,9 @@ std::vector<OptionRow> pose_rows(PoseOptions& pose) {
   return {
       aus_row(pose),
       {.option = {"expression", "NAME"},
-       .text = "a prototype in place of AUS, such as happiness",
-       .more = "A prototype instead of AUS, such as happiness, thesis-anger or waters-fear; --list "
+       .text = "a named expression, such as happiness",
+       .more = "A named expression instead of AUS, such as happiness, thesis-anger or waters-fear; "
+               "--list "
                "names them all.",
        .value = word(pose.expression)},
       {.option = {"muscle", "NAME=VALUE"},
@@ -367,7 +368,7 @@ std::vector<OptionRow> pose_rows(PoseOptions& pose) {
       {.option = {"list"}, .text = "list channels, AUs and expressions", .value = flag(pose.list)},
       {.option = {"png", "FILE"}, .text = "write the picture", .value = word(pose.png)},
       {.option = {"obj", "FILE"},
-       .text = "write the skin's own mesh, which pictures round off",
+       .text = "write the skin's mesh, not smoothed as for pictures",
        .more = "Writes the deformed skin as Wavefront OBJ, with the vertices in the order of the "
                "face's mesh. Pictures round off this mesh for a smooth outline, with a further "
                "vertex at each edge that bends.",
@@ -384,7 +385,7 @@ std::vector<OptionRow> gallery_rows(PlayerOptions& options) {
        .value = word(gallery.folder),
        .where = Where::Positional},
       {.option = {"only", "SECTION[,...]"},
-       .text = "only these sections, see below",
+       .text = "only these sections, and what --sweep asks for",
        .more = "Only these sections: aus, prototypes, combinations, appendix-a, appendix-b, "
                "sweeps, coverage. May be repeated.",
        .value = parsed(Kind::Words, read_sections, gallery.only)},
@@ -477,15 +478,15 @@ std::vector<OptionRow> table_rows(gui::TableSettings& table) {
 std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   std::vector<OptionRow> rows{
-      {.option = {"buffer", "N", "100"},
-       .text = "Receiver buffer: N AU sets (100), a time or auto",
+      {.option = {"buffer", "SIZE", "100"},
+       .text = "Receiver buffer: sets (100), 300ms or auto",
        .more = "Capacity of the Receiver buffer, 1 to 10000 sets. With auto the buffer is counted "
                "in time instead, as much as the link needs; with a time such as 300ms, up to "
                "60000ms, it holds that much.",
        .value = parsed(Kind::Word, read_buffer, buffers),
        .heading = "Receiving"},
       {.option = {"playout", "N", "30"},
-       .text = "Playout buffer, in sets (30)",
+       .text = "sets about to be played: Playout buffer (30)",
        .more = "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        .value = whole(buffers.playout_capacity, 1, playback::BufferOptions::kSetsMax)},
       {.option = {"threshold", "PERCENT", "40"},
@@ -493,11 +494,11 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        .more = "How full the Receiver buffer must be before playback starts, 1 to 100 percent.",
        .value = whole(buffers.threshold_percent, 1, 100)},
       {.option = {"live"},
-       .text = "play a live stream with the lowest delay",
+       .text = "lowest delay for live streams; may stall",
        .more = "The lowest delay of a live stream that the link allows, at the risk of stalls.",
        .value = flag(buffers.low_delay)},
       {.option = {"live-delay", "MS"},
-       .text = "a fixed delay for live streams",
+       .text = "fixed delay for live streams (adapts to the link)",
        .more = "A fixed delay for live streams, up to 60000 ms. Without it the delay adapts to the "
                "link.",
        .value = parsed(Kind::Number, read_live_delay, buffers)},
@@ -514,7 +515,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        .more = "classic never sends a hello: for servers that know only level 1.",
        .value = one_of(playback.classic, {{"auto", false}, {"classic", true}})},
       {.option = {"connect-timeout", "S", "10"},
-       .text = "give up connecting after S seconds (10)",
+       .text = "give up if nothing came from the server in S s (10)",
        .more = "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
        .value = seconds(playback.connect_timeout, 0.01, kSecondsMax,
                         "is not a number of seconds from 0.01 to 86400")},
@@ -574,7 +575,7 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
   } else {
     rows = {aus_row(options.pose),
             {.option = {"explain"},
-             .text = "a line for each rule that applied, with its source",
+             .text = "a line for each rule that applied, and its reference",
              .value = flag(options.pose.explain)}};
     append(rows, rules_rows(options.face));
     append(rows, program_rows(options));

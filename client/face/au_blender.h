@@ -21,18 +21,18 @@ struct RuleFired {
 };
 
 /// Applies the rules to intensities in [0,1], each side by itself. x is the intensity of the source
-/// and y that of the target; a prime marks the result. An opposition has two sources, x and y.
+/// and y that of the target, in an opposition those of its two AUs; a prime marks the result.
 ///   opposition    x' = max(0, x - y), y' = max(0, y - x)
 ///   alternative   the largest stays, the others become 0; on a tie, the first one listed stays
 ///   exclusion     y' = y clamp((2e - x)/e, 0, 1), e = 0.2
 ///   cap           y' = min(y, cap)
 ///   substitution  s = min(sources), y' = max(y, s), source' = source - s unless keep_sources
 ///   dominance     y' = y (1 - x)
-/// If there are several sources, x is the largest of them (the smallest if all_needed). Where two
-/// rules of one group lower an AU, the lower value counts. If `fired` is given, the rules that
-/// changed something are appended to it: first those of the left side, then those of the right,
-/// each in the order of the groups. `rules` must outlive `fired`. Allocates nothing but what
-/// `fired` needs to grow.
+/// If a rule has several sources, x is the largest of them (the smallest if all_needed). Where two
+/// rules of one kind (a group of RuleSet) lower an AU, the lower value counts. If `fired` is given,
+/// the rules that changed something are appended to it: first those of the left side, then those of
+/// the right, each in the order of the groups. `rules` must outlive `fired`. Allocates nothing but
+/// what `fired` needs to grow.
 [[nodiscard]] AuFrame blend(const RuleSet& rules, const AuFrame& frame,
                             std::vector<RuleFired>* fired = nullptr);
 

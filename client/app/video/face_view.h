@@ -13,8 +13,8 @@
 
 namespace aucast::app {
 
-/// Video is for many pictures. A Still is drawn with four times the pixels and scaled down, so that
-/// strands of hair and lashes are smooth, unless the driver cannot make so large a picture.
+/// A Video picture is drawn fast. A Still is drawn with four times the pixels and scaled down, so
+/// that strands of hair and lashes are smooth, unless the driver cannot make so large a picture.
 enum class Sharpness : std::uint8_t { Video, Still };
 
 /// A face with everything that turns activations into a picture: deformer, drawing of the muscles,
@@ -23,7 +23,7 @@ enum class Sharpness : std::uint8_t { Video, Still };
 class FaceView {
  public:
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face);
-  /// As create(face), with a deformer of that face that is made already.
+  /// As create(face), with a ready-made deformer of that face.
   [[nodiscard]] static Result<std::unique_ptr<FaceView>> create(const face::Face& face,
                                                                 face::FaceDeformer deformer);
   /// As create(face), but makes the view in portions. Until make_more() has returned true, the view
@@ -39,7 +39,7 @@ class FaceView {
   /// See render::FaceRenderer::renew_shaders().
   [[nodiscard]] Result<void> renew_shaders();
   /// Sets the pose that is drawn; initially it is the neutral face. `activations`: one per channel;
-  /// `hair`: how far it hangs from its place, which it does only while the face moves.
+  /// `hair`: how far it is from where it hangs at rest; zero unless the head has moved.
   void pose(std::span<const float> activations, const face::HairSway& hair = {});
 
   /// Clears and draws into the bound framebuffer. The diagram and tags of `style` are replaced by

@@ -12,7 +12,8 @@ struct Escaped {
   bool ends_full_screen = false;
 };
 /// Closes only the topmost thing that is open. Never leaves the player: only q and the window's
-/// close button do that. In full screen, closes notices together with the thing below them.
+/// close button do that. In full screen notices do not count as such a thing: they are closed
+/// together with what is open below them, and full screen ends if nothing is.
 [[nodiscard]] Escaped close_nearest(gui::Gui& gui, const gui::GuiModel& shown, bool full_screen);
 
 }  // namespace aucast::app

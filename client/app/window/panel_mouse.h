@@ -27,7 +27,7 @@ class PanelMouse {
   double x_ = kNowhere;
   double y_ = kNowhere;
   std::array<bool, 3> buttons_{};
-  bool follows_ = false;  ///< the last press may complete a double click
+  bool follows_ = false;  ///< the last press came soon enough after another for a double click
 };
 
 }  // namespace aucast::app

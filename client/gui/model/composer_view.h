@@ -55,7 +55,7 @@ struct ComposeAu {
   int right_percent = 0;
   bool continued = false;
 };
-/// Takes the face for a place on the emotion pad; see pad_face().
+/// Takes the face of a place on the emotion pad; see pad_face().
 struct ComposeMood {
   float x = 0;
   float y = 0;

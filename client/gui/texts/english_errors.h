@@ -86,10 +86,11 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"made.count_row", "1 row"},
     {"made.count_rows", "{count} rows"},
     {"made.not_neutral",
-     "{aus}: no neutral face was taken off; leave out 'Neutral, s', or cut what is before the face "
+     "{aus}: no neutral face was subtracted; leave out 'Neutral, s', or cut what is before the "
+     "face "
      "is neutral"},
     {"made.not_neutral_span",
-     "{aus}: no neutral face was taken off; 'Neutral, s' {seconds} takes off one"},
+     "{aus}: no neutral face was subtracted; 'Neutral, s' {seconds} subtracts one"},
     {"made.movement", "movement of {aus}"},
     {"made.and_more", "{aus} and {count} more"},
     {"bad.copied", "this face cannot be copied to {place}: {why}"},

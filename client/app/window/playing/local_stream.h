@@ -15,9 +15,9 @@ namespace aucast::app {
 /// end.
 class LocalStream final : public PlayingStream {
  public:
-  /// `step_fps`: a step by frame is 1 / step_fps s. Nullopt: a step is one picture of the source
-  /// or, if the source has no steady rate, one picture of the window's videos. `notices` must
-  /// outlive this object.
+  /// `step_fps`: a step by a picture is 1 / step_fps s. Nullopt: it is a row of the recording or,
+  /// if its rows come at no steady rate, a picture of the videos that the window writes. `notices`
+  /// must outlive this object.
   LocalStream(std::unique_ptr<playback::SeekablePlayback> playback, std::string name,
               std::optional<int> step_fps, Notices& notices);
 

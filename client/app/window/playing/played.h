@@ -9,7 +9,7 @@ namespace aucast::app {
 
 /// What has been played from the beginning on, for exports.
 struct Played {
-  /// How many keyframes of a stream that may never end are kept: an hour at 25 a second.
+  /// Of a stream that may never end only so many are kept, the first: an hour at 25 a second.
   static constexpr std::size_t kKept = 90'000;
 
   playback::KeyframeList keyframes;
