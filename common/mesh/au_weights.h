@@ -23,7 +23,7 @@ using Inputs = std::array<double, kInputs>;
 /// How Action Units are computed from measures: the weights of linear regressions, from a file of
 /// ours (data/camera/action_units.txt, which scripts/train_camera writes).
 struct AuWeights {
-  /// A number that has a weight: an input, its part above 0, or the product of two inputs.
+  /// A number that has a weight: an input, max(0, input), or the product of two inputs.
   struct Feature {
     std::size_t input = 0;
     bool above = false;
@@ -51,8 +51,8 @@ struct AuWeights {
 
   Measures typical;  ///< the neutral face of an average person
   /// How much each measure seems to change for each radian that the head is raised. The landmarks
-  /// are flatter than a real face, so undoing the turn leaves an error in front of and behind the
-  /// eyes.
+  /// are flatter than a real face, so undoing the turn misplaces those that lie in front of or
+  /// behind the eyes.
   PerMeasure raised;
   /// How much this differs from person to person, for each radian that the head is raised or
   /// lowered, and for each that it is turned to a side: two standard deviations.
@@ -62,9 +62,9 @@ struct AuWeights {
   std::vector<Unit> units;
 };
 
-/// The measures without the error that comes from raising or lowering the head (`raised`). What
-/// then differs from the neutral face by less than the doubt is neutral; what differs by more comes
-/// closer to the neutral face by the doubt.
+/// The measures without the error that comes from raising or lowering the head (`raised`). Then
+/// each is moved towards the neutral face by its doubt (`raised_doubt` and `turned_doubt` times the
+/// angles), but not past it.
 [[nodiscard]] Measures levelled(const AuWeights& weights, const Measures& seen,
                                 const Measures& neutral);
 

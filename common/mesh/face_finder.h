@@ -13,7 +13,7 @@
 namespace aucast::mesh {
 
 /// Finds the faces that a picture shows, with MediaPipe's short range detector.
-/// Thread: one at a time.
+/// Thread: any, but one at a time.
 class FaceFinder {
  public:
   /// Fails with BadData and a message that begins with `file` if the bytes are not this net.

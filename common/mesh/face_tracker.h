@@ -29,7 +29,7 @@ struct SeenFace {
 
 /// Follows faces from picture to picture: looks for a face where it was last, and in the whole
 /// picture when it is no longer there.
-/// Thread: one at a time.
+/// Thread: any, but one at a time.
 class FaceTracker {
  public:
   /// Fails with BadData if a model is not the right net.

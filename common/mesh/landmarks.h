@@ -32,7 +32,7 @@ struct Landmarks {
 };
 
 /// Finds the landmarks in a square that shows a face, with MediaPipe's net "face mesh with
-/// attention". Thread: one at a time.
+/// attention". Thread: any, but one at a time.
 class LandmarkFinder {
  public:
   /// Fails with BadData and a message that begins with `file` if the bytes are not this net.

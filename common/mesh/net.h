@@ -13,7 +13,7 @@
 namespace aucast::mesh {
 
 /// A net that can be run: a model whose shapes were checked, with the values of all tensors.
-/// Nothing is allocated while it runs. Thread: one at a time.
+/// Nothing is allocated while it runs. Thread: any, but one at a time.
 class Net {
  public:
   /// Fails with BadData and a message that begins with `file` if the bytes are no model

@@ -80,7 +80,7 @@ std::string not_neutral_face(const Found& found, const SettingNames& names) {
   const std::string neutral(names.neutral);
   return not_neutral_text(found.not_neutral) +
          (found.neutral_seconds
-              ? "; " + neutral + " " + fixed(*found.neutral_seconds, 0) + " takes off one"
+              ? "; " + neutral + " " + fixed(*found.neutral_seconds, 0) + " subtracts one"
               : "; leave out " + neutral + ", or cut what is before the face is neutral");
 }
 

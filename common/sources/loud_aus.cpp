@@ -42,7 +42,7 @@ std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral) {
 }
 
 std::string not_neutral_text(const std::vector<LoudAu>& loud) {
-  return loud_text(loud) + ": no neutral face was taken off";
+  return loud_text(loud) + ": no neutral face was subtracted";
 }
 
 std::string loud_text(const std::vector<LoudAu>& loud) {

@@ -11,8 +11,8 @@ namespace aucast::server {
 
 // The interface between the program and the module aucast-nats.so. The event loop, the log, the
 // clock and the files are the program's; the module has only libnats. Code compiled into both has
-// no state, and neither needs a symbol of the other. So nothing exists twice, and no type has to be
-// recognised by both.
+// no state, and neither needs a symbol of the other. So no variable exists twice, and neither side
+// has to catch or cast what the other made.
 
 /// The addresses of NATS servers, and the credentials for them. Empty members are not used.
 struct NatsServers {

@@ -37,7 +37,7 @@ class Pusher {
         serve;
   };
 
-  /// `held_back_max`: see link::tcp_link().
+  /// `held_back_max`: in bytes, see link::tcp_link().
   Pusher(asio::io_context& io, DialledAddress to, int held_back_max, Hooks hooks);
   ~Pusher() { stop(); }
   Pusher(const Pusher&) = delete;
@@ -54,14 +54,15 @@ class Pusher {
   [[nodiscard]] bool is_live() const;
   [[nodiscard]] std::string name() const;  ///< for the log
   [[nodiscard]] std::string stream_name() const;
+  /// For the log, if no stream has the name that was asked for: that the first one is sent. Or "".
   [[nodiscard]] std::string substitute() const;
   void introduce(std::shared_ptr<link::Link> link);
   void on_answer(const protocol::PublishSession::Answer& answer);
   void on_served(const ClientRecord& record, const std::string& why);
 
   DialledAddress to_;
-  /// By which the other server knows this Pusher when it comes back. Not the ID of this server: of
-  /// two Pushers that bring streams of one name, each would displace the other for ever.
+  /// Tells the other server that a Pusher which comes back is the same one. Not the ID of this
+  /// server: two of its Pushers with one stream name would replace each other for ever.
   const std::string id_;
   Hooks hooks_;
   Redialler redialler_;

@@ -41,7 +41,7 @@ Complaint read_proxy(const std::string& word, std::vector<std::string>& proxies)
 std::vector<OptionRow> input_rows(TransmitterOptions& options) {
   return {
       {.option = {"source", "SOURCE"},
-       .text = "file, folder, film, FIFO, aucast://HOST, \"camera\", -",
+       .text = "file, folder, film, FIFO, camera, aucast:, nats:, -",
        .more =
            "A stream file, or a recording of an AU recogniser, recognised by its content; or a "
            "folder, whose .txt and .csv files become sources, in order of their names. A stream "
@@ -69,7 +69,7 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
                "from its beginning.",
        .value = flag(options.live_source.follow)},
       {.option = {"source-timeout", "S", "10"},
-       .text = "end a live stream after S seconds of silence (10)",
+       .text = "end a live source after S seconds of silence (10)",
        .more = "Seconds, up to 86400; 0: never. When the source falls silent, the face holds for "
                "0.5 s, then returns to neutral within 1 s. After S seconds of silence the "
                "connected clients get the end of the stream, {-2}; when the source comes back, the "
@@ -77,7 +77,7 @@ std::vector<OptionRow> input_rows(TransmitterOptions& options) {
                "end of input ends their stream.",
        .value = seconds(options.live_source.timeout, 0, kTimeoutMax, kNoTimeout)},
       {.option = {"record", "FILE"},
-       .text = "record a live source in FILE",
+       .text = "keep in FILE what a live source sends",
        .more =
            "Records what is served, with its times. The file is complete at any moment and is "
            "synced to the disk every second. Of several live sources only the first is recorded; "
@@ -185,7 +185,7 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
 std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
   return {
       {.option = {"push", "URL"},
-       .text = "send a stream to the au-transmitter at URL",
+       .text = "send URL's stream, or the first, to a server",
        .more = "Brings a stream to another au-transmitter, which must run with --accept-push. It "
                "is dialled from here, such as from behind a home router: URL is "
                "aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. NAME is the "
@@ -220,7 +220,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
 OptionRow preview_row(TransmitterOptions& options) {
   return {
       .option = {"preview"},
-      .text = "send the camera's pictures and AUs to stdout",
+      .text = "tell a program on stdout what the camera sees",
       .more =
           "For a program that starts this one: standard output tells what the camera sees, as "
           "small pictures with landmarks and AUs, and standard input takes orders to let others in "
@@ -251,7 +251,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
        .more = "The first keyframe follows the last, endlessly.",
        .value = flag(options.loop)},
       {.option = {"live"},
-       .text = "one clock for all: clients see the same moment",
+       .text = "play recordings on one clock for all clients",
        .more = "All clients see the same moment. Time starts when the transmitter is ready. A slow "
                "client gets the newest keyframe and misses those in between; the statistics count "
                "them as merged.",
@@ -266,7 +266,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
                "fits, and a newer one replaces it.",
        .value = whole(options.max_kbits, 0, 1'000'000)},
       {.option = {"batch", "MS", "0"},
-       .text = "send together what is due within MS (0: do not)",
+       .text = "fewer packets, up to MS late (0: each by itself)",
        .more = "Most packets are smaller than their TCP and IP headers, so what is written within "
                "this time, up to 1000 milliseconds, goes out together. The face is delayed by up "
                "to as much.",
@@ -306,7 +306,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
        .value = seconds(options.drain_time, 0, kDrainSecondsMax,
                         "is not a number of seconds from 0 to 3600")},
       {.option = {"client-timeout", "S", "0"},
-       .text = "drop clients that owe an answer for S s (0: never)",
+       .text = "drop clients silent for S seconds (0: never)",
        .more = "Disconnects a client that owes an answer to a keyframe and sends no byte for S "
                "seconds, up to 86400. A client that takes no byte for as long is disconnected too, "
                "if its stream is live or if it has sent its answers in advance. The time does not "
@@ -314,7 +314,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
                "host, and a client that stops reading, within a minute anyway.",
        .value = seconds(options.client_timeout, 0, kTimeoutMax, kNoTimeout)},
       {.option = {"max-clients", "N", "0"},
-       .text = "most clients at a time (0: as the system allows)",
+       .text = "at most N clients (0: as the system allows)",
        .more = "The number of clients at a time; one that has got {-2} counts until it has closed "
                "its connection. One client too many is closed, with {error 503 ...} if it sent a "
                "hello. 0 allows the smaller of two numbers: the file descriptors less 128, and the "
@@ -322,7 +322,7 @@ std::vector<OptionRow> connection_rows(TransmitterOptions& options) {
                "(ulimit -n) is raised to the hard limit at the start.",
        .value = whole(options.max_clients, 0, kClientsMax)},
       {.option = {"max-clients-per-address", "N", "0"},
-       .text = "most clients from one address (0: any number)",
+       .text = "at most N from one address (0: any number)",
        .more = "The number of clients at a time from one address; of an IPv6 address the first 64 "
                "bits count. Clients behind one router share an address.",
        .value = whole(options.max_clients_per_address, 0, kClientsMax)},
@@ -386,7 +386,7 @@ std::vector<OptionRow> web_rows(WebOptions& web, tls::Files& files) {
                "*.NAME stands for NAME with one more label before it. May be repeated.",
        .value = words(web.hosts)},
       {.option = {"web-trusted-proxy", "ADDR"},
-       .text = "a reverse proxy in front of the page",
+       .text = "believe X-Forwarded-For of this reverse proxy",
        .more = "The IP address of a reverse proxy. For its requests, the last address in "
                "X-Forwarded-For is taken as the client's, in --max-clients-per-address and in the "
                "log. May be repeated.",
