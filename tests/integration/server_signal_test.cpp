@@ -121,7 +121,7 @@ TEST(ServerSignal, ALiveFaceThatIsNotNeutralWhileItIsMeasuredIsWarnedOf) {
   }
   EXPECT_TRUE(
       logs(server,
-           "webcam.csv: AU12 50 %: no neutral face was taken off; start again with a neutral "
+           "webcam.csv: AU12 50 %: no neutral face was subtracted; start again with a neutral "
            "face, or leave out --neutral"))
       << server.log();
   EXPECT_EQ(server.terminate(), 0);

@@ -40,7 +40,7 @@ struct Options {
 
 aucast::Result<Options> options_from(int argc, char** argv, bool& help) {
   Options options;
-  CLI::App app("A bad link between two network devices that it makes (needs root).", "linkemu");
+  CLI::App app("Makes two network devices with a bad link between them (needs root).", "linkemu");
   app.add_option("DEVICE", options.devices, "names of the two devices")->expected(2);
   app.add_option("--delay", options.quality.delay_ms, "ms in each direction (0)");
   app.add_option("--jitter", options.quality.jitter_ms, "up to so many ms more or less (0)");

@@ -61,7 +61,7 @@ TEST(LoudAus, ASpanThatIsNeutralIsRecommended) {
   EXPECT_EQ(found.not_neutral[0].au.number, 12);
   EXPECT_EQ(found.neutral_seconds, 20.0) << "of which nine tenths are neutral";
   const std::string said =
-      "AU12 100 %, AU1 40 %: no neutral face was taken off; --neutral 20 takes off one";
+      "AU12 100 %, AU1 40 %: no neutral face was subtracted; --neutral 20 subtracts one";
   EXPECT_EQ(warnings(found), std::vector<std::string>{said});
   EXPECT_NE(found_lines(found).find("  not neutral " + said + "\n"), std::string::npos);
   EXPECT_NE(found_sentence(found).find(said), std::string::npos);
@@ -70,7 +70,7 @@ TEST(LoudAus, ASpanThatIsNeutralIsRecommended) {
 TEST(LoudAus, AFaceThatMovesIsNotAtRestThoughItsMedianIsWeak) {
   const Found found = found_with(loud_at_first(2, 5), 5);
   EXPECT_EQ(warnings(found),
-            std::vector<std::string>{"movement of AU12 96 %: no neutral face was taken off; leave "
+            std::vector<std::string>{"movement of AU12 96 %: no neutral face was subtracted; leave "
                                      "out --neutral, or cut what is before the face is neutral"});
 }
 
@@ -87,7 +87,7 @@ TEST(LoudAus, WithoutSuchASpanItIsToBeLeftOut) {
   const Found found = found_with(loud_at_first(3, 4), 1);
   EXPECT_FALSE(found.neutral_seconds);
   EXPECT_EQ(warnings(found, {"Fps", "'Neutral'"}),
-            std::vector<std::string>{"AU12 100 %, AU1 40 %: no neutral face was taken off; leave "
+            std::vector<std::string>{"AU12 100 %, AU1 40 %: no neutral face was subtracted; leave "
                                      "out 'Neutral', or cut what is before the face is neutral"});
 }
 
