@@ -17,16 +17,13 @@ LiveReplay::LiveReplay(std::shared_ptr<const EncodedStream> stream, bool loop, I
 }
 
 bool LiveReplay::advance(Instant now) {
-  if (!clock_.advance_all(now)) return false;
+  if (!clock_.advance(now)) return false;
   ended_ = clock_.ended();
-  std::span<const LiveClock::Moment> begun = clock_.passed();
-  // An end that is long past left the last moments out; the last state is shown all the same.
-  if (begun.empty() && clock_.newest()) begun = {&*clock_.newest(), 1};
-  moments_.resize(begun.size());
-  for (std::size_t i = 0; i < begun.size(); ++i) {
-    const std::size_t keyframe = begun[i].keyframe;
-    LiveMoment& moment = moments_[i];
-    moment.number = begun[i].number;
+  std::uint64_t number = clock_.first_shown();
+  moments_.resize(static_cast<std::size_t>(clock_.begun() - number));
+  for (LiveMoment& moment : moments_) {
+    const auto keyframe = static_cast<std::size_t>(number % stream_->times.size());
+    moment.number = number++;
     moment.classic = stream_->classic[keyframe];
     moment.full = stream_->negotiated[keyframe];
     if (has_changes()) moment.changes = stream_->changes[keyframe];
@@ -34,10 +31,8 @@ bool LiveReplay::advance(Instant now) {
     moment.begin = next_begin_;
     moment.time = stream_->times[keyframe];
   }
-  if (!moments_.empty()) {
-    play_spoken(moments_.front().begin,
-                ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
-  }
+  play_spoken(moments_.front().begin,
+              ended_ ? Milliseconds::max() : moments_.back().begin + moments_.back().time);
   return true;
 }
 
