@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,20 +8,18 @@
 #include <string_view>
 
 #include "common/action_unit.h"
-#include "common/result.h"
 #include "common/time.h"
 #include "protocol/client_session.h"
-#include "protocol/encoded_stream.h"
-#include "protocol/encoded_track.h"
 #include "protocol/live_feed.h"
 #include "protocol/upstream_stream.h"
+#include "server/upstream/relayed_recording.h"
 
 namespace aucast::server {
 
 /// A stream that comes from parents, one after the other, and is served here. A recorded one is
-/// kept and grows; of a live one there is only the newest moment. Packets are passed on as they
-/// came; only forms that the parent did not send are made here. Voice and captions are passed on
-/// too. No socket and no clock. Thread: none of its own.
+/// kept and grows (RelayedRecording); of a live one there is only the newest moment. Packets are
+/// passed on as they came; only forms that the parent did not send are made here. Voice and
+/// captions are passed on too. No socket and no clock. Thread: none of its own.
 class RelayedStream {
  public:
   /// Takes the name for a stream that is to be served; false: another one has it.
@@ -31,8 +28,7 @@ class RelayedStream {
     std::string name;  ///< the name to ask for; empty: the parent's first
     int classic_min = 20;
     Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
-    /// Called with how many bytes a recorded stream takes; fails if that is too much.
-    std::function<Result<void>(std::uint64_t bytes)> may_hold;
+    RelayedRecording::MayHold may_hold;
     TakeName take_name{};  ///< called with the name of the parent's first; none: every name is free
   };
 
@@ -69,35 +65,24 @@ class RelayedStream {
     return feed_ ? feed_->captions_left_out() : 0;
   }
   /// Whether it is a recorded stream that is here to its end, so that nothing is missing.
-  [[nodiscard]] bool whole() const;
+  [[nodiscard]] bool whole() const { return recording_ && recording_->whole(); }
   /// How much of a recorded stream is here.
-  [[nodiscard]] Milliseconds place() const { return Milliseconds(place_ms_); }
+  [[nodiscard]] Milliseconds place() const { return Milliseconds(place_ms()); }
 
  private:
   /// Of a recorded stream without keyframes no client was sent any, so the next parent may have
   /// another one.
   [[nodiscard]] bool begun() const { return shared_->known(); }
-  void forget_announced();
-  void show_recorded();
+  [[nodiscard]] std::uint64_t place_ms() const { return recording_ ? recording_->place_ms() : 0; }
+  void show_recording();
   [[nodiscard]] std::optional<std::string> objection(const protocol::HelloGranted& hello) const;
-  [[nodiscard]] std::optional<std::string> keep(const protocol::EncodedKeyframe& keyframe,
-                                                std::uint32_t time_ms);
-  void keep(const protocol::CaptionData& caption);
-  [[nodiscard]] std::optional<std::string> no_room();
 
   Options options_;
   std::shared_ptr<protocol::UpstreamStream> shared_;
-  std::shared_ptr<protocol::LiveFeed> feed_;           ///< of a live stream; else null
-  std::shared_ptr<protocol::EncodedStream> recorded_;  ///< of a recorded stream; else null
-  bool changes_ = false;  ///< the changes-only form of a recorded stream is kept too
-  std::uint64_t place_ms_ = 0;
-  std::size_t sent_again_ = 0;  ///< keyframes of 0 ms that are here and that the parent may repeat
-  std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< of a recorded stream; null: it has none
-  std::shared_ptr<protocol::EncodedTrack> voice_;  ///< that of spoken_; null: captions only
-  std::size_t caption_bytes_ = 0;                  ///< of the captions in spoken_
-  std::size_t caption_again_ = 0;  ///< the index of the next caption that may come once more
-  std::uint64_t looks_ = 0;        ///< how often it looked whether a recorded stream may grow
-  Milliseconds shift_{0};          ///< live: from the clock of the connection to that of the feed
+  // One of them, as soon as it is known what the stream is.
+  std::optional<RelayedRecording> recording_;
+  std::shared_ptr<protocol::LiveFeed> feed_;  ///< of a live stream
+  Milliseconds shift_{0};  ///< live: from the clock of the connection to that of the feed
 };
 
 }  // namespace aucast::server
