@@ -100,7 +100,7 @@ void LiveStream::send_due(SteadyTime now) {
   reader_.hold_off(now);
 }
 
-/// `free`: see sources::RecordTimeline::add().
+/// Passes on a keyframe and, before it, the face that was held until then.
 void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadyTime now) {
   if (voice_ && free) {
     // A keyframe's own time is part of what has passed.
@@ -109,8 +109,6 @@ void LiveStream::send(const sources::LiveKeyframe& keyframe, bool free, SteadyTi
   pass(keyframe.keyframe, free, now);
 }
 
-/// With a voice: sends the face that was held since the last keyframe, with the time for which it
-/// was held.
 void LiveStream::fill_pause(SteadyTime now) {
   if (!clock_begin_) return;
   const Milliseconds pause = std::chrono::round<Milliseconds>(now - *clock_begin_) - end_;

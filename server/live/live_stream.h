@@ -37,13 +37,16 @@ struct LiveStreamOptions {
   Milliseconds voice_delay{0};
 };
 
-/// One stream of a source that is being written. Its rows go through a reader, a queue, the
-/// thinning and the feed; the stream may have a voice and a record, too. When nothing comes, the
-/// face holds, then goes to neutral, and after the time-out the stream ends for its clients; it
-/// goes on when something comes.
+/// One stream of a source that is being written.
 ///
-/// With a voice, the stream's clock keeps running while the source is silent: the held face is sent
-/// with the time for which it was held.
+///   bytes --reader--> queue --when due: pass()--> record, if there is one
+///                                             +-> thinning --when there is room: show()--> feed
+///   sound --LiveVoice: send_voice()--> record, feed
+///
+/// When nothing comes (rest()), the face holds, then goes to neutral, and after the time-out the
+/// stream ends for its clients; it goes on when something comes. With a voice, the stream's clock
+/// keeps running meanwhile: the held face is sent with the time for which it was held
+/// (fill_pause()).
 ///
 /// Thread: none of its own.
 class LiveStream {
@@ -86,7 +89,7 @@ class LiveStream {
  private:
   void send_voice(std::vector<protocol::VoicePacket> packets, SteadyTime now);
   void send_due(SteadyTime now);
-  /// `free`: see sources::RecordTimeline::add().
+  // `free`: see sources::RecordTimeline::add().
   void send(const sources::LiveKeyframe& keyframe, bool free, SteadyTime now);
   void fill_pause(SteadyTime now);
   void pass(const protocol::Keyframe& keyframe, bool free, SteadyTime now);

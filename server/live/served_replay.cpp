@@ -60,22 +60,22 @@ void ServedReplay::take_spoken(SteadyTime now) {
   }
 }
 
-/// The next moment takes the time of those that were left out before it, so that both clocks agree.
+/// What is sent next takes the time of all that is left out before it, so that the feed's clock
+/// agrees with the replay's.
 void ServedReplay::take_moments() {
+  constexpr Milliseconds kLongest{protocol::kKeyframeTimeMsMax};
   for (const protocol::LiveMoment& moment : replay_.latest()) {
     if (moment.number < next_moment_) continue;
     next_moment_ = moment.number + 1;
+    const auto behind = [&] { return moment.begin + moment.time - feed_->end_of_newest(); };
     protocol::Keyframe keyframe = protocol::keyframe_of(moment.full);
-    const Milliseconds end = moment.begin + moment.time;
+    const auto waiting = thinning_.take_last();
     // After more than an hour, as when the process stood still, one keyframe is not enough.
-    constexpr Milliseconds kLongest{protocol::kKeyframeTimeMsMax};
-    if (end - feed_->end_of_newest() > kLongest) {
-      if (const auto waiting = thinning_.take_last()) feed_->add(*waiting);
+    if (waiting && behind() > kLongest) feed_->add(*waiting);
+    for (; behind() > kLongest; feed_->add(keyframe)) {
       keyframe.time_ms = static_cast<std::uint32_t>(kLongest.count());
-      while (end - feed_->end_of_newest() > kLongest) feed_->add(keyframe);
-      taken_to_ = feed_->end_of_newest();
     }
-    keyframe.time_ms = static_cast<std::uint32_t>((end - std::exchange(taken_to_, end)).count());
+    keyframe.time_ms = static_cast<std::uint32_t>(behind().count());
     thinning_.push(std::move(keyframe));
   }
 }

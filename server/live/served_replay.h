@@ -43,7 +43,6 @@ class ServedReplay {
   std::uint64_t next_voice_ = 0;
   std::uint64_t next_caption_ = 0;
   std::uint64_t next_moment_ = 0;
-  Milliseconds taken_to_{0};  ///< on the replay's clock
 };
 
 }  // namespace aucast::server
