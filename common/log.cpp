@@ -136,6 +136,11 @@ Result<void> set_up_log(std::string_view program, std::string_view level, LogFor
   return {};
 }
 
+void log_lines(spdlog::level::level_enum level, std::string_view before, const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) spdlog::log(level, "{}{}", before, line);
+}
+
 void print_error(std::string_view text) {
   const std::array<char, 4> prefix{'<', priority(spdlog::level::err), '>', '\0'};
   const char* before = stderr_is_the_journal() ? prefix.data() : "";

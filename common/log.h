@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include <spdlog/spdlog.h>
@@ -23,6 +24,9 @@ enum class LogFormat : std::uint8_t {
 /// logged; entries are made printable() in any case.
 [[nodiscard]] Result<void> set_up_log(std::string_view program, std::string_view level,
                                       LogFormat format = LogFormat::Text);
+
+/// Logs each line of `text`, with `before` before it.
+void log_lines(spdlog::level::level_enum level, std::string_view before, const std::string& text);
 
 /// Writes `text`, the reason why a program ends, to stderr. The text is no entry of the log, but if
 /// stderr is the journal, each line begins with the priority of an error.

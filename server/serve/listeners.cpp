@@ -19,11 +19,13 @@ namespace aucast::server {
 using asio::ip::tcp;
 
 Listeners::Listeners(asio::io_context& io, const TransmitterOptions& options,
-                     const Certificates& certificates, Hooks hooks)
+                     const Certificates& certificates, Programme& programme,
+                     ClientRegistry& clients)
     : io_(io),
       options_(options),
       certificates_(certificates),
-      hooks_(std::move(hooks)),
+      programme_(programme),
+      clients_(clients),
       tcp_(io, kAcceptLimits),
       guests_(io, kAcceptLimits) {}
 
@@ -71,9 +73,9 @@ Result<void> Listeners::open_web() {
   web_.emplace(io_, options_.web,
                WebServer::Hooks{
                    [this]() -> const std::optional<tls::Context>& { return certificates_.web; },
-                   hooks_.held_back_max,
+                   [this] { return programme_.held_back_max(); },
                    [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link) {
-                     hooks_.welcome(peer, open_link, ClientRegistry::Way::WebSocket);
+                     welcome(peer, open_link, ClientRegistry::Way::WebSocket);
                    }});
   if (auto opened = web_->open(options_.reuse_port); !opened) return opened;
   const bool secure = certificates_.web.has_value();
@@ -126,13 +128,20 @@ std::uint64_t Listeners::accept_failures() const {
 
 void Listeners::accept_from(link::Listener& listener, ClientRegistry::Way way) {
   listener.start([this, way](tcp::socket socket, const tcp::endpoint& peer) {
-    hooks_.welcome(
+    welcome(
         peer, [&] { return link_of(std::move(socket), way); }, way);
   });
 }
 
+void Listeners::welcome(const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
+                        ClientRegistry::Way way) {
+  // However many knock at once, those who watch are not kept waiting for them.
+  programme_.catch_up();
+  clients_.welcome(peer, programme_.catalogue(), open_link, way);
+}
+
 std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket, ClientRegistry::Way way) const {
-  auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, hooks_.held_back_max());
+  auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, programme_.held_back_max());
   const auto& tls = certificates_.tcp;
   if (!tls || way == ClientRegistry::Way::Owner) return link;
   return link::tls_link(std::move(link), tls::Layer(*tls), protocol::kLinkLimits,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,29 +13,19 @@
 #include "common/result.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/credentials.h"
+#include "server/serve/programme.h"
 #include "server/settings/transmitter_options.h"
 #include "server/web/web_server.h"
 
 namespace aucast::server {
 
 /// Accepts clients: at --port, at --web, and at a port for guests while --preview is live.
-/// Thread: that of the io_context. The io_context, the options, the certificates and what the
-/// hooks refer to must outlive this object.
+/// Thread: that of the io_context. What is passed by reference must outlive this object.
 class Listeners {
  public:
-  struct Hooks {
-    /// The `held_back_max` for link::tcp_link(), for each client.
-    std::function<int()> held_back_max;
-    /// Called when a connection has come in. The hook calls `open_link`, unless there is no room
-    /// even for a refusal.
-    std::function<void(const asio::ip::tcp::endpoint& peer,
-                       const ClientRegistry::OpenLink& open_link, ClientRegistry::Way way)>
-        welcome;
-  };
-
   /// `certificates` is read for each connection, and may change.
   Listeners(asio::io_context& io, const TransmitterOptions& options,
-            const Certificates& certificates, Hooks hooks);
+            const Certificates& certificates, Programme& programme, ClientRegistry& clients);
   Listeners(const Listeners&) = delete;
   Listeners& operator=(const Listeners&) = delete;
 
@@ -68,13 +57,16 @@ class Listeners {
   [[nodiscard]] Result<void> open_tcp();
   [[nodiscard]] Result<void> open_web();
   void accept_from(link::Listener& listener, ClientRegistry::Way way);
+  void welcome(const asio::ip::tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
+               ClientRegistry::Way way);
   [[nodiscard]] std::shared_ptr<link::Link> link_of(asio::ip::tcp::socket socket,
                                                     ClientRegistry::Way way) const;
 
   asio::io_context& io_;
   const TransmitterOptions& options_;
   const Certificates& certificates_;
-  Hooks hooks_;
+  Programme& programme_;
+  ClientRegistry& clients_;
   link::Listener tcp_;
   link::Listener guests_;
   std::optional<WebServer> web_;

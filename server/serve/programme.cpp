@@ -16,6 +16,11 @@ namespace {
 /// 128 bits, which nobody guesses.
 constexpr std::size_t kOwnerTokenDigits = 32;
 
+auto find_named(const std::vector<protocol::ServedStream>& streams, const std::string& name) {
+  return std::find_if(streams.begin(), streams.end(),
+                      [&name](const auto& stream) { return stream.known_name() == name; });
+}
+
 }  // namespace
 
 Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
@@ -25,17 +30,51 @@ Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Re
       events_(std::move(events)),
       id_(random_digits(kIdDigits)),
       sources_(io, options, id_, [this](const std::string& name) { return take_name(name); },
-               {[this] { on_moment_of_source(); }, [this] { add_faces(); }, events_.on_sight}),
+               {[this] { on_moment_of_source(); }, [this] { renew(); }, events_.on_sight}),
       pushed_(io, {id_, options.upstream.wait, options.classic_min},
-              {events_.on_moment, [this] { serve_pushed(*catalogue_); }}),
+              {events_.on_moment, [this] { renew(); }}),
       beat_(io, events_.on_moment,
             {link_limits(options), options.keyframe_ms, options.classic_min}),
       voices_(io, options.voice.encoder, [this] { events_.on_voice(); }),
-      catalogue_(std::make_shared<protocol::ServerCatalogue>(accompanied(std::move(repertoire)))),
-      held_back_max_(held_back_for(*catalogue_, options.voice)) {
+      held_back_max_(held_back_for(repertoire, options.voice)),
+      read_(accompanied(std::move(repertoire))),
+      catalogue_(std::make_shared<protocol::ServerCatalogue>()) {
+  catalogue_->keyframe_ms = options.keyframe_ms;
+  catalogue_->loop = options.loop;
   catalogue_->id = id_;
   catalogue_->owner_token = random_digits(kOwnerTokenDigits);
   open_to_publishers();
+  renew();
+}
+
+void Programme::begin() {
+  play_live(read_);
+  renew();
+}
+
+/// The streams that no publisher sends: what was read, with the streams of running sources in their
+/// places, and then those that such sources have got since the start.
+Programme::Streams Programme::own() const {
+  Streams own = read_;
+  for (protocol::ServedStream& of_source : sources_.streams()) {
+    const auto place = std::find_if(own.begin(), own.end(), [&of_source](const auto& stream) {
+      return stream.name == of_source.name;
+    });
+    if (place == own.end()) {
+      own.push_back(std::move(of_source));
+    } else if (place->absent()) {
+      *place = std::move(of_source);
+    }
+  }
+  return own;
+}
+
+/// Lists the streams that are served; called whenever there is another one. Who is sent a stream
+/// keeps it, and who waits for one looks into the list anew.
+void Programme::renew() {
+  Streams streams = own();
+  for (protocol::ServedStream& pushed : pushed_.streams()) streams.push_back(std::move(pushed));
+  catalogue_->streams = std::move(streams);
 }
 
 /// Lets publishers add streams to the catalogue, for which clients may wait.
@@ -54,11 +93,8 @@ void Programme::set_tokens(std::string token,
 }
 
 bool Programme::is_own(const std::string& name) const {
-  const auto& streams = catalogue_->streams;
-  const auto named = [&name](const auto& stream) { return stream.known_name() == name; };
-  const auto& pushed = pushed_names_;
-  return std::find(pushed.begin(), pushed.end(), name) == pushed.end() &&
-         std::any_of(streams.begin(), streams.end(), named);
+  const Streams streams = own();
+  return find_named(streams, name) != streams.end();
 }
 
 /// Takes a name for another stream of a running source, if need be from a publisher; false if
@@ -66,7 +102,7 @@ bool Programme::is_own(const std::string& name) const {
 bool Programme::take_name(const std::string& name) {
   if (is_own(name)) return false;
   pushed_.give_way(name);
-  serve_pushed(*catalogue_);
+  renew();
   return true;
 }
 
@@ -81,31 +117,16 @@ std::optional<protocol::ErrorReply> Programme::publish_refused(
   return std::nullopt;
 }
 
-/// Replaces the pushed streams in the catalogue by the present ones, after our own.
-void Programme::serve_pushed(protocol::ServerCatalogue& catalogue) {
-  std::erase_if(catalogue.streams, [this](const protocol::ServedStream& stream) {
-    return std::find(pushed_names_.begin(), pushed_names_.end(), stream.name) !=
-           pushed_names_.end();
-  });
-  pushed_names_.clear();
-  for (protocol::ServedStream& stream : pushed_.streams()) {
-    pushed_names_.push_back(stream.name);
-    catalogue.streams.push_back(std::move(stream));
-  }
-}
-
-const protocol::ServedStream* Programme::named(const std::string& name) const {
-  const auto& streams = catalogue_->streams;
+const protocol::ServedStream* Programme::named_or_first(const std::string& name) const {
+  const Streams& streams = catalogue_->streams;
   if (streams.empty()) return nullptr;
-  const auto found = std::find_if(streams.begin(), streams.end(), [&name](const auto& stream) {
-    return stream.known_name() == name;
-  });
+  const auto found = find_named(streams, name);
   return found == streams.end() ? &streams.front() : &*found;
 }
 
 std::shared_ptr<const protocol::ServerCatalogue> Programme::alone(const std::string& name) const {
   auto one = std::make_shared<protocol::ServerCatalogue>();
-  const protocol::ServedStream* const stream = named(name);
+  const protocol::ServedStream* const stream = named_or_first(name);
   one->streams.push_back(stream == nullptr ? protocol::ServedStream() : *stream);
   if (!name.empty()) one->streams.front().name = name;
   one->keyframe_ms = catalogue_->keyframe_ms;
@@ -120,52 +141,6 @@ void Programme::on_moment_of_source() {
   if (over()) asio::post(io_, events_.on_over);
 }
 
-/// Adds the streams of new faces.
-void Programme::add_faces() {
-  if (!stopped_) make_live(*catalogue_);
-}
-
-/// Leaves out what was read under names that streams of running sources have got since the start.
-void Programme::leave_out_taken(protocol::ServerCatalogue& catalogue) const {
-  const auto of_sources = sources_.streams();
-  std::erase_if(catalogue.streams, [&of_sources](const protocol::ServedStream& stream) {
-    const bool taken = !stream.absent() && std::any_of(of_sources.begin(), of_sources.end(),
-                                                       [&stream](const auto& other) {
-                                                         return other.known_name() == stream.name;
-                                                       });
-    if (taken) spdlog::error("{}: another source has that name now; rename the file", stream.name);
-    return taken;
-  });
-}
-
-/// Gives each stream that is to be live its channel: that of its source or, for a recording with
-/// --live, one that plays it. Adds streams for a source's faces.
-void Programme::make_live(protocol::ServerCatalogue& catalogue) {
-  for (protocol::ServedStream& stream : catalogue.streams) {
-    const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
-    if (recorded == nullptr || !options_.live) continue;
-    stream.kind =
-        beat_.play(stream.name, recorded->for_listeners(), options_.loop, recorded->spoken);
-  }
-  for (protocol::ServedStream& of_source : sources_.streams()) {
-    const auto same =
-        std::find_if(catalogue.streams.begin(), catalogue.streams.end(),
-                     [&of_source](const auto& stream) { return stream.name == of_source.name; });
-    if (same == catalogue.streams.end()) {
-      catalogue.streams.push_back(std::move(of_source));
-    } else if (same->absent()) {
-      same->kind = std::move(of_source.kind);
-    }
-  }
-  std::erase_if(catalogue.streams, [](const protocol::ServedStream& stream) {
-    if (stream.absent()) {
-      spdlog::error("{}: it is written live now and was not at the start; restart to serve it",
-                    stream.name);
-    }
-    return stream.absent();
-  });
-}
-
 /// Whether a client that comes now may be sent a live stream, if only later.
 bool Programme::may_be_live() const {
   const auto& streams = catalogue_->streams;
@@ -174,16 +149,10 @@ bool Programme::may_be_live() const {
                      [](const auto& stream) { return stream.live() || !stream.known(); });
 }
 
-/// Called at every keyframe: returns early while a source goes on, before it makes a list of
-/// streams.
+/// Whether nothing can come any more, and nothing recorded is served.
 bool Programme::over() const {
-  if (takes_streams() || !sources_.over()) return false;
-  const auto of_sources = sources_.streams();
-  const auto& served = catalogue_->streams;
-  return std::all_of(served.begin(), served.end(), [&of_sources](const auto& stream) {
-    return std::any_of(of_sources.begin(), of_sources.end(),
-                       [&stream](const auto& other) { return other.kind == stream.kind; });
-  });
+  return !takes_streams() && sources_.over() &&
+         std::all_of(read_.begin(), read_.end(), [](const auto& read) { return read.absent(); });
 }
 
 void Programme::stop() {
@@ -195,47 +164,75 @@ void Programme::stop() {
 }
 
 bool Programme::take_over(Repertoire repertoire) {
-  protocol::ServerCatalogue loaded = accompanied(std::move(repertoire));
-  const int held_back_max = held_back_for(loaded, options_.voice);
-  leave_out_taken(loaded);
-  make_live(loaded);
-  if (loaded.streams.empty() && !takes_streams()) return false;
-  for (const protocol::ServedStream& own : loaded.streams) pushed_.give_way(own.known_name());
-  pushed_names_.clear();
-  serve_pushed(loaded);
-  share_with_before(loaded);
-  if (loaded.streams == catalogue_->streams) {
+  std::erase_if(repertoire,
+                [this](const OfferedStream& offered) { return is_misplaced(offered.stream); });
+  if (repertoire.empty() && !takes_streams()) return false;
+  const int held_back_max = held_back_for(repertoire, options_.voice);
+  Streams read = accompanied(std::move(repertoire));
+  play_live(read);
+  share_with_before(read);
+  for (const protocol::ServedStream& stream : read) pushed_.give_way(stream.name);
+  read_ = std::move(read);
+  const Streams before = catalogue_->streams;
+  renew();
+  if (catalogue_->streams == before) {
     spdlog::info("the sources hold what they held");
     return false;
   }
-  catalogue_->streams = std::move(loaded.streams);
   held_back_max_ = held_back_max;
   // Who waits for a stream may find it among these.
   events_.on_moment();
   return true;
 }
 
-/// Adds the voices to the streams; they grow from now on.
-protocol::ServerCatalogue Programme::accompanied(Repertoire repertoire) {
-  protocol::ServerCatalogue catalogue = std::move(repertoire.catalogue);
-  for (std::size_t i = 0; i < std::min(repertoire.voices.size(), catalogue.streams.size()); ++i) {
-    if (!repertoire.voices[i]) continue;
-    auto* const stream = std::get_if<protocol::RecordedStream>(&catalogue.streams[i].kind);
-    if (stream == nullptr) continue;
-    protocol::SpokenTrack spoken;
-    if (stream->spoken) spoken = *stream->spoken;
-    spoken.voice = voices_.track_of(*repertoire.voices[i]);
-    stream->spoken = std::make_shared<const protocol::SpokenTrack>(std::move(spoken));
-  }
-  return catalogue;
+/// Whether a stream was read whose name a running source has got since the start, or is to come
+/// from one that was none at the start. Logs that.
+bool Programme::is_misplaced(const protocol::ServedStream& read) const {
+  const Streams of_sources = sources_.streams();
+  const bool from_source =
+      std::any_of(of_sources.begin(), of_sources.end(), [&](const auto& other) {
+        return read.name == (read.absent() ? other.name : other.known_name());
+      });
+  if (read.absent() == from_source) return false;
+  spdlog::error("{}: {}", read.name,
+                from_source
+                    ? "another source has that name now; rename the file"
+                    : "it is written live now and was not at the start; restart to serve it");
+  return true;
 }
 
-/// Lets streams that have not changed share the memory of those served before.
-void Programme::share_with_before(protocol::ServerCatalogue& catalogue) const {
-  for (protocol::ServedStream& stream : catalogue.streams) {
+/// The streams with their voices, which grow from now on.
+Programme::Streams Programme::accompanied(Repertoire repertoire) {
+  Streams streams;
+  for (auto& [offered, voice] : repertoire) {
+    protocol::ServedStream& stream = streams.emplace_back(std::move(offered));
+    auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
+    if (recorded == nullptr || !voice) continue;
+    protocol::SpokenTrack spoken;
+    if (recorded->spoken) spoken = *recorded->spoken;
+    spoken.voice = voices_.track_of(*voice);
+    recorded->spoken = std::make_shared<const protocol::SpokenTrack>(std::move(spoken));
+  }
+  return streams;
+}
+
+/// With --live: gives each recorded stream a channel that plays it.
+void Programme::play_live(Streams& read) {
+  if (!options_.live) return;
+  for (protocol::ServedStream& stream : read) {
+    if (const auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind)) {
+      stream.kind =
+          beat_.play(stream.name, recorded->for_listeners(), options_.loop, recorded->spoken);
+    }
+  }
+}
+
+/// Lets streams that have not changed share the memory of those read before.
+void Programme::share_with_before(Streams& read) const {
+  for (protocol::ServedStream& stream : read) {
     auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
     if (recorded == nullptr) continue;
-    for (const protocol::ServedStream& other : catalogue_->streams) {
+    for (const protocol::ServedStream& other : read_) {
       const auto* const before = std::get_if<protocol::RecordedStream>(&other.kind);
       if (before == nullptr || stream.name != other.name) continue;
       if (*recorded->encoded != *before->encoded) continue;

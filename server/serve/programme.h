@@ -47,7 +47,7 @@ class Programme {
     return sources_.open(given_up);
   }
   /// Starts the clocks of the live streams.
-  void begin() { make_live(*catalogue_); }
+  void begin();
   /// Ends all live streams; take_over() must not be called afterwards.
   void stop();
   [[nodiscard]] bool stopped() const { return stopped_; }
@@ -62,7 +62,7 @@ class Programme {
     pushed_.take(std::move(link), hello, std::move(peer));
   }
   /// The stream with this name, or the first one if none has it; null: there are no streams.
-  [[nodiscard]] const protocol::ServedStream* named(const std::string& name) const;
+  [[nodiscard]] const protocol::ServedStream* named_or_first(const std::string& name) const;
   /// A catalogue for a server that we push to, with a single stream: the one that is called `name`.
   /// If there is none, the first stream is given that name. If `name` is empty, the first stream
   /// keeps its own.
@@ -85,21 +85,23 @@ class Programme {
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
 
  private:
+  using Streams = std::vector<protocol::ServedStream>;
+
   [[nodiscard]] bool may_be_live() const;
   [[nodiscard]] bool takes_streams() const { return !options_.credentials.publishers.empty(); }
+  [[nodiscard]] Streams own() const;
   [[nodiscard]] bool is_own(const std::string& name) const;
+  void renew();
   [[nodiscard]] bool take_name(const std::string& name);
   void open_to_publishers();
   [[nodiscard]] std::optional<protocol::ErrorReply> publish_refused(
       const protocol::HelloAsked& hello) const;
-  void serve_pushed(protocol::ServerCatalogue& catalogue);
   void on_moment_of_source();
-  void add_faces();
-  void leave_out_taken(protocol::ServerCatalogue& catalogue) const;
-  void make_live(protocol::ServerCatalogue& catalogue);
+  [[nodiscard]] bool is_misplaced(const protocol::ServedStream& read) const;
   [[nodiscard]] bool over() const;
-  [[nodiscard]] protocol::ServerCatalogue accompanied(Repertoire repertoire);
-  void share_with_before(protocol::ServerCatalogue& catalogue) const;
+  [[nodiscard]] Streams accompanied(Repertoire repertoire);
+  void play_live(Streams& read);
+  void share_with_before(Streams& read) const;
 
   asio::io_context& io_;
   const TransmitterOptions& options_;
@@ -107,11 +109,12 @@ class Programme {
   const std::string id_;  ///< this server's; a relay that meets its own ID has come back to itself
   RunningSources sources_;
   PushedStreams pushed_;
-  std::vector<std::string> pushed_names_;  ///< the names of pushed streams in the catalogue
   LiveBeat beat_;
   VoiceTracks voices_;
-  std::shared_ptr<protocol::ServerCatalogue> catalogue_;
   int held_back_max_;  ///< for a live stream
+  /// What was read last. Those that are absent() are the streams of running sources.
+  Streams read_;
+  const std::shared_ptr<protocol::ServerCatalogue> catalogue_;
   bool stopped_ = false;
 };
 

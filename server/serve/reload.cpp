@@ -1,19 +1,20 @@
 #include "server/serve/reload.h"
 
+#include <chrono>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "common/log.h"
+#include "common/shared.h"
 #include "common/thread.h"
 #include "common/time.h"
 
 namespace aucast::server {
 namespace {
 
+/// On the thread that reads: the loop, and so the clients, do not wait.
 constexpr Milliseconds kPostAgainAfter{100};
 
 }  // namespace
@@ -75,7 +76,12 @@ void Reload::load(const std::stop_token& stop, const std::shared_ptr<Result<Load
   } catch (const std::bad_alloc&) {
   }
   // Who waits for the end of the reload must learn of it, if only when there is memory again.
-  while (!post(result) && !stop.stop_requested()) std::this_thread::sleep_for(kPostAgainAfter);
+  Shared<bool> nothing;
+  while (!post(result) && !stop.stop_requested()) {
+    nothing.wait_until(
+        stop, std::chrono::steady_clock::now() + kPostAgainAfter, [](bool) { return false; },
+        [](bool) {});
+  }
 }
 
 Result<Reload::Loaded> Reload::loaded(const std::stop_token& stop) const {
@@ -114,8 +120,7 @@ bool Reload::take_over(Result<Loaded> loaded) {
     programme_.condition_sources_anew();
     return programme_.take_over(std::move(loaded->repertoire));
   }
-  std::istringstream lines(loaded.error().message);
-  for (std::string line; std::getline(lines, line);) spdlog::error("{}", line);
+  log_lines(spdlog::level::err, "", loaded.error().message);
   spdlog::error(
       "nothing was taken over: the certificates and token in use stay, and what was served before "
       "is served on");

@@ -29,8 +29,6 @@
 namespace aucast::server {
 namespace {
 
-using asio::ip::tcp;
-
 /// One run: connects listeners, programme, clients, status and shutdown.
 class Transmitter {
  public:
@@ -48,17 +46,14 @@ class Transmitter {
                     [this] { clients_.on_voice(); },
                     options.preview ? [this](const camera::Sight& sight) { preview_->offer(sight); }
                                     : camera::OnSight()}),
-        pushers_(io_, {[this](const std::string& name) { return programme_.named(name); },
+        pushers_(io_, {[this](const std::string& name) { return programme_.named_or_first(name); },
                        [this](const auto& name, auto peer, auto link, auto bytes, auto on_served) {
                          clients_.serve(std::move(peer), programme_.alone(name), std::move(link),
                                         bytes, std::move(on_served));
                        }}),
         reload_(io_, options.credentials, certificates_, programme_, std::move(load),
                 [this](const Reload::Outcome& outcome) { on_reloaded(outcome); }),
-        listeners_(io_, options, certificates_,
-                   {[this] { return programme_.held_back_max(); },
-                    [this](const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
-                           ClientRegistry::Way way) { welcome(peer, open_link, way); }}),
+        listeners_(io_, options, certificates_, programme_, clients_),
         shutdown_(io_, options.drain_time, clients_,
                   {[this](Milliseconds at_most) { on_leave(at_most); }, [this] { on_stop(); },
                    [this] { end(); }}),
@@ -146,13 +141,6 @@ class Transmitter {
     } else if (!programme_.catalogue()->token.empty() && !certificates_.tcp) {
       spdlog::warn("without --tls-cert everybody on the way can read the token");
     }
-  }
-
-  void welcome(const tcp::endpoint& peer, const ClientRegistry::OpenLink& open_link,
-               ClientRegistry::Way way) {
-    // However many knock at once, those who watch are not kept waiting for them.
-    programme_.catch_up();
-    clients_.welcome(peer, programme_.catalogue(), open_link, way);
   }
 
   /// The status in one line, for the service manager.

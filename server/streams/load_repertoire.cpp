@@ -1,7 +1,6 @@
 #include "server/streams/load_repertoire.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -15,9 +14,9 @@ namespace aucast::server {
 namespace {
 
 /// Which sources are live when they are served; --check reads all of them whole.
-LiveSources live_sources(const TransmitterOptions& options) {
-  if (options.check || options.estimate) return LiveSources::None;
-  return options.live_source.follow ? LiveSources::Files : LiveSources::Streams;
+LiveKinds live_sources(const TransmitterOptions& options) {
+  if (options.check || options.estimate) return LiveKinds::None;
+  return options.live_source.follow ? LiveKinds::Files : LiveKinds::Streams;
 }
 
 EncodingOptions encoding_of(const TransmitterOptions& options) {
@@ -60,8 +59,7 @@ Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
   auto sources = load_sources(options.sources, options.source, encoding_of(options),
                               options.skip_bad ? &skipped : nullptr, live_sources(options), stop);
   for (const Error& error : skipped) {
-    std::istringstream lines(error.message);
-    for (std::string line; std::getline(lines, line);) spdlog::warn("left out: {}", line);
+    log_lines(spdlog::level::warn, "left out: ", error.message);
   }
   if (sources) {
     for (const std::string& warning : source_warnings(*sources, options.source)) {
@@ -74,9 +72,9 @@ Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
 Result<Repertoire> load_repertoire(const TransmitterOptions& options, const std::stop_token& stop) {
   const auto sources = load_asked(options, stop);
   if (!sources) return sources.error();
-  auto repertoire = make_repertoire(*sources, options.keyframe_ms, options.loop);
-  if (options.live) {
-    if (auto can = check_live(repertoire.catalogue); !can) return can.error();
+  auto repertoire = make_repertoire(*sources);
+  if (options.live && options.loop) {
+    if (auto can = check_live_loop(repertoire); !can) return can.error();
   }
   say_what_was_found(*sources);
   if (auto saved = save_measured_profile(options.source.signal, *sources); !saved) {

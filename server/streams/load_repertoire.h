@@ -18,7 +18,7 @@ namespace aucast::server {
 
 /// Loads what is served with these options. Writes the profile of --save-profile, and logs what was
 /// found in recordings, since a wrong scale looks like a weak face. Errors are those of
-/// load_asked(), check_live() and save_measured_profile().
+/// load_asked(), check_live_loop() and save_measured_profile().
 [[nodiscard]] Result<Repertoire> load_repertoire(const TransmitterOptions& options,
                                                  const std::stop_token& stop = {});
 

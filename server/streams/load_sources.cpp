@@ -44,7 +44,7 @@ struct Reading {
   const SourceOptions& source;
   const sources::ConditioningSettings& conditioning;
   const EncodingOptions& encoding;
-  LiveSources live = LiveSources::None;
+  LiveKinds live = LiveKinds::None;
   bool first = false;  ///< it is the first source, to which --voice applies
   const std::stop_token& stop;
 };
@@ -111,13 +111,18 @@ Result<void> encode_whole(sources::SourceContent content, const Reading& reading
   return {};
 }
 
+/// Whether it is the address of another server's stream.
+bool is_address(const std::filesystem::path& path) {
+  return protocol::is_stream_address(path.string()) || protocol::is_engine_address(path.string());
+}
+
 /// A stream of another server, of which only the name in its address is known yet.
-Result<std::vector<Source>> address_source(const std::filesystem::path& path, LiveSources live) {
+Result<std::vector<Source>> address_source(const std::filesystem::path& path, LiveKinds live) {
   const auto address = protocol::is_engine_address(path.string())
                            ? protocol::parse_engine_address(path.string())
                            : protocol::parse_stream_address(path.string());
   if (!address) return address.error();
-  if (live == LiveSources::None) {
+  if (live == LiveKinds::None) {
     return Error{ErrorKind::Usage,
                  at_place(path.string(), "--check and --estimate read files; leave it out")};
   }
@@ -148,13 +153,13 @@ Result<void> complete(const EncodingOptions& options, Source& source) {
 
 /// The streams of one file: one, or one for each face.
 Result<std::vector<Source>> load_source(const std::filesystem::path& path, const Reading& reading) {
-  if (protocol::is_stream_address(path.string()) || protocol::is_engine_address(path.string())) {
+  if (is_address(path)) {
     return address_source(path, reading.live);
   }
   std::vector<Source> streams;
   const std::string stem = stream_name(path);
   if (auto can = check_name(path, stem); !can) return can.error();
-  if (reading.live != LiveSources::None && is_live(path, reading.live == LiveSources::Files)) {
+  if (reading.live != LiveKinds::None && is_live(path, reading.live == LiveKinds::Files)) {
     streams.push_back({.path = path, .name = stem, .live = true});
     return streams;
   }
@@ -254,10 +259,14 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
     return Error{ErrorKind::Usage, at_place(source.path.string(),
                                             "only one address may leave the stream's name out")};
   }
-  return Error{ErrorKind::Usage,
-               at_place(source.path.string(), "a stream named '" + source.name + "' comes from " +
-                                                  printable(other->path.string()) +
-                                                  " already; leave one out or rename a file")};
+  const char* const remedy = !is_address(source.path) ? "; leave one out or rename a file"
+                             : !is_address(other->path)
+                                 ? "; rename the file"
+                                 : "; name both hosts in one address, HOST,HOST/NAME";
+  return Error{
+      ErrorKind::Usage,
+      at_place(source.path.string(), "a stream named '" + source.name + "' comes from " +
+                                         printable(other->path.string()) + " already" + remedy)};
 }
 
 }  // namespace
@@ -265,7 +274,7 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
                                          const SourceOptions& options,
                                          const EncodingOptions& encoding,
-                                         std::vector<Error>* skipped, LiveSources live,
+                                         std::vector<Error>* skipped, LiveKinds live,
                                          const std::stop_token& stop) {
   const auto conditioning = conditioning_of(options.signal);
   if (!conditioning) return conditioning.error();
@@ -280,7 +289,7 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
     for (const std::filesystem::path& file : *files) {
       const bool first = &path == &paths.front() && &file == &files->front();
       auto streams = load_source(file, {options, *conditioning, encoding,
-                                        file == path ? live : LiveSources::None, first, stop});
+                                        file == path ? live : LiveKinds::None, first, stop});
       if (stop.stop_requested()) return stopped_early();
       if (!streams) {
         errors.push_back(streams.error());

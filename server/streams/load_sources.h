@@ -36,7 +36,7 @@ struct Source {
 };
 
 /// Which sources are live streams; others are read whole. Files of a folder are never live.
-enum class LiveSources : std::uint8_t {
+enum class LiveKinds : std::uint8_t {
   None,     ///< none: --check
   Streams,  ///< stdin and FIFOs
   Files,    ///< files too: --follow
@@ -63,6 +63,6 @@ struct EncodingOptions {
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
-    LiveSources live = LiveSources::None, const std::stop_token& stop = {});
+    LiveKinds live = LiveKinds::None, const std::stop_token& stop = {});
 
 }  // namespace aucast::server

@@ -17,9 +17,9 @@ constexpr std::size_t kHeldBackMost = 65536;
 constexpr std::size_t kHeldBackOfSources = 2048;  ///< for sources whose rate is not known
 
 /// How many bytes of keyframes the busiest stream sends in `time`, rounded up.
-std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds time) {
+std::size_t bytes_in(const Repertoire& repertoire, Milliseconds time) {
   std::size_t most = 0;
-  for (const protocol::ServedStream& stream : catalogue.streams) {
+  for (const auto& [stream, voice] : repertoire) {
     const protocol::RecordedStream* const recorded = stream.recorded();
     if (recorded == nullptr) continue;
     const std::size_t bytes = recorded->encoded->negotiated.bytes();
@@ -32,15 +32,14 @@ std::size_t bytes_in(const protocol::ServerCatalogue& catalogue, Milliseconds ti
 
 }  // namespace
 
-Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t keyframe_ms,
-                           bool loop) {
-  protocol::ServerCatalogue catalogue;
-  catalogue.keyframe_ms = keyframe_ms;
-  catalogue.loop = loop;
+Repertoire make_repertoire(const std::vector<Source>& sources) {
+  Repertoire repertoire;
   for (const Source& source : sources) {
-    protocol::ServedStream& stream = catalogue.streams.emplace_back(source.name);
+    auto& [stream, voice] = repertoire.emplace_back();
+    stream.name = source.name;
     if (protocol::is_title(source.title.text)) stream.title = source.title.text;
     if (!source.stream) continue;
+    voice = source.voice;
     protocol::RecordedStream recorded{source.stream, nullptr, source.voiced};
     if (!source.captions.empty()) {
       protocol::SpokenTrack spoken;
@@ -49,14 +48,11 @@ Repertoire make_repertoire(const std::vector<Source>& sources, std::uint32_t key
     }
     stream.kind = std::move(recorded);
   }
-  Repertoire repertoire(std::move(catalogue));
-  for (const Source& source : sources) repertoire.voices.push_back(source.voice);
   return repertoire;
 }
 
-Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
-  if (!catalogue.loop) return {};
-  for (const protocol::ServedStream& stream : catalogue.streams) {
+Result<void> check_live_loop(const Repertoire& repertoire) {
+  for (const auto& [stream, voice] : repertoire) {
     const protocol::RecordedStream* const recorded = stream.recorded();
     if (recorded != nullptr && protocol::length_of(*recorded->encoded) == Milliseconds::zero()) {
       return Error{ErrorKind::BadData, "the stream '" + stream.name +
@@ -67,19 +63,18 @@ Result<void> check_live(const protocol::ServerCatalogue& catalogue) {
   return {};
 }
 
-int held_back_for(const protocol::ServerCatalogue& catalogue, const VoiceOptions& voice) {
+int held_back_for(const Repertoire& repertoire, const VoiceOptions& voice) {
   constexpr Milliseconds kTime = protocol::kLiveWindowTime / 2;
   const bool any_voice =
-      std::any_of(catalogue.streams.begin(), catalogue.streams.end(), [](const auto& stream) {
-        const auto* const recorded = stream.recorded();
-        return recorded != nullptr && recorded->spoken && recorded->spoken->voice;
-      });
+      std::any_of(repertoire.begin(), repertoire.end(),
+                  [](const OfferedStream& offered) { return offered.voice.has_value(); });
   // Kilobits a second are bits a millisecond.
   const std::size_t of_voice =
       any_voice ? voice_kbits(voice.encoder) * static_cast<std::size_t>(kTime.count()) / 8 : 0;
-  const std::size_t bytes = bytes_in(catalogue, kTime) + of_voice;
-  const bool unknown = std::any_of(catalogue.streams.begin(), catalogue.streams.end(),
-                                   [](const auto& stream) { return stream.recorded() == nullptr; });
+  const std::size_t bytes = bytes_in(repertoire, kTime) + of_voice;
+  const bool unknown =
+      std::any_of(repertoire.begin(), repertoire.end(),
+                  [](const OfferedStream& offered) { return offered.stream.absent(); });
   const std::size_t least = unknown ? kHeldBackOfSources : kHeldBackLeast;
   return static_cast<int>(std::clamp(bytes, least, kHeldBackMost));
 }

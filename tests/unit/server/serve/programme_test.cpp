@@ -12,6 +12,7 @@
 #include "server/serve/client_connection.h"
 #include "tests/support/fake_link.h"
 #include "tests/support/kept_log.h"
+#include "tests/support/packets.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
@@ -20,23 +21,23 @@
 namespace aucast::server {
 namespace {
 
-std::shared_ptr<const protocol::EncodedStream> stream_of(const std::string& packet) {
+protocol::RecordedStream stream_of(const std::string& packet) {
   protocol::EncodedStream stream;
-  stream.classic = stream.negotiated = {packet, "{2}"};
+  stream.classic = stream.negotiated = test::packets({packet, "{2}"});
   stream.times.assign(2, protocol::KeyframeTime(3'600'000));
-  return std::make_shared<const protocol::EncodedStream>(std::move(stream));
+  return {std::make_shared<const protocol::EncodedStream>(std::move(stream))};
 }
 
-protocol::ServerCatalogue catalogue_of(const std::vector<protocol::ServedStream>& streams) {
-  protocol::ServerCatalogue catalogue;
-  catalogue.streams = streams;
-  return catalogue;
+Repertoire repertoire_of(const std::vector<protocol::ServedStream>& streams) {
+  Repertoire repertoire;
+  for (const protocol::ServedStream& stream : streams) repertoire.push_back({stream});
+  return repertoire;
 }
 
 class ProgrammeTest : public ::testing::Test {
  protected:
-  Programme& begin(protocol::ServerCatalogue catalogue) {
-    programme_.emplace(io_, options_, std::move(catalogue),
+  Programme& begin(Repertoire repertoire) {
+    programme_.emplace(io_, options_, std::move(repertoire),
                        Programme::Events{[this] { on_moment_(); }, [] {}});
     EXPECT_TRUE(programme_->open_sources());
     programme_->begin();
@@ -59,70 +60,66 @@ class ProgrammeTest : public ::testing::Test {
 using Names = std::vector<std::string>;
 
 TEST_F(ProgrammeTest, ServesWhatWasReadUntilItIsOthers) {
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   const auto served = [&programme] {
     return programme.catalogue()->streams[0].recorded()->encoded->classic[0];
   };
-  EXPECT_FALSE(programme.take_over(catalogue_of({{"a", stream_of("{1}")}}))) << "the same";
+  EXPECT_FALSE(programme.take_over(repertoire_of({{"a", stream_of("{1}")}}))) << "the same";
   EXPECT_EQ(served(), "{1}");
-  EXPECT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{4}")}})));
+  EXPECT_TRUE(programme.take_over(repertoire_of({{"a", stream_of("{4}")}})));
   EXPECT_EQ(served(), "{4}");
 }
 
 TEST_F(ProgrammeTest, AStreamThatHoldsWhatItHeldIsHeldOnce) {
   const auto first = stream_of("{1}");
-  Programme& programme = begin(catalogue_of({{"a", first}}));
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", first}})));
-  EXPECT_EQ(programme.catalogue()->streams[0].recorded()->encoded, first);
+  Programme& programme = begin(repertoire_of({{"a", first}}));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"a", stream_of("{1}")}, {"b", first}})));
+  EXPECT_EQ(programme.catalogue()->streams[0].recorded()->encoded, first.encoded);
   EXPECT_EQ(names(), (Names{"a", "b"}));
 }
 
 TEST_F(ProgrammeTest, ATokenOutlastsTheStreams) {
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   programme.set_tokens("word", nullptr);
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{1}")}})));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"b", stream_of("{1}")}})));
   EXPECT_EQ(programme.catalogue()->token, "word");
 }
 
 TEST_F(ProgrammeTest, ALiveStreamGoesOnWithoutAGapWhenItHoldsWhatItHeld) {
   options_.live = true;
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   const auto live = programme.catalogue()->streams[0].live();
   ASSERT_NE(live, nullptr);
   EXPECT_EQ(programme.catalogue()->streams[0].recorded(), nullptr);
   EXPECT_GT(programme.held_back_max(), 0);
   ASSERT_TRUE(
-      programme.take_over(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}})));
+      programme.take_over(repertoire_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}})));
   EXPECT_EQ(programme.catalogue()->streams[0].live(), live);
   EXPECT_NE(programme.catalogue()->streams[1].live(), live);
 }
 
 TEST_F(ProgrammeTest, RecordedStreamsMayBeHeldBackAsTheSystemLikes) {
-  EXPECT_EQ(begin(catalogue_of({{"a", stream_of("{1}")}})).held_back_max(), 0);
+  EXPECT_EQ(begin(repertoire_of({{"a", stream_of("{1}")}})).held_back_max(), 0);
 }
 
 TEST_F(ProgrammeTest, ASourceThatIsBeingWrittenHasTheStreamOfItsName) {
   options_.live_source.follow = true;
   options_.sources = {folder_.write("face.txt", "12:50;100\n")};
-  Programme& programme =
-      begin(catalogue_of({protocol::ServedStream("face"), {"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"face"}, {"a", stream_of("{1}")}}));
   const auto live = programme.catalogue()->streams[0].live();
   ASSERT_NE(live, nullptr);
   ASSERT_TRUE(test::run_until(io_, [&] { return live->newest() != nullptr; }));
   EXPECT_EQ(live->newest()->full, "{12:50;100}");
-  ASSERT_TRUE(
-      programme.take_over(catalogue_of({protocol::ServedStream("face"), {"a", stream_of("{4}")}})));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"face"}, {"a", stream_of("{4}")}})));
   EXPECT_EQ(programme.catalogue()->streams[0].live(), live) << "a reload leaves it alone";
   EXPECT_TRUE(programme.finish());
 }
 
 TEST_F(ProgrammeTest, AStreamThatOnlyBecameALiveSourceIsLeftOut) {
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
-  EXPECT_FALSE(programme.take_over(catalogue_of({protocol::ServedStream("face")})))
-      << "nothing is left";
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
+  EXPECT_FALSE(programme.take_over(repertoire_of({{"face"}}))) << "nothing is left";
   EXPECT_EQ(names(), Names{"a"});
-  EXPECT_TRUE(
-      programme.take_over(catalogue_of({protocol::ServedStream("face"), {"b", stream_of("{1}")}})));
+  EXPECT_TRUE(programme.take_over(repertoire_of({{"face"}, {"b", stream_of("{1}")}})));
   EXPECT_EQ(names(), Names{"b"});
 }
 
@@ -130,13 +127,12 @@ TEST_F(ProgrammeTest, ASourceThatCannotBeOpenedIsAnError) {
   options_.live_source.follow = true;
   options_.sources = {"-"};
   options_.record = "/nowhere/kept.txt";
-  Programme programme(io_, options_, catalogue_of({protocol::ServedStream("live")}),
-                      {[] {}, [] {}});
+  Programme programme(io_, options_, repertoire_of({{"live"}}), {[] {}, [] {}});
   EXPECT_FALSE(programme.open_sources());
 }
 
 TEST_F(ProgrammeTest, AStreamIsBroughtToOthersAloneUnderAnotherName) {
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}, {"b", stream_of("{4}")}}));
   const auto alone = programme.alone("b");
   ASSERT_EQ(alone->streams.size(), 1U);
   EXPECT_EQ(alone->streams[0].recorded()->encoded->classic[0], "{4}") << "the one of that name";
@@ -149,7 +145,7 @@ TEST_F(ProgrammeTest, AStreamIsBroughtToOthersAloneUnderAnotherName) {
 
 TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
   options_.credentials.publishers = "publishers";
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   const auto publish_refused = programme.catalogue()->publish_refused;
   protocol::HelloAsked hello;
   hello.publish = "a";
@@ -160,10 +156,10 @@ TEST_F(ProgrammeTest, WhatPublishersBringStandsBehindItsOwnStreams) {
   programme.take(std::make_shared<test::FakeLink>(), hello, "campus:1");
   EXPECT_EQ(names(), (Names{"a", "talk"}));
   EXPECT_EQ(publish_refused(hello)->code, 409) << "another publisher's";
-  EXPECT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{1}")}})));
+  EXPECT_TRUE(programme.take_over(repertoire_of({{"b", stream_of("{1}")}})));
   EXPECT_EQ(names(), (Names{"b", "talk"})) << "a reload leaves it";
   EXPECT_EQ(programme.catalogue()->publish_refused(hello)->code, 409);
-  EXPECT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{1}")}})));
+  EXPECT_TRUE(programme.take_over(repertoire_of({{"talk", stream_of("{1}")}})));
   EXPECT_EQ(names(), Names{"talk"}) << "now one of its own";
   EXPECT_NE(programme.catalogue()->streams[0].recorded(), nullptr);
 }
@@ -178,8 +174,8 @@ class FaceProgrammeTest : public ProgrammeTest {
     options_.sources = {
         folder_.write("cam.csv", sources::tables::kOpenFace2Header +
                                      sources::tables::openface2_row(1, "0.00", "0,2,0,0,0,0,0"))};
-    others.insert(others.begin(), protocol::ServedStream("cam"));
-    return begin(catalogue_of(others));
+    others.insert(others.begin(), {"cam"});
+    return begin(repertoire_of(others));
   }
   [[nodiscard]] bool runs_until_said(const std::string& what) {
     return test::run_until(io_, [&] { return log_.said().find(what) != std::string::npos; });
@@ -205,8 +201,7 @@ TEST_F(FaceProgrammeTest, AFaceTakesItsNameFromAPublisherAndKeepsItOverAReload) 
   EXPECT_EQ(names(), (Names{"cam", "cam-0"}));
   const auto live = programme.catalogue()->streams[1].live();
   ASSERT_NE(live, nullptr);
-  EXPECT_FALSE(programme.take_over(
-      catalogue_of({protocol::ServedStream("cam"), {"cam-0", stream_of("{1}")}})));
+  EXPECT_FALSE(programme.take_over(repertoire_of({{"cam"}, {"cam-0", stream_of("{1}")}})));
   EXPECT_EQ(names(), (Names{"cam", "cam-0"}));
   EXPECT_EQ(programme.catalogue()->streams[1].live(), live);
   EXPECT_NE(log_.said().find("cam-0: another source has that name now"), std::string::npos);
@@ -219,11 +214,11 @@ TEST_F(ProgrammeTest, IsLiveWhenAStreamIs) {
     programme_->describe(status);
     return status.live;
   };
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   EXPECT_FALSE(live()) << "though publishers may come";
   EXPECT_GT(programme.held_back_max(), 0) << "and who waits for one may be sent a live stream";
   options_.live = true;
-  begin(catalogue_of({{"a", stream_of("{1}")}}));
+  begin(repertoire_of({{"a", stream_of("{1}")}}));
   EXPECT_TRUE(live());
 }
 
@@ -232,7 +227,7 @@ class WaitingViewerTest : public ProgrammeTest {
  protected:
   Programme& begin_with_viewer() {
     options_.credentials.publishers = "publishers";
-    Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+    Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
     viewer_ = std::make_shared<ClientConnection>(link_, programme.catalogue(),
                                                  ClientConnection::Settings{},
                                                  [](const ClientRecord&, const std::string&) {});
@@ -248,7 +243,7 @@ class WaitingViewerTest : public ProgrammeTest {
 
 TEST_F(WaitingViewerTest, WaitsOnForAPublisherOverAReload) {
   Programme& programme = begin_with_viewer();
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"b", stream_of("{4}")}})));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"b", stream_of("{4}")}})));
   EXPECT_EQ(link_->heard(), "");
   const auto publisher = std::make_shared<test::FakeLink>();
   protocol::HelloAsked hello;
@@ -260,14 +255,14 @@ TEST_F(WaitingViewerTest, WaitsOnForAPublisherOverAReload) {
 
 TEST_F(WaitingViewerTest, FindsWhatAReloadBrings) {
   Programme& programme = begin_with_viewer();
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{4}")}})));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"talk", stream_of("{4}")}})));
   EXPECT_NE(link_->heard().find("{4}"), std::string::npos);
 }
 
 TEST_F(WaitingViewerTest, KeepsTheStreamThatItIsSent) {
   Programme& programme = begin_with_viewer();
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{4}")}})));
-  ASSERT_TRUE(programme.take_over(catalogue_of({{"talk", stream_of("{5}")}})));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"talk", stream_of("{4}")}})));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"talk", stream_of("{5}")}})));
   EXPECT_NE(link_->heard().find("{4}"), std::string::npos);
   link_->say("11");
   EXPECT_EQ(link_->heard(), "{2}{-2}") << "the rest of the stream before";
@@ -275,7 +270,7 @@ TEST_F(WaitingViewerTest, KeepsTheStreamThatItIsSent) {
 
 TEST_F(ProgrammeTest, APublisherOfATakenNameHearsThatBeforeThatTheServerStops) {
   options_.credentials.publishers = "publishers";
-  Programme& programme = begin(catalogue_of({{"a", stream_of("{1}")}}));
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   const auto publish_refused = programme.catalogue()->publish_refused;
   programme.stop();
   protocol::HelloAsked hello;
@@ -289,9 +284,9 @@ TEST_F(ProgrammeTest, APublisherOfATakenNameHearsThatBeforeThatTheServerStops) {
 
 TEST_F(ProgrammeTest, NeedsNoStreamOfItsOwnWherePublishersBringThem) {
   options_.credentials.publishers = "publishers";
-  Programme& programme = begin(catalogue_of({}));
+  Programme& programme = begin(repertoire_of({}));
   EXPECT_TRUE(programme.catalogue()->patience);
-  EXPECT_FALSE(programme.take_over(catalogue_of({}))) << "still none";
+  EXPECT_FALSE(programme.take_over(repertoire_of({}))) << "still none";
   EXPECT_TRUE(programme.catalogue()->streams.empty());
 }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <asio/executor_work_guard.hpp>
 
+#include "tests/support/packets.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
@@ -20,11 +21,10 @@ namespace {
 
 Repertoire only(const std::string& name) {
   protocol::EncodedStream stream;
-  stream.classic = stream.negotiated = {"{1}"};
+  stream.classic = stream.negotiated = test::packets({"{1}"});
   stream.times.assign(1, protocol::KeyframeTime(100));
-  protocol::ServerCatalogue catalogue;
-  catalogue.streams = {{name, std::make_shared<const protocol::EncodedStream>(std::move(stream))}};
-  return catalogue;
+  const auto encoded = std::make_shared<const protocol::EncodedStream>(std::move(stream));
+  return {{{name, protocol::RecordedStream{encoded}}}};
 }
 
 class ReloadTest : public ::testing::Test {

@@ -24,16 +24,11 @@ class LoadRepertoireTest : public ::testing::Test {
 
 TEST_F(LoadRepertoireTest, ServesTheSourcesInTheirOrder) {
   options_.sources = {folder_.write("b.txt", kOne), folder_.write("a.txt", kOne)};
-  options_.loop = true;
-  options_.keyframe_ms = 40;
   const auto repertoire = load_repertoire(options_);
   ASSERT_TRUE(repertoire) << repertoire.error().message;
-  const protocol::ServerCatalogue& catalogue = repertoire->catalogue;
-  ASSERT_EQ(catalogue.streams.size(), 2U);
-  EXPECT_EQ(catalogue.streams[0].name, "b");
-  EXPECT_EQ(catalogue.streams[1].name, "a");
-  EXPECT_TRUE(catalogue.loop);
-  EXPECT_EQ(catalogue.keyframe_ms, 40U);
+  ASSERT_EQ(repertoire->size(), 2U);
+  EXPECT_EQ((*repertoire)[0].stream.name, "b");
+  EXPECT_EQ((*repertoire)[1].stream.name, "a");
 }
 
 TEST_F(LoadRepertoireTest, WhatIsBadIsLeftOutOnlyIfThatIsAsked) {
@@ -42,8 +37,8 @@ TEST_F(LoadRepertoireTest, WhatIsBadIsLeftOutOnlyIfThatIsAsked) {
   options_.skip_bad = true;
   const auto repertoire = load_repertoire(options_);
   ASSERT_TRUE(repertoire);
-  ASSERT_EQ(repertoire->catalogue.streams.size(), 1U);
-  EXPECT_EQ(repertoire->catalogue.streams[0].name, "b");
+  ASSERT_EQ(repertoire->size(), 1U);
+  EXPECT_EQ(repertoire->front().stream.name, "b");
 }
 
 TEST_F(LoadRepertoireTest, WhatCannotBeSentLiveIsAnErrorWhereItIsLive) {

@@ -103,6 +103,13 @@ TEST(LoadSources, AllErrorsOfAllFilesAreReported) {
   EXPECT_TRUE(has(error, "none.txt: cannot be read")) << error.message;
 }
 
+TEST(LoadSources, OneNameOfTwoServersBelongsInOneAddress) {
+  const auto sources =
+      load_sources({"aucast://a/talk", "aucast://b/talk"}, {}, {}, nullptr, LiveKinds::Streams);
+  ASSERT_FALSE(sources);
+  EXPECT_TRUE(has(sources.error(), "name both hosts in one address")) << sources.error().message;
+}
+
 TEST(LoadSources, NameThatIsTakenIsRefusedWithTheRemedy) {
   const TempFolder folder;
   const auto first = folder.write("a/talk.txt", kTwo);
@@ -136,7 +143,7 @@ TEST(LoadSources, AskedToStopItReadsNothingMore) {
   std::stop_source stop;
   std::vector<Error> skipped;
   const auto load = [&](const SourceOptions& options) {
-    return load_sources({talk, table}, options, {}, &skipped, LiveSources::None, stop.get_token());
+    return load_sources({talk, table}, options, {}, &skipped, LiveKinds::None, stop.get_token());
   };
   EXPECT_TRUE(load({}));
   EXPECT_TRUE(load(resampled));

@@ -8,6 +8,7 @@
 #include "common/files.h"
 #include "protocol/stream_file.h"
 #include "server/streams/repertoire.h"
+#include "tests/support/packets.h"
 
 namespace aucast::server {
 namespace {
@@ -36,8 +37,8 @@ std::vector<std::string> classic_packets(const std::string& name) {
   const auto sources = load(name);
   if (sources.empty()) return {};
   std::vector<std::string> packets;
-  const auto catalogue = make_repertoire(sources, 250, false).catalogue;
-  const protocol::PacketList& classic = catalogue.streams.front().recorded()->encoded->classic;
+  const Repertoire repertoire = make_repertoire(sources);
+  const protocol::PacketList& classic = repertoire.front().stream.recorded()->encoded->classic;
   for (std::size_t i = 0; i < classic.size(); ++i) packets.emplace_back(classic[i]);
   return packets;
 }
@@ -71,11 +72,10 @@ TEST(StreamData, SingleExpressionsHaveTheBytesOfTableFiveFive) {
 TEST(StreamData, PrototypesHaveIntensities) {
   const auto sources = load("six_prototypes");
   ASSERT_EQ(sources.size(), 1U);
-  EXPECT_EQ(
-      make_repertoire(sources, 250, false).catalogue.streams[0].recorded()->encoded->negotiated,
-      (protocol::PacketList{"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
-                            "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
-                            "{1:80,4:50,11:25,15:25}"}));
+  EXPECT_EQ(make_repertoire(sources)[0].stream.recorded()->encoded->negotiated,
+            test::packets({"{1:80,2:80,5:25,26:80}", "{1:80,2:50,4:50,5:80,20:50,25:50}",
+                           "{9:80,16:50,26:25}", "{4:80,5:50,7:80,23:80}", "{6:80,12}",
+                           "{1:80,4:50,11:25,15:25}"}));
 }
 
 TEST(StreamData, TalkIsLongTimedAndEndsNeutral) {

@@ -106,13 +106,13 @@ TEST_F(VoicedSources, TheVoicedStreamHoldsTheFaceUntilTheVoiceIsOver) {
   write_wav("talk.wav", voice::test::speech_like(6));
   const auto sources = load_sources({face});
   ASSERT_TRUE(sources);
-  const Repertoire repertoire = make_repertoire(*sources, 250, false);
-  const protocol::RecordedStream& stream = *repertoire.catalogue.streams.front().recorded();
-  EXPECT_EQ(repertoire.catalogue.streams.front().title, "A talk");
+  const Repertoire repertoire = make_repertoire(*sources);
+  const protocol::RecordedStream& stream = *repertoire.front().stream.recorded();
+  EXPECT_EQ(repertoire.front().stream.title, "A talk");
   ASSERT_TRUE(stream.voiced);
   EXPECT_EQ(stream.encoded->duration_ms, 2000U);
   EXPECT_GE(stream.voiced->duration_ms, 6000U);
-  ASSERT_TRUE(repertoire.voices.front());
+  ASSERT_TRUE(repertoire.front().voice);
 }
 
 TEST_F(VoicedSources, CheckTellsLengthsAndSilence) {
