@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,11 +14,6 @@ namespace aucast::protocol {
 /// its position; positions of four bytes limit the packets to 4 GiB in all.
 class PacketList {
  public:
-  PacketList() = default;
-  PacketList(std::initializer_list<std::string_view> packets) {
-    for (const std::string_view packet : packets) push_back(packet);
-  }
-
   void push_back(std::string_view packet) {
     AUCAST_CHECK(packet.size() <= UINT32_MAX - bytes_.size());
     bytes_ += packet;

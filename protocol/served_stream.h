@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <variant>
 
 #include "protocol/encoded_stream.h"
@@ -24,17 +23,6 @@ struct ServedStream {
   std::string name;
   Kind kind{};
   std::string title{};  ///< to show to people; empty: none
-
-  ServedStream() = default;
-  explicit ServedStream(std::string its_name) : name(std::move(its_name)) {}
-  ServedStream(std::string its_name, RecordedStream recorded)
-      : name(std::move(its_name)), kind(std::move(recorded)) {}
-  ServedStream(std::string its_name, std::shared_ptr<const EncodedStream> recorded)
-      : ServedStream(std::move(its_name), RecordedStream{std::move(recorded)}) {}
-  ServedStream(std::string its_name, std::shared_ptr<const LiveChannel> live)
-      : name(std::move(its_name)), kind(std::move(live)) {}
-  ServedStream(std::string its_name, std::shared_ptr<const UpstreamStream> upstream)
-      : name(std::move(its_name)), kind(std::move(upstream)) {}
 
   /// The recorded stream, our own or another server's; null: it is not recorded, or not known yet.
   [[nodiscard]] const RecordedStream* recorded() const;

@@ -11,6 +11,7 @@
 #include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/support/packets.h"
 
 using namespace aucast;
 using namespace aucast::protocol;
@@ -53,9 +54,11 @@ std::shared_ptr<const SpokenTrack> spoken_words() {
 void add_plain_streams(ServerCatalogue& catalogue) {
   const std::string large = '{' + std::string(kLargePacket - 2, ' ') + '}';
   catalogue.streams.push_back(
-      {"b", std::make_shared<const EncodedStream>(EncodedStream{{"{0}"}, {"{0}"}, {}, {}, {}})});
-  catalogue.streams.push_back({"c", std::make_shared<const EncodedStream>(EncodedStream{
-                                        {large, large}, {large, large}, {}, {}, {}})});
+      {"b", RecordedStream{std::make_shared<const EncodedStream>(
+                EncodedStream{test::packets({"{0}"}), test::packets({"{0}"}), {}, {}, {}})}});
+  catalogue.streams.push_back(
+      {"c", RecordedStream{std::make_shared<const EncodedStream>(EncodedStream{
+                test::packets({large, large}), test::packets({large, large}), {}, {}, {}})}});
 }
 
 }  // namespace
@@ -70,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Instant now{};
   std::shared_ptr<LiveReplay> live;
   if ((kind & 2U) != 0) {
-    a.changes = {"{1:30}", "{~2;40}", "{3}"};
+    a.changes = test::packets({"{1:30}", "{~2;40}", "{3}"});
     a.times = {KeyframeTime(250), KeyframeTime(40), KeyframeTime(0)};
     live = std::make_shared<LiveReplay>(std::make_shared<const EncodedStream>(a), catalogue.loop,
                                         now, spoken);

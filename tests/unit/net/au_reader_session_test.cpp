@@ -35,7 +35,8 @@ protocol::ServerCatalogue catalogue_of(int count) {
   }
   protocol::ServerCatalogue catalogue;
   catalogue.streams.push_back(
-      {"numbers", std::make_shared<const protocol::EncodedStream>(std::move(stream))});
+      {"numbers", protocol::RecordedStream{
+                      std::make_shared<const protocol::EncodedStream>(std::move(stream))}});
   return catalogue;
 }
 

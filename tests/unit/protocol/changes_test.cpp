@@ -3,6 +3,7 @@
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/limits.h"
+#include "tests/support/packets.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::protocol {
@@ -110,8 +111,8 @@ TEST(EncodeStream, SumsTheTimes) {
   const std::vector<Keyframe> keyframes{keyframe("1:10"), keyframe("R2;40")};
   const EncodedStream stream = encode_stream(keyframes, 250, 20);
   EXPECT_EQ(stream.duration_ms, 290U);
-  EXPECT_EQ(stream.classic, (PacketList{"{0}", "{2}"}));
-  EXPECT_EQ(stream.negotiated, (PacketList{"{1:10}", "{R2;40}"}));
+  EXPECT_EQ(stream.classic, test::packets({"{0}", "{2}"}));
+  EXPECT_EQ(stream.negotiated, test::packets({"{1:10}", "{R2;40}"}));
 }
 
 TEST(StreamEncoder, HoldsPacketsAndTimesOnly) {

@@ -84,7 +84,7 @@ TEST_F(VoiceInTheMaking, ALoopOfAnotherServerIsCutLikeOnesOwn) {
   auto upstream = std::make_shared<UpstreamStream>();
   upstream->content = std::get<RecordedStream>(stream_.kind);
   upstream->loop = true;
-  stream_ = ServedStream("talk", std::move(upstream));
+  stream_ = {"talk", std::move(upstream)};
   deliver(false);
   track_->add({0ms, kOpus60});
   track_->add({270ms, kOpus60});
@@ -101,7 +101,7 @@ TEST_F(VoiceInTheMaking, WhereALoopStillArrivesTheVoiceGoesOutBeforeItsKeyframe)
   auto upstream = std::make_shared<UpstreamStream>();
   upstream->content = RecordedStream{arriving, stream_.recorded()->spoken};
   upstream->loop = true;
-  stream_ = ServedStream("talk", std::move(upstream));
+  stream_ = {"talk", std::move(upstream)};
   deliver(false);
   track_->add({0ms, kOpus60});
   track_->add({170ms, kOpus60});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "protocol/limits.h"
+#include "tests/support/packets.h"
 #include "tests/support/seeded.h"
 
 namespace aucast::protocol {
@@ -39,9 +40,9 @@ TEST(EncodedStream, HasEachKeyframeInEveryForm) {
   encoder.add(open);
   EXPECT_EQ(encoder.keyframes(), 2U);
   const EncodedStream stream = encoder.finish();
-  EXPECT_EQ(stream.classic, (PacketList{"{12,25}", "{25}"})) << "what is faint is left out";
-  EXPECT_EQ(stream.negotiated, (PacketList{"{12:40,25:70}", "{12:10,25:70;33}"}));
-  EXPECT_EQ(stream.changes, (PacketList{"{12:40,25:70}", "{~12:10;33}"}));
+  EXPECT_EQ(stream.classic, test::packets({"{12,25}", "{25}"})) << "what is faint is left out";
+  EXPECT_EQ(stream.negotiated, test::packets({"{12:40,25:70}", "{12:10,25:70;33}"}));
+  EXPECT_EQ(stream.changes, test::packets({"{12:40,25:70}", "{~12:10;33}"}));
   EXPECT_EQ(stream.times, (std::vector<KeyframeTime>{KeyframeTime(250), KeyframeTime(33)}));
   EXPECT_EQ(stream.duration_ms, 283U);
   EXPECT_EQ(stream.extent, Extent::Whole);
@@ -51,7 +52,7 @@ TEST(EncodedStream, HasEachKeyframeInEveryForm) {
 TEST(EncodedStream, OfPlainNumbersHasNoChangesOnlyForm) {
   const std::vector<Keyframe> plain{smile(100), smile(100)};
   const EncodedStream stream = encode_stream(plain, 250, 20);
-  EXPECT_EQ(stream.negotiated, (PacketList{"{12}", "{12}"}));
+  EXPECT_EQ(stream.negotiated, test::packets({"{12}", "{12}"}));
   EXPECT_TRUE(stream.changes.empty());
 }
 

@@ -18,8 +18,8 @@ class JoiningTest : public ::testing::Test {
  protected:
   JoiningTest() {
     const std::vector<Keyframe> keyframes(1);
-    catalogue_.streams = {
-        {"smile", std::make_shared<const EncodedStream>(encode_stream(keyframes, 250, 20))}};
+    catalogue_.streams = {{"smile", RecordedStream{std::make_shared<const EncodedStream>(
+                                        encode_stream(keyframes, 250, 20))}}};
   }
 
   [[nodiscard]] Joining joining(Admission admission = Admission::Welcome,
@@ -141,7 +141,7 @@ TEST_F(JoiningTest, TheListSaysOfEachStreamWhatIsKnown) {
   const auto turning = parents("turning");
   turning->content = RecordedStream{recorded};
   turning->loop = true;
-  catalogue_.streams = {{"talk", recorded},
+  catalogue_.streams = {{"talk", RecordedStream{recorded}},
                         {"spoken", RecordedStream{recorded, nullptr, longer}},
                         {"face", std::make_shared<const LiveFeed>(40, 20)},
                         {"", relayed},

@@ -7,6 +7,7 @@
 #include "protocol/encoded_track.h"
 #include "protocol/packet_list.h"
 #include "protocol/recent.h"
+#include "tests/support/packets.h"
 
 namespace aucast::protocol {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 const std::string kTwentyMs("\x08", 1);  ///< an Opus packet (RFC 6716 table 2: SILK, 20 ms)
 
 TEST(PacketList, GivesEachPacketAsItWasAdded) {
-  PacketList list{"{1}", "", "{12:40;33}"};
+  PacketList list = test::packets({"{1}", "", "{12:40;33}"});
   EXPECT_EQ(list.size(), 3U);
   EXPECT_EQ(list.bytes(), 13U);
   EXPECT_EQ(list[0], "{1}");
@@ -24,7 +25,7 @@ TEST(PacketList, GivesEachPacketAsItWasAdded) {
   EXPECT_EQ(list[3], "{0}");
   EXPECT_FALSE(list.empty());
   EXPECT_TRUE(PacketList().empty());
-  EXPECT_NE((PacketList{"{1}", "{2}"}), (PacketList{"{1}{2}"})) << "where they end counts";
+  EXPECT_NE(test::packets({"{1}", "{2}"}), test::packets({"{1}{2}"})) << "where they end counts";
 }
 
 TEST(Recent, CountsOnWhenTheOldestAreDropped) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/packets.h"
+
 namespace aucast::protocol {
 namespace {
 
@@ -27,7 +29,8 @@ std::vector<KeyframeTime> times(std::size_t count, std::uint32_t ms) {
 }
 
 TEST(LiveReplay, ShowsEachMomentInEveryFormWhenItsTimeComes) {
-  LiveReplay replay(stream_of(times(3, 100), {"{0:50}", "{~1}", "{~2}"}), false, kReplayBegin);
+  LiveReplay replay(stream_of(times(3, 100), test::packets({"{0:50}", "{~1}", "{~2}"})), false,
+                    kReplayBegin);
   EXPECT_EQ(replay.newest(), nullptr);
   EXPECT_TRUE(replay.advance(kReplayBegin));
   ASSERT_NE(replay.newest(), nullptr);

@@ -3,6 +3,7 @@
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "protocol/server_session.h"
+#include "tests/support/packets.h"
 #include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {
@@ -22,7 +23,7 @@ class LiveServer : public ::testing::Test {
   LiveServer() {
     stream_ = encoded({"{1:30}", "{2:30}", "{3:30}", "{4:30}", "{5:30}"},
                       {"{1}", "{2}", "{3}", "{4}", "{5}"});
-    stream_.changes = {"{1:30}", "{~a2}", "{~a3}", "{~a4}", "{~a5}"};
+    stream_.changes = test::packets({"{1:30}", "{~a2}", "{~a3}", "{~a4}", "{~a5}"});
     stream_.times.assign(5, KeyframeTime(100));
     start(false);
   }
@@ -260,7 +261,7 @@ TEST_F(RecordedChanges, AreSentWhenAskedFor) {
 }
 
 TEST_F(RecordedChanges, AreNotGrantedWhereThereAreNone) {
-  stream_.changes = {};
+  stream_.changes = test::packets({});
   start_recorded();
   EXPECT_EQ(get("{hello v=2 window=1 delta=1}"),
             "send {hello v=2 window=1 stream=talk keyframe=250}{1:30}");

@@ -5,6 +5,7 @@
 #include "protocol/limits.h"
 #include "protocol/secret.h"
 #include "protocol/spare_codes.h"
+#include "tests/support/packets.h"
 #include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {
@@ -38,7 +39,7 @@ class Server : public ::testing::Test {
   void start_endless() {
     const std::string packet = '{' + std::string(kLarge - 2, '1') + '}';
     EncodedStream talk;
-    talk.classic = talk.negotiated = {packet, packet};
+    talk.classic = talk.negotiated = test::packets({packet, packet});
     catalogue_.streams = {served("talk", talk)};
     catalogue_.loop = true;
     start();

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/codec.h"
+#include "tests/support/packets.h"
 
 namespace aucast::test {
 
@@ -103,8 +104,8 @@ std::string reason_of(const std::vector<ClientEvent>& events) {
 EncodedStream encoded(std::initializer_list<std::string_view> negotiated,
                       std::initializer_list<std::string_view> classic) {
   EncodedStream stream;
-  stream.negotiated = PacketList(negotiated);
-  stream.classic = classic.size() == 0 ? stream.negotiated : PacketList(classic);
+  stream.negotiated = packets(negotiated);
+  stream.classic = classic.size() == 0 ? stream.negotiated : packets(classic);
   return stream;
 }
 
@@ -115,7 +116,8 @@ EncodedStream encoded(const std::vector<Keyframe>& keyframes, int classic_min) {
 }
 
 ServedStream served(std::string name, EncodedStream stream) {
-  return {std::move(name), std::make_shared<const EncodedStream>(std::move(stream))};
+  return {std::move(name),
+          RecordedStream{std::make_shared<const EncodedStream>(std::move(stream))}};
 }
 
 }  // namespace aucast::test

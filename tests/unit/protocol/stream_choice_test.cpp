@@ -34,15 +34,15 @@ class StreamChoiceTest : public testing::Test {
  protected:
   StreamChoiceTest() {
     catalogue_.id = "me";
-    catalogue_.streams.emplace_back("talk", recorded(3));
-    catalogue_.streams.emplace_back("face", std::make_shared<const LiveFeed>(250, 20));
+    catalogue_.streams.push_back({"talk", RecordedStream{recorded(3)}});
+    catalogue_.streams.push_back({"face", std::make_shared<const LiveFeed>(250, 20)});
   }
   StreamChoice choose(const HelloAsked& hello) const { return choose_stream(catalogue_, hello); }
   /// Adds a stream of another server.
   UpstreamStream& relay(const std::string& name) {
     auto upstream = std::make_shared<UpstreamStream>();
     upstream->patience = Milliseconds(5000);
-    catalogue_.streams.emplace_back(name, std::shared_ptr<const UpstreamStream>(upstream));
+    catalogue_.streams.push_back({name, upstream});
     return *upstream;
   }
 

@@ -15,6 +15,7 @@
 #include "protocol/engine_message.h"
 #include "protocol/live_feed.h"
 #include "tests/support/kept_log.h"
+#include "tests/support/packets.h"
 
 namespace aucast::server {
 namespace {
@@ -48,8 +49,7 @@ class EngineOriginTest : public ::testing::Test {
   ~EngineOriginTest() override { origin_.stop(); }
 
   void serve(protocol::ServedStream::Kind kind) {
-    catalogue_->streams.assign(1, protocol::ServedStream("talk"));
-    catalogue_->streams[0].kind = std::move(kind);
+    catalogue_->streams = {{"talk", std::move(kind)}};
   }
   void serve(const std::shared_ptr<LiveFeed>& feed) {
     serve(std::shared_ptr<const protocol::LiveChannel>(feed));
@@ -115,7 +115,7 @@ TEST_F(EngineOriginTest, AnswersSoManyQuestionsASecondAndCountsTheRest) {
 
 TEST_F(EngineOriginTest, SaysOnceThatARecordedStreamIsNotPublished) {
   protocol::EncodedStream recorded;
-  recorded.classic = recorded.negotiated = {"{1}"};
+  recorded.classic = recorded.negotiated = test::packets({"{1}"});
   recorded.times.assign(1, protocol::KeyframeTime(100));
   serve(protocol::RecordedStream{
       std::make_shared<const protocol::EncodedStream>(std::move(recorded))});

@@ -1,4 +1,5 @@
 #include "server/live/live_beat.h"
+#include "tests/support/packets.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ using protocol::KeyframeTime;
 
 std::shared_ptr<const protocol::EncodedStream> two_moments(Milliseconds first) {
   protocol::EncodedStream stream;
-  stream.classic = {"{1}", "{2}"};
+  stream.classic = test::packets({"{1}", "{2}"});
   stream.negotiated = stream.classic;
   stream.times = {KeyframeTime(first.count()), KeyframeTime(3'600'000)};
   return std::make_shared<const protocol::EncodedStream>(std::move(stream));

@@ -124,7 +124,7 @@ TEST_F(PushersTest, NobodyIsDialledWhileThereIsNothingToBring) {
 
 TEST_F(PushersTest, ALiveStreamThatHasEndedIsBroughtAgainWhenItGoesOn) {
   const auto feed = std::make_shared<protocol::LiveFeed>(250, 20);
-  stream_.emplace("one", std::shared_ptr<const protocol::LiveChannel>(feed));
+  stream_ = protocol::ServedStream{"one", std::shared_ptr<const protocol::LiveChannel>(feed)};
   ASSERT_TRUE(pushers_.open(to({here()}), 0));
   pushers_.start();
   accept();
@@ -138,7 +138,7 @@ TEST_F(PushersTest, ALiveStreamThatHasEndedIsBroughtAgainWhenItGoesOn) {
 }
 
 TEST_F(PushersTest, EachIsKnownByAnIdOfItsOwnWheneverItComes) {
-  stream_.emplace("one", std::make_shared<const protocol::LiveFeed>(250, 20));
+  stream_ = protocol::ServedStream{"one", std::make_shared<const protocol::LiveFeed>(250, 20)};
   ASSERT_TRUE(pushers_.open(to({here(), here()}), 0));
   pushers_.start();
   accept();
@@ -150,7 +150,7 @@ TEST_F(PushersTest, EachIsKnownByAnIdOfItsOwnWheneverItComes) {
 }
 
 TEST_F(PushersTest, AFailureIsSaidAgainAfterTheOtherServerHadAllOfTheStream) {
-  stream_.emplace("one", std::make_shared<const protocol::LiveFeed>(250, 20));
+  stream_ = protocol::ServedStream{"one", std::make_shared<const protocol::LiveFeed>(250, 20)};
   ASSERT_TRUE(pushers_.open(to({here()}), 0));
   pushers_.start();
   accept();

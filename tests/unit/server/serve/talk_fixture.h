@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/server_session.h"
+#include "tests/support/packets.h"
 #include "tests/support/quiet_log.h"
 
 namespace aucast::server {
@@ -16,10 +17,10 @@ class TalkFixture : public ::testing::Test {
  protected:
   TalkFixture() {
     protocol::EncodedStream stream;
-    stream.classic = stream.negotiated = {"{1}", "{2}", "{3}"};
+    stream.classic = stream.negotiated = test::packets({"{1}", "{2}", "{3}"});
     stream.times.assign(3, protocol::KeyframeTime(100));
     stream_ = std::make_shared<const protocol::EncodedStream>(std::move(stream));
-    catalogue_->streams = {{"talk", stream_}};
+    catalogue_->streams = {{"talk", protocol::RecordedStream{stream_}}};
   }
 
   const test::QuietLog quiet_;

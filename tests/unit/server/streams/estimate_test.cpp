@@ -1,4 +1,5 @@
 #include "server/streams/estimate.h"
+#include "tests/support/packets.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ using namespace std::chrono_literals;
 /// Four packets of ten bytes.
 Source talk(const std::vector<Milliseconds>& times) {
   protocol::EncodedStream stream;
-  stream.classic = {"{12:34;56}", "{12:34;56}", "{12:34;56}", "{12:34;56}"};
+  stream.classic = test::packets({"{12:34;56}", "{12:34;56}", "{12:34;56}", "{12:34;56}"});
   stream.negotiated = stream.classic;
   for (const Milliseconds time : times) stream.times.emplace_back(time.count());
   return {"talk.txt", "talk", std::make_shared<const protocol::EncodedStream>(std::move(stream))};
