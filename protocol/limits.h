@@ -76,6 +76,12 @@ inline constexpr std::size_t kOutputBytesMax = 65536;
 /// wait.
 inline constexpr std::size_t kWrongTokensMax = 8;
 inline constexpr std::chrono::milliseconds kWrongTokensTime{1000};
+/// How many wrong tokens, of all addresses together, are remembered. When more come, the oldest are
+/// forgotten: their addresses may guess again a little sooner.
+inline constexpr std::size_t kGuessesMax = 65'536;
+/// The most captions of a live stream that are kept. Who sends more of them ahead of the face loses
+/// the oldest.
+inline constexpr std::size_t kLiveCaptionsMax = 64;
 /// Longest wait of a client for a stream that a relay does not have yet. The client would give up
 /// after 10 s of silence, without knowing why.
 inline constexpr std::chrono::milliseconds kStreamWaitMax{8000};

@@ -26,7 +26,7 @@ void LiveChannel::keep(CaptionData caption) {
     const CaptionData* const second = captions_.find(captions_.first_number() + 1);
     return second == nullptr || Milliseconds(second->place_ms) > now;
   };
-  while (!stands() || captions_.size() > kCaptionsMax) {
+  while (!stands() || captions_.size() > kLiveCaptionsMax) {
     if (stands()) ++captions_left_out_;
     captions_.pop_front();
   }

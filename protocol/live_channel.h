@@ -33,8 +33,6 @@ struct LiveMoment {
 /// Thread: none of its own; sessions and writer are on the same one.
 class LiveChannel {
  public:
-  /// The most captions that are kept. Who writes more of them ahead of the face loses the oldest.
-  static constexpr std::size_t kCaptionsMax = 64;
   /// How many moments latest() has at most, the newest ones: no window takes more.
   static constexpr std::size_t kLatestMax = kWindowMax;
 
@@ -62,7 +60,7 @@ class LiveChannel {
   [[nodiscard]] const Recent<EncodedVoice>& voice() const { return voice_; }
   /// The present caption and those that follow.
   [[nodiscard]] const Recent<CaptionData>& captions() const { return captions_; }
-  /// How many captions were dropped, before the next one began, because of kCaptionsMax.
+  /// How many captions were dropped, before the next one began, because of kLiveCaptionsMax.
   [[nodiscard]] std::uint64_t captions_left_out() const { return captions_left_out_; }
   /// The largest window to grant: as many moments as begin within kLiveWindowTime, but at least
   /// two.

@@ -7,6 +7,16 @@
 
 namespace aucast::protocol {
 
+SentCounts& SentCounts::operator+=(const SentCounts& other) {
+  keyframes += other.keyframes;
+  payload_bytes += other.payload_bytes;
+  keyframes_merged += other.keyframes_merged;
+  voice_packets += other.voice_packets;
+  voice_left_out += other.voice_left_out;
+  spoken_bytes += other.spoken_bytes;
+  return *this;
+}
+
 void PacketWriter::write_keyframe(std::string_view packet, std::string& out) {
   out += packet;
   ++counts_.keyframes;

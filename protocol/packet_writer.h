@@ -14,13 +14,15 @@ namespace aucast::protocol {
 /// Counts what one client was sent.
 struct SentCounts {
   std::uint64_t keyframes = 0;
-  std::uint64_t payload_bytes = 0;  ///< of the keyframes alone
+  std::uint64_t payload_bytes = 0;  ///< of the keyframes alone, as table 5.5 of the thesis counts
   /// Keyframes of a live stream that were left out, since the client was too slow for them.
   std::uint64_t keyframes_merged = 0;
   std::uint64_t voice_packets = 0;
   /// Left out with such keyframes, or since they would begin before the end of the last one.
   std::uint64_t voice_left_out = 0;
   std::uint64_t spoken_bytes = 0;  ///< of voice packets and captions
+
+  SentCounts& operator+=(const SentCounts& other);
 };
 
 /// Writes packets for one client and counts them. Gives voice and captions their places on the

@@ -14,6 +14,7 @@ void WrongTokens::add(std::uint64_t address, Instant now) {
   if (guesses_.size() == kGuessesMax) forget_oldest();
   guesses_.push_back({now + kWrongTokensTime, address});
   ++of_address_[address];
+  ++shown_;
 }
 
 void WrongTokens::forget_oldest() {

@@ -15,14 +15,12 @@ namespace aucast::protocol {
 /// Thread: none of its own.
 class WrongTokens {
  public:
-  /// How many wrong tokens, of all addresses together, are remembered. When more come, the oldest
-  /// are forgotten: their addresses may guess again a little sooner.
-  static constexpr std::size_t kGuessesMax = 65'536;
-
   /// Whether a token from this address may be compared now. `address`: any number that identifies
   /// it.
   [[nodiscard]] bool may_try(std::uint64_t address, Instant now);
   void add(std::uint64_t address, Instant now);
+  /// How many wrong tokens have come so far.
+  [[nodiscard]] std::uint64_t shown() const { return shown_; }
 
  private:
   struct Guess {
@@ -34,6 +32,7 @@ class WrongTokens {
 
   std::deque<Guess> guesses_;  ///< the oldest first
   std::map<std::uint64_t, std::size_t> of_address_;
+  std::uint64_t shown_ = 0;
 };
 
 /// The WrongTokens for the address of one client.

@@ -27,16 +27,15 @@ void Pusher::stop() {
   introduction_.reset();
 }
 
-/// While there is nothing to send, no server is dialled.
-bool Pusher::ready() const {
-  const protocol::ServedStream* const stream = hooks_.stream();
-  if (stream == nullptr) return false;
-  return stream->live() ? !stream->live()->ended() : stream->recorded() != nullptr;
+const protocol::ServedStream* Pusher::stream() const {
+  return hooks_.stream(to_.address.stream);
 }
 
-bool Pusher::is_live() const {
-  const protocol::ServedStream* const stream = hooks_.stream();
-  return stream != nullptr && stream->live();
+/// While there is nothing to send, no server is dialled.
+bool Pusher::ready() const {
+  const protocol::ServedStream* const now = stream();
+  if (now == nullptr) return false;
+  return now->live() ? !now->live()->ended() : now->recorded() != nullptr;
 }
 
 std::string Pusher::name() const {
@@ -45,15 +44,15 @@ std::string Pusher::name() const {
 
 std::string Pusher::stream_name() const {
   if (!to_.address.stream.empty()) return to_.address.stream;
-  const protocol::ServedStream* const stream = hooks_.stream();
-  return stream == nullptr ? std::string() : stream->known_name();
+  const protocol::ServedStream* const now = stream();
+  return now == nullptr ? std::string() : now->known_name();
 }
 
 /// For the log: which stream goes there if none has the name of the address; empty: one has it.
 std::string Pusher::substitute() const {
-  const protocol::ServedStream* const stream = hooks_.stream();
-  if (stream == nullptr || stream->known_name() == stream_name()) return {};
-  return "; it is the first stream, '" + stream->known_name() + "', as none here is called '" +
+  const protocol::ServedStream* const now = stream();
+  if (now == nullptr || now->known_name() == stream_name()) return {};
+  return "; it is the first stream, '" + now->known_name() + "', as none here is called '" +
          stream_name() + "'";
 }
 
@@ -75,7 +74,8 @@ void Pusher::on_answer(const PublishSession::Answer& answer) {
   spdlog::log(std::exchange(said_, true) ? spdlog::level::debug : spdlog::level::info,
               "{}: taken by {}{}", name(), redialler_.peer(), substitute());
   hooks_.serve(
-      redialler_.peer(), introduction->release(), std::get<PublishSession::Taken>(answer).bytes,
+      to_.address.stream, redialler_.peer(), introduction->release(),
+      std::get<PublishSession::Taken>(answer).bytes,
       [this](const ClientRecord& record, const std::string& why) { on_served(record, why); });
 }
 
@@ -83,11 +83,13 @@ void Pusher::on_served(const ClientRecord& record, const std::string& why) {
   serving_ = false;
   const bool finished = record.end_reason == ClientEnd(protocol::CloseConnection::Why::Finished);
   // Who has the whole stream already is sent nothing.
-  if (finished || record.keyframes > 0) redialler_.worked();
-  if (record.keyframes > 0) said_ = false;
+  if (finished || record.sent.keyframes > 0) redialler_.worked();
+  if (record.sent.keyframes > 0) said_ = false;
   if (finished) {
-    if (record.keyframes > 0) spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
-    redialler_.again_in(is_live() ? Redialler::kNotReady : kOfferAgain);
+    if (record.sent.keyframes > 0)
+      spdlog::info("{}: {} has it to its end", name(), redialler_.peer());
+    const bool live = stream() != nullptr && stream()->live();
+    redialler_.again_in(live ? Redialler::kNotReady : kOfferAgain);
   } else {
     ++losses_;
     redialler_.failed(why);

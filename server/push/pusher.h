@@ -28,12 +28,14 @@ namespace aucast::server {
 class Pusher {
  public:
   using OnServed = std::function<void(const ClientRecord&, const std::string& why)>;
+  /// `name`: the stream's name in the address; empty: the first stream.
   struct Hooks {
     /// The stream to offer, as it is now; null: there is none.
-    std::function<const protocol::ServedStream*()> stream;
+    std::function<const protocol::ServedStream*(const std::string& name)> stream;
     /// Serves the stream on the open link, on which these bytes have come; calls OnServed at the
     /// end.
-    std::function<void(std::string peer, std::shared_ptr<link::Link>, std::string_view, OnServed)>
+    std::function<void(const std::string& name, std::string peer, std::shared_ptr<link::Link>,
+                       std::string_view bytes, OnServed)>
         serve;
   };
 
@@ -50,8 +52,8 @@ class Pusher {
   [[nodiscard]] PushStatus status() const;
 
  private:
+  [[nodiscard]] const protocol::ServedStream* stream() const;
   [[nodiscard]] bool ready() const;
-  [[nodiscard]] bool is_live() const;
   [[nodiscard]] std::string name() const;  ///< for the log
   [[nodiscard]] std::string stream_name() const;
   /// For the log, if no stream has the name that was asked for: that the first one is sent. Or "".

@@ -10,13 +10,7 @@ Result<void> Pushers::open(const PushSettings& settings, int held_back_max) {
   for (const std::string& address : settings.addresses) {
     auto to = dialled_address(address, {settings.token, settings.tls, "--push-tls"});
     if (!to) return to.error();
-    Pusher::Hooks hooks;
-    const std::string name = to->address.stream;
-    hooks.stream = [this, name] { return hooks_.stream(name); };
-    hooks.serve = [this, name](auto peer, auto link, auto bytes, auto on_served) {
-      hooks_.serve(name, std::move(peer), std::move(link), bytes, std::move(on_served));
-    };
-    all_.push_back(std::make_unique<Pusher>(io_, *std::move(to), held_back_max, std::move(hooks)));
+    all_.push_back(std::make_unique<Pusher>(io_, *std::move(to), held_back_max, hooks_));
   }
   return {};
 }

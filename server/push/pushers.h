@@ -1,18 +1,14 @@
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <asio/io_context.hpp>
 
-#include "common/link/link.h"
 #include "common/result.h"
-#include "protocol/served_stream.h"
 #include "server/push/pusher.h"
-#include "server/settings/push_settings.h"
+#include "server/settings/other_servers.h"
 #include "server/status/status.h"
 
 namespace aucast::server {
@@ -22,15 +18,7 @@ namespace aucast::server {
 /// Pushers.
 class Pushers {
  public:
-  /// As Pusher::Hooks. `name`: the stream's name in the address; empty: the first stream.
-  struct Hooks {
-    std::function<const protocol::ServedStream*(const std::string& name)> stream;
-    std::function<void(const std::string& name, std::string peer, std::shared_ptr<link::Link>,
-                       std::string_view bytes, Pusher::OnServed)>
-        serve;
-  };
-
-  Pushers(asio::io_context& io, Hooks hooks) : io_(io), hooks_(std::move(hooks)) {}
+  Pushers(asio::io_context& io, Pusher::Hooks hooks) : io_(io), hooks_(std::move(hooks)) {}
 
   /// Reads the addresses, and the secrets for them. `held_back_max` as Pusher's. Errors are those
   /// of dialled_address().
@@ -43,7 +31,7 @@ class Pushers {
 
  private:
   asio::io_context& io_;
-  Hooks hooks_;
+  Pusher::Hooks hooks_;
   std::vector<std::unique_ptr<Pusher>> all_;
 };
 

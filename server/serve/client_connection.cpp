@@ -225,7 +225,7 @@ void ClientConnection::finish_sending() {
 }
 
 void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, bool in_order) {
-  if (state_ >= State::Noted) return;
+  if (noted()) return;
   state_ = State::Noted;
   record_ = so_far();
   record_.end_reason = end_reason;
@@ -233,18 +233,18 @@ void ClientConnection::note_end(ClientEnd end_reason, std::string_view reason, b
   why_ = reason.empty() ? ended : reason;
   say(in_order ? spdlog::level::info : spdlog::level::warn,
       "client {} {}: closed: {}{}{} ({}, {} in {:.3f} s)", record_.number, record_.peer, ended,
-      reason.empty() ? "" : ": ", reason, counted(record_.keyframes, "keyframe"),
-      counted(record_.bytes, "byte"), seconds(record_.send_time));
+      reason.empty() ? "" : ": ", reason, counted(record_.sent.keyframes, "keyframe"),
+      counted(record_.sent.payload_bytes, "byte"), seconds(record_.send_time));
 }
 
 /// Nothing can be sent any more.
 void ClientConnection::lose() {
   if (farewell_) {
     note_end(farewell_->why, farewell_->reason, farewell_->why != Why::Refused);
-  } else if (state_ < State::Noted && session_) {
+  } else if (!noted() && session_) {
     carry_out(session_->on_lost(link_->now()));
   }
-  if (state_ < State::Noted) note_end(Why::PeerGone, "the connection was lost", true);
+  if (!noted()) note_end(Why::PeerGone, "the connection was lost", true);
   close();
 }
 
@@ -262,13 +262,7 @@ ClientRecord ClientConnection::so_far() const {
   if (!session_) return record;
   record.level = static_cast<int>(session_->level());
   record.stream = std::string(session_->stream_name());
-  const protocol::SentCounts& sent = session_->sent();
-  record.keyframes = sent.keyframes;
-  record.bytes = sent.payload_bytes;
-  record.keyframes_merged = sent.keyframes_merged;
-  record.voice_packets = sent.voice_packets;
-  record.spoken_bytes = sent.spoken_bytes;
-  record.voice_left_out = sent.voice_left_out;
+  record.sent = session_->sent();
   return record;
 }
 

@@ -87,7 +87,7 @@ class ClientConnection final : public link::LinkUser,
   [[nodiscard]] bool paused() const { return session_ && session_->paused(); }
 
  private:
-  /// In this order; any may be left out.
+  /// In this order, but any may be left out.
   enum class State : std::uint8_t {
     Serving,
     Draining,  ///< the last byte was written
@@ -122,6 +122,7 @@ class ClientConnection final : public link::LinkUser,
   void close();
   void go_on();
   [[nodiscard]] std::optional<Instant> patience_ends();
+  [[nodiscard]] bool noted() const { return state_ == State::Noted || state_ == State::Closed; }
 
   std::shared_ptr<link::Link> link_;                            ///< null: it was handed over
   std::shared_ptr<const protocol::ServerCatalogue> catalogue_;  ///< outlives the session

@@ -151,10 +151,11 @@ void ClientRegistry::describe(Status& status, Instant now) const {
   status.connects = connects_;
   status.connects_unheard = unheard_;
   status.disconnects = stats_.end_reasons();
-  status.sent = stats_.totals();
+  status.totals = stats_.totals();
+  status.wrong_tokens = wrong_tokens_.shown();
   for (const auto& [number, client] : clients_) {
     const ClientConnection& connection = *client.connection;
-    status.sent.add(connection.so_far());
+    status.totals.add(connection.so_far());
     const bool is_client = client.way != Way::Dialled;
     if (client.way == Way::WebSocket) ++status.clients_web;
     if (is_client && connection.paused()) ++status.clients_paused;

@@ -9,20 +9,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+void add_sent(Json& json, const protocol::SentCounts& sent, std::uint64_t bytes_total,
+              Duration send_time) {
+  json["packets"] = sent.keyframes;
+  json["packets_merged"] = sent.keyframes_merged;
+  json["bytes"] = sent.payload_bytes;
+  json["bytes_total"] = bytes_total;
+  json["voice_packets"] = sent.voice_packets;
+  json["voice_left_out"] = sent.voice_left_out;
+  json["sound_bytes"] = sent.spoken_bytes;
+  json["send_seconds"] = seconds(send_time);
+}
+
 Json json_of(const ClientRecord& record) {
-  return {{"client", record.number},
-          {"peer", record.peer},
-          {"level", record.level},
-          {"stream", record.stream},
-          {"packets", record.keyframes},
-          {"packets_merged", record.keyframes_merged},
-          {"bytes", record.bytes},
-          {"bytes_total", record.bytes_total},
-          {"voice_packets", record.voice_packets},
-          {"voice_left_out", record.voice_left_out},
-          {"sound_bytes", record.spoken_bytes},
-          {"send_seconds", seconds(record.send_time)},
-          {"end_reason", name(record.end_reason)}};
+  Json json = {{"client", record.number},
+               {"peer", record.peer},
+               {"level", record.level},
+               {"stream", record.stream}};
+  add_sent(json, record.sent, record.bytes_total, record.send_time);
+  json["end_reason"] = name(record.end_reason);
+  return json;
 }
 
 std::string_view name_of(EndedHere reason) {
@@ -45,13 +51,8 @@ std::string_view name(ClientEnd reason) {
 }
 
 void Totals::add(const ClientRecord& record) {
-  keyframes += record.keyframes;
-  keyframes_merged += record.keyframes_merged;
-  bytes += record.bytes;
+  sent += record.sent;
   bytes_total += record.bytes_total;
-  voice_packets += record.voice_packets;
-  spoken_bytes += record.spoken_bytes;
-  voice_left_out += record.voice_left_out;
   send_time += record.send_time;
 }
 
@@ -66,18 +67,10 @@ void Stats::add(ClientRecord record) {
 std::string Stats::to_json() const {
   Json clients = Json::array();
   for (const ClientRecord& record : records_) clients.push_back(json_of(record));
-  const Json all = {{"program", "au-transmitter"},
-                    {"clients_total", clients_},
-                    {"packets", totals_.keyframes},
-                    {"packets_merged", totals_.keyframes_merged},
-                    {"bytes", totals_.bytes},
-                    {"bytes_total", totals_.bytes_total},
-                    {"voice_packets", totals_.voice_packets},
-                    {"voice_left_out", totals_.voice_left_out},
-                    {"sound_bytes", totals_.spoken_bytes},
-                    {"send_seconds", seconds(totals_.send_time)},
-                    {"clients_omitted", clients_ - records_.size()},
-                    {"clients", std::move(clients)}};
+  Json all = {{"program", "au-transmitter"}, {"clients_total", clients_}};
+  add_sent(all, totals_.sent, totals_.bytes_total, totals_.send_time);
+  all["clients_omitted"] = clients_ - records_.size();
+  all["clients"] = std::move(clients);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

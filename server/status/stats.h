@@ -26,33 +26,22 @@ using ClientEnd = std::variant<protocol::CloseConnection::Why, EndedHere>;
 
 /// What one client was sent, from accept to close.
 struct ClientRecord {
-  std::uint64_t number = 0;     ///< counts from 1 in the order of arrival
-  std::string peer;             ///< ADDR:PORT
-  int level = 1;                ///< 1 classic, 2 negotiated
-  std::string stream;           ///< empty when it ended before one was chosen
-  std::uint64_t keyframes = 0;  ///< sent
-  std::uint64_t bytes = 0;      ///< of the keyframes alone, as table 5.5 of the thesis counts them
+  std::uint64_t number = 0;  ///< counts from 1 in the order of arrival
+  std::string peer;          ///< ADDR:PORT
+  int level = 1;             ///< 1 classic, 2 negotiated
+  std::string stream;        ///< empty when it ended before one was chosen
+  protocol::SentCounts sent;
   std::uint64_t bytes_total = 0;  ///< all that the socket took, hello, error and {-2} included
   /// From when the first keyframe was given to the socket until the last answer had come and {-2}
   /// was due, or until the connection ended before that. Zero when no keyframe was sent.
   Duration send_time{0};
-  ClientEnd end_reason{};              ///< when it has ended
-  std::uint64_t keyframes_merged = 0;  ///< live ones left out because the client was slow
-  std::uint64_t voice_packets = 0;     ///< handed out
-  std::uint64_t spoken_bytes = 0;      ///< of voice packets and captions
-  std::uint64_t voice_left_out = 0;    ///< voice packets, with keyframes that were left out
-  friend bool operator==(const ClientRecord&, const ClientRecord&) = default;
+  ClientEnd end_reason{};  ///< when it has ended
 };
 
 /// Sums over connections; the fields are those of ClientRecord.
 struct Totals {
-  std::uint64_t keyframes = 0;
-  std::uint64_t keyframes_merged = 0;
-  std::uint64_t bytes = 0;
+  protocol::SentCounts sent;
   std::uint64_t bytes_total = 0;
-  std::uint64_t voice_packets = 0;
-  std::uint64_t spoken_bytes = 0;
-  std::uint64_t voice_left_out = 0;
   Duration send_time{0};
 
   void add(const ClientRecord& record);

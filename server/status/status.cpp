@@ -55,12 +55,61 @@ class Family {
   std::string name_;
 };
 
-void gauge(std::string& text, std::string_view name, std::string_view help, double value) {
-  Family(text, name, "gauge", help).sample(number(value));
-}
+enum class Type : std::uint8_t { Gauge, Counter };
 
-void counter(std::string& text, std::string_view name, std::string_view help, std::uint64_t value) {
-  Family(text, name, "counter", help).sample(std::to_string(value));
+/// A number of the status, as a metric and as a member of the JSON object.
+struct Number {
+  const char* key;
+  const char* metric;
+  Type type;
+  const char* help;
+  Json value;
+};
+
+std::vector<Number> numbers_of(const Status& status) {
+  const protocol::SentCounts& sent = status.totals.sent;
+  return {
+      {"up_seconds", "aucast_uptime_seconds", Type::Gauge, "Since the transmitter was ready.",
+       status.up_seconds},
+      {"clients", "aucast_clients", Type::Gauge, "Connected now.", status.clients},
+      {"clients_web", "aucast_clients_web", Type::Gauge, "Of those, by WebSocket.",
+       status.clients_web},
+      {"clients_paused", "aucast_clients_paused", Type::Gauge, "Of those, paused.",
+       status.clients_paused},
+      {"clients_behind", "aucast_clients_behind", Type::Gauge,
+       "Of those, something waits for them to take it.", status.clients_behind},
+      {"connects", "aucast_connects_total", Type::Counter, "Connections that were heard.",
+       status.connects},
+      {"connects_unheard", "aucast_connects_unheard_total", Type::Counter,
+       "Closed at once, for want of room.", status.connects_unheard},
+      {"accept_failures", "aucast_accept_failures_total", Type::Counter,
+       "Times that accepting had to pause.", status.accept_failures},
+      {"wrong_tokens", "aucast_wrong_tokens_total", Type::Counter,
+       "Wrong tokens of viewers and publishers.", status.wrong_tokens},
+      {"packets", "aucast_packets_total", Type::Counter, "Keyframes handed out.", sent.keyframes},
+      {"packets_merged", "aucast_packets_merged_total", Type::Counter,
+       "Live keyframes dropped for a newer one because a client was slow.", sent.keyframes_merged},
+      {"bytes", "aucast_packet_bytes_total", Type::Counter, "Bytes of keyframes.",
+       sent.payload_bytes},
+      {"bytes_total", "aucast_bytes_total", Type::Counter, "All bytes that the sockets took.",
+       status.totals.bytes_total},
+      {"voice_packets", "aucast_voice_packets_total", Type::Counter, "Packets of voice handed out.",
+       sent.voice_packets},
+      {"voice_left_out", "aucast_voice_left_out_total", Type::Counter,
+       "Packets of live voice dropped because a client was slow.", sent.voice_left_out},
+      {"sound_bytes", "aucast_sound_bytes_total", Type::Counter,
+       "Bytes of voice packets and captions.", sent.spoken_bytes},
+      {"queue_bytes", "aucast_queue_bytes", Type::Gauge,
+       "Bytes that wait for clients to take them.", status.queue_bytes},
+      {"queue_seconds", "aucast_queue_seconds", Type::Gauge,
+       "Longest time that anything waits for one client.", status.queue_seconds},
+      {"lag_seconds", "aucast_lag_seconds", Type::Gauge,
+       "How late the latest live keyframe was sent.", status.lag_seconds},
+      {"reloads", "aucast_reloads_total", Type::Counter, "Reloads by SIGHUP that worked.",
+       status.reloads},
+      {"reload_failures", "aucast_reload_failures_total", Type::Counter,
+       "Reloads by SIGHUP that took over nothing.", status.reload_failures},
+  };
 }
 
 /// The families of the streams that come from other servers; none without such a stream.
@@ -112,6 +161,7 @@ void add_pushes(std::string& text, const std::vector<PushStatus>& pushes) {
 
 std::vector<std::string> status_lines(const Status& status) {
   const auto text = [](std::uint64_t count) { return std::to_string(count); };
+  const protocol::SentCounts& sent = status.totals.sent;
   std::string reasons;
   for (const auto& [reason, count] : status.disconnects) {
     reasons += (reasons.empty() ? " (" : ", ") + text(count) + " " + reason;
@@ -125,18 +175,17 @@ std::vector<std::string> status_lines(const Status& status) {
           ", web " + text(status.clients_web),
       "status: came " + text(status.connects) + ", left " + text(sum_of(status.disconnects)) +
           reasons + ", closed unheard " + text(status.connects_unheard) + ", accept failures " +
-          text(status.accept_failures),
-      "status: sent " + text(status.sent.keyframes) + " packets, " + text(status.sent.bytes_total) +
-          " bytes; merged " + text(status.sent.keyframes_merged) + "; waiting " +
+          text(status.accept_failures) + ", wrong tokens " + text(status.wrong_tokens),
+      "status: sent " + text(sent.keyframes) + " packets, " + text(status.totals.bytes_total) +
+          " bytes; merged " + text(sent.keyframes_merged) + "; waiting " +
           text(status.queue_bytes) + " bytes, the longest " + number(status.queue_seconds) +
           " s; lag " + number(status.lag_seconds) + " s",
       "status: " + std::string(status.live ? "live" : "recorded") + " streams:" + names,
   };
-  if (status.sent.spoken_bytes > 0) {
-    const std::uint64_t left_out = status.sent.voice_left_out;
-    lines.push_back("status: of that, voice " + text(status.sent.voice_packets) + " packets" +
-                    (left_out > 0 ? ", left out " + text(left_out) : "") + "; sound and captions " +
-                    text(status.sent.spoken_bytes) + " bytes");
+  if (sent.spoken_bytes > 0) {
+    lines.push_back("status: of that, voice " + text(sent.voice_packets) + " packets" +
+                    (sent.voice_left_out > 0 ? ", left out " + text(sent.voice_left_out) : "") +
+                    "; sound and captions " + text(sent.spoken_bytes) + " bytes");
   }
   for (const UpstreamStatus& upstream : status.upstreams) {
     lines.push_back("status: upstream " + upstream.stream + " " +
@@ -166,46 +215,17 @@ std::string metrics_text(const Status& status) {
   Family(text, "aucast_build_info", "gauge", "Version of the program and of its protocol.")
       .sample("1", "version=\"" + version_number() + "\",protocol=\"" +
                        std::to_string(protocol::kProtocolVersion) + "\"");
-  gauge(text, "aucast_uptime_seconds", "Since the transmitter was ready.", status.up_seconds);
-  gauge(text, "aucast_streams", "Streams that are served.",
-        static_cast<double>(status.streams.size()));
-  gauge(text, "aucast_clients", "Connected now.", static_cast<double>(status.clients));
-  gauge(text, "aucast_clients_web", "Of those, by WebSocket.",
-        static_cast<double>(status.clients_web));
-  gauge(text, "aucast_clients_paused", "Of those, paused.",
-        static_cast<double>(status.clients_paused));
-  gauge(text, "aucast_clients_behind", "Of those, something waits for them to take it.",
-        static_cast<double>(status.clients_behind));
-  counter(text, "aucast_connects_total", "Connections that were heard.", status.connects);
+  Family(text, "aucast_streams", "gauge", "Streams that are served.")
+      .sample(std::to_string(status.streams.size()));
+  for (const Number& one : numbers_of(status)) {
+    const bool gauge = one.type == Type::Gauge;
+    Family(text, one.metric, gauge ? "gauge" : "counter", one.help)
+        .sample(gauge ? number(one.value.get<double>()) : one.value.dump());
+  }
   Family disconnects(text, "aucast_disconnects_total", "counter", "Connections that ended.");
   for (const auto& [reason, count] : status.disconnects) {
     disconnects.sample(std::to_string(count), "reason=\"" + reason + "\"");
   }
-  counter(text, "aucast_connects_unheard_total", "Closed at once, for want of room.",
-          status.connects_unheard);
-  counter(text, "aucast_accept_failures_total", "Times that accepting had to pause.",
-          status.accept_failures);
-  counter(text, "aucast_packets_total", "Keyframes handed out.", status.sent.keyframes);
-  counter(text, "aucast_packets_merged_total",
-          "Live keyframes dropped for a newer one because a client was slow.",
-          status.sent.keyframes_merged);
-  counter(text, "aucast_packet_bytes_total", "Bytes of keyframes.", status.sent.bytes);
-  counter(text, "aucast_bytes_total", "All bytes that the sockets took.", status.sent.bytes_total);
-  counter(text, "aucast_voice_packets_total", "Packets of voice handed out.",
-          status.sent.voice_packets);
-  counter(text, "aucast_voice_left_out_total",
-          "Packets of live voice dropped because a client was slow.", status.sent.voice_left_out);
-  counter(text, "aucast_sound_bytes_total", "Bytes of voice packets and captions.",
-          status.sent.spoken_bytes);
-  gauge(text, "aucast_queue_bytes", "Bytes that wait for clients to take them.",
-        static_cast<double>(status.queue_bytes));
-  gauge(text, "aucast_queue_seconds", "Longest time that anything waits for one client.",
-        status.queue_seconds);
-  gauge(text, "aucast_lag_seconds", "How late the latest live keyframe was sent.",
-        status.lag_seconds);
-  counter(text, "aucast_reloads_total", "Reloads by SIGHUP that worked.", status.reloads);
-  counter(text, "aucast_reload_failures_total", "Reloads by SIGHUP that took over nothing.",
-          status.reload_failures);
   add_upstreams(text, status.upstreams);
   add_pushes(text, status.pushes);
   if (status.engine) {
@@ -243,32 +263,13 @@ std::string status_json(const Status& status) {
   Json all = {{"program", "au-transmitter"},
               {"version", version_number()},
               {"protocol", protocol::kProtocolVersion},
-              {"up_seconds", status.up_seconds},
               {"live", status.live},
               {"stopping", status.stopping},
               {"streams", status.streams},
-              {"clients", status.clients},
-              {"clients_web", status.clients_web},
-              {"clients_paused", status.clients_paused},
-              {"clients_behind", status.clients_behind},
-              {"connects", status.connects},
-              {"connects_unheard", status.connects_unheard},
-              {"accept_failures", status.accept_failures},
-              {"disconnects", std::move(disconnects)},
-              {"packets", status.sent.keyframes},
-              {"packets_merged", status.sent.keyframes_merged},
-              {"bytes", status.sent.bytes},
-              {"bytes_total", status.sent.bytes_total},
-              {"voice_packets", status.sent.voice_packets},
-              {"voice_left_out", status.sent.voice_left_out},
-              {"sound_bytes", status.sent.spoken_bytes},
-              {"queue_bytes", status.queue_bytes},
-              {"queue_seconds", status.queue_seconds},
-              {"lag_seconds", status.lag_seconds},
-              {"reloads", status.reloads},
-              {"reload_failures", status.reload_failures},
-              {"upstreams", std::move(upstreams)},
-              {"pushes", std::move(pushes)}};
+              {"disconnects", std::move(disconnects)}};
+  for (Number& one : numbers_of(status)) all[one.key] = std::move(one.value);
+  all["upstreams"] = std::move(upstreams);
+  all["pushes"] = std::move(pushes);
   if (status.engine) {
     all["engine"] = {{"messages_left_out", status.engine->messages_left_out},
                      {"batches_left_out", status.engine->batches_left_out},

@@ -52,9 +52,10 @@ struct Status {
   std::uint64_t connects = 0;          ///< since the start
   std::uint64_t connects_unheard = 0;  ///< closed at once, without room even for a refusal
   std::uint64_t accept_failures = 0;   ///< out of descriptors or memory
+  std::uint64_t wrong_tokens = 0;      ///< of viewers and publishers
   std::map<std::string, std::uint64_t> disconnects;  ///< since the start, by reason
-  Totals sent;                                       ///< to all, past and present, and by --push
-  std::size_t queue_bytes = 0;                       ///< bytes that wait to be taken
+  Totals totals;                          ///< sent to all, past and present, and by --push
+  std::size_t queue_bytes = 0;            ///< bytes that wait to be taken
   double queue_seconds = 0;               ///< longest time for which a client has taken none
   double lag_seconds = 0;                 ///< how late the latest live moment was sent
   std::uint64_t reloads = 0;              ///< by SIGHUP

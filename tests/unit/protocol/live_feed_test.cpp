@@ -69,21 +69,21 @@ TEST(LiveFeed, TheWindowGoesByWhatCameLately) {
 TEST(LiveFeed, CaptionsFarAheadOfTheFaceCostTheOldest) {
   LiveFeed feed(250, 20, false, true);
   feed.add(keyframe(50));
-  for (std::uint64_t n = 0; n < LiveFeed::kCaptionsMax; ++n) {
+  for (std::uint64_t n = 0; n < kLiveCaptionsMax; ++n) {
     feed.add_caption({1'000 + n, std::to_string(n)});
   }
-  EXPECT_EQ(feed.captions().size(), LiveFeed::kCaptionsMax);
+  EXPECT_EQ(feed.captions().size(), kLiveCaptionsMax);
   EXPECT_EQ(feed.captions().front().text, "0");
   EXPECT_EQ(feed.captions_left_out(), 0U);
   feed.add_caption({5'000, "one more"});
-  EXPECT_EQ(feed.captions().size(), LiveFeed::kCaptionsMax);
+  EXPECT_EQ(feed.captions().size(), kLiveCaptionsMax);
   EXPECT_EQ(feed.captions().front().text, "1");
   EXPECT_EQ(feed.captions_left_out(), 1U);
 }
 
 TEST(LiveFeed, CaptionsThatAreOverAreNotLeftOut) {
   LiveFeed feed(250, 20, false, true);
-  for (std::uint64_t n = 0; n < 3 * LiveFeed::kCaptionsMax; ++n) {
+  for (std::uint64_t n = 0; n < 3 * kLiveCaptionsMax; ++n) {
     feed.add(keyframe(50, 100));
     feed.add_caption({100 * n, std::to_string(n)});
   }

@@ -206,6 +206,8 @@ Limits all_limits() {
       {"kReadBytesMax", kReadBytesMax},
       {"kOutputBytesMax", kOutputBytesMax},
       {"kWrongTokensMax", kWrongTokensMax},
+      {"kGuessesMax", kGuessesMax},
+      {"kLiveCaptionsMax", kLiveCaptionsMax},
       {"kWebFrameBytesMax", kWebFrameBytesMax},
       {"kWebPingIdle", kWebPingIdle.count()},
       {"kWebPongTimeMax", kWebPongTimeMax.count()},

@@ -11,7 +11,7 @@ TEST(WrongTokens, OfMoreThanAreKeptTheOldestAreForgotten) {
   WrongTokens wrong;
   const Instant now{};
   for (std::size_t i = 0; i < kWrongTokensMax; ++i) wrong.add(1, now);
-  for (std::size_t i = kWrongTokensMax; i < WrongTokens::kGuessesMax; ++i) wrong.add(2, now);
+  for (std::size_t i = kWrongTokensMax; i < kGuessesMax; ++i) wrong.add(2, now);
   EXPECT_FALSE(wrong.may_try(1, now));
   EXPECT_FALSE(wrong.may_try(2, now));
   wrong.add(3, now);

@@ -70,7 +70,7 @@ class PushersTest : public ::testing::Test {
   /// The connection that was taken last has ended, after so many keyframes.
   void end_last(protocol::CloseConnection::Why why, std::uint64_t keyframes) const {
     ClientRecord record;
-    record.keyframes = keyframes;
+    record.sent.keyframes = keyframes;
     record.end_reason = ClientEnd(why);
     served_.back()(record, "it was cut off");
   }

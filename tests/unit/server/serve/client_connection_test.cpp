@@ -6,6 +6,7 @@
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "tests/support/fake_link.h"
+#include "tests/support/packets.h"
 #include "tests/unit/server/serve/talk_fixture.h"
 
 namespace aucast::server {
@@ -71,8 +72,8 @@ TEST_F(ConnectionTest, ServesAStreamAndDrains) {
   EXPECT_EQ(end_reason(), "(open)");
   link_->end({});
   EXPECT_EQ(end_reason(), "finished");
-  EXPECT_EQ(record_->keyframes, 3U);
-  EXPECT_EQ(record_->bytes, 9U);
+  EXPECT_EQ(record_->sent.keyframes, 3U);
+  EXPECT_EQ(record_->sent.payload_bytes, 9U);
   EXPECT_EQ(record_->bytes_total, 13U);
   EXPECT_EQ(record_->send_time, 1s);
 }
@@ -165,15 +166,16 @@ TEST_F(ConnectionTest, OfALiveStreamWhatIsNotTakenIsReplacedByTheNewest) {
   EXPECT_EQ(link_->heard(), "");
   link_->take(1000);
   EXPECT_EQ(link_->heard(), "2}{1}") << "the third was left out";
-  EXPECT_EQ(connection_->so_far().keyframes_merged, 1U);
+  EXPECT_EQ(connection_->so_far().sent.keyframes_merged, 1U);
 }
 
 TEST_F(ConnectionTest, WhoReadsNothingIsKeptNoMoreThanItsShare) {
   const std::string packet = '{' + std::string(998, '1') + '}';
   protocol::EncodedStream stream;
-  stream.classic = stream.negotiated = {packet, packet};
+  stream.classic = stream.negotiated = test::packets({packet, packet});
   catalogue_->streams = {
-      {"talk", std::make_shared<const protocol::EncodedStream>(std::move(stream))}};
+      {"talk", protocol::RecordedStream{
+                   std::make_shared<const protocol::EncodedStream>(std::move(stream))}}};
   catalogue_->loop = true;
   settings_.client_timeout = 3s;
   start();
@@ -182,7 +184,7 @@ TEST_F(ConnectionTest, WhoReadsNothingIsKeptNoMoreThanItsShare) {
   link_->say("-1" + std::string(1000, '1') + "-3");
   EXPECT_LE(link_->unsent_bytes(), protocol::kOutputBytesMax + packet.size());
   link_->take(1 << 20);
-  EXPECT_EQ(connection_->so_far().keyframes, 1001U) << "all that was asked for";
+  EXPECT_EQ(connection_->so_far().sent.keyframes, 1001U) << "all that was asked for";
 
   link_->take(0);
   link_->say("-1" + std::string(1000, '1') + "-3");

@@ -119,6 +119,7 @@ TEST_F(ClientRegistryTest, ParallelGuessesOfATokenAreAsManyAsOneAddressMayBeWron
   guessing.front()->end({});
   EXPECT_TRUE(ask(*knock(), "{hello token=word}").starts_with("{error 503 too many wrong tokens"));
   EXPECT_TRUE(ask(*knock("10.0.0.2"), "{hello token=word}").starts_with("{hello "));
+  EXPECT_EQ(status().wrong_tokens, protocol::kWrongTokensMax) << "what was not compared is not one";
 }
 
 TEST_F(ClientRegistryTest, WhoComesByWebSocketIsCountedAndNeedsAHello) {
@@ -217,7 +218,7 @@ TEST_F(ClientRegistryTest, AServerThatWasDialledIsServedLikeAClientAndCountsAsNo
   registry().serve("campus:4650", catalogue_, link, "{hello v=2 window=2 stream=talk takes=1}",
                    [&](const ClientRecord& record, const std::string& reason) {
                      why = reason;
-                     packets = record.keyframes;
+                     packets = record.sent.keyframes;
                    });
   EXPECT_EQ(link->heard(), "{hello v=2 window=2 stream=talk keyframe=250}{1}{2}");
   EXPECT_EQ(status().clients, 0U);
@@ -231,7 +232,7 @@ TEST_F(ClientRegistryTest, AServerThatWasDialledIsServedLikeAClientAndCountsAsNo
   EXPECT_EQ(registry().size(), 1U);
   EXPECT_EQ(status().connects, 1U) << "the viewer";
   EXPECT_TRUE(status().disconnects.empty());
-  EXPECT_EQ(status().sent.keyframes, 4U) << "to both";
+  EXPECT_EQ(status().totals.sent.keyframes, 4U) << "to both";
   EXPECT_EQ(nlohmann::json::parse(stats_.to_json()).at("clients_total"), 0);
 }
 

@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 ClientRecord record(std::uint64_t number) {
-  return {number, "127.0.0.1:5000", 1, "talk", 6, 90, 94, 250ms, {}, 2};
+  return {number, "127.0.0.1:5000", 1, "talk", {6, 90, 2}, 94, 250ms, {}};
 }
 
 TEST(Stats, EmptyRunIsAnObjectToo) {
@@ -25,13 +25,13 @@ TEST(Stats, CountsEveryClientAndAll) {
   stats.add(record(1));
   ClientRecord second = record(2);
   second.level = 2;
-  second.keyframes = 3;
-  second.bytes = 40;
+  second.sent.keyframes = 3;
+  second.sent.payload_bytes = 40;
   second.bytes_total = 100;
   second.send_time = 1500ms;
   second.end_reason = protocol::CloseConnection::Why::Stopped;
-  second.keyframes_merged = 5;
-  second.voice_left_out = 3;
+  second.sent.keyframes_merged = 5;
+  second.sent.voice_left_out = 3;
   stats.add(second);
 
   const auto json = nlohmann::json::parse(stats.to_json());

@@ -19,7 +19,8 @@ Status busy() {
   status.clients_behind = 2;
   status.connects = 12;
   status.disconnects = {{"finished", 3}, {"timed out", 2}};
-  status.sent = {100, 4, 1500, 1700, {}};
+  status.totals = {{100, 1500, 4}, 1700};
+  status.wrong_tokens = 9;
   status.queue_bytes = 321;
   status.queue_seconds = 0.25;
   return status;
@@ -31,17 +32,18 @@ TEST(Status, LinesSayWhatMatters) {
   EXPECT_EQ(lines[0], "status: up 1 h 2 min; clients 7, paused 1, behind 2, web 3");
   EXPECT_EQ(
       lines[1],
-      "status: came 12, left 5 (3 finished, 2 timed out), closed unheard 0, accept failures 0");
+      "status: came 12, left 5 (3 finished, 2 timed out), closed unheard 0, accept failures 0, "
+      "wrong tokens 9");
   EXPECT_EQ(lines[2],
             "status: sent 100 packets, 1700 bytes; merged 4; waiting 321 bytes, the longest 0.25 "
             "s; lag 0.0 s");
   EXPECT_EQ(lines[3], "status: recorded streams: talk six");
   Status heard = busy();
-  heard.sent.voice_packets = 50;
-  heard.sent.spoken_bytes = 4000;
+  heard.totals.sent.voice_packets = 50;
+  heard.totals.sent.spoken_bytes = 4000;
   EXPECT_EQ(status_lines(heard).back(),
             "status: of that, voice 50 packets; sound and captions 4000 bytes");
-  heard.sent.voice_left_out = 7;
+  heard.totals.sent.voice_left_out = 7;
   EXPECT_EQ(status_lines(heard).back(),
             "status: of that, voice 50 packets, left out 7; sound and captions 4000 bytes");
   EXPECT_NE(metrics_text(heard).find("\naucast_voice_left_out_total 7\n"), std::string::npos);
@@ -74,8 +76,9 @@ TEST(Status, MetricsAreWellFormed) {
   for (const char* line :
        {"\naucast_clients 7.0\n", "\naucast_disconnects_total{reason=\"timed out\"} 2\n",
         "\naucast_packets_total 100\n", "\naucast_bytes_total 1700\n",
-        "\naucast_packets_merged_total 4\n", "\naucast_queue_seconds 0.25\n",
-        "\naucast_lag_seconds 0.0\n", "\naucast_build_info{version=\""}) {
+        "\naucast_packets_merged_total 4\n", "\naucast_wrong_tokens_total 9\n",
+        "\naucast_queue_seconds 0.25\n", "\naucast_lag_seconds 0.0\n",
+        "\naucast_build_info{version=\""}) {
     EXPECT_NE(metrics_text(busy()).find(line), std::string::npos) << line;
   }
 }
@@ -95,6 +98,7 @@ TEST(Status, JsonHasTheSameNumbers) {
   EXPECT_EQ(status["clients"], 7);
   EXPECT_EQ(status["disconnects"]["timed out"], 2);
   EXPECT_EQ(status["packets"], 100);
+  EXPECT_EQ(status["wrong_tokens"], 9);
   EXPECT_EQ(status["streams"], nlohmann::json({"talk", "six"}));
   EXPECT_EQ(status["stopping"], false);
 }
