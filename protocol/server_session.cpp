@@ -101,7 +101,7 @@ struct ServerSession::State {
   void take_answer();
   [[nodiscard]] bool spend_spare_code();
   void handle_fault(const DecodeError& fault);
-  void send_due(void (Delivery::*pump)(std::string&));
+  void send_due(bool at_moment = false);
   void settle_peer_end();
 };
 
@@ -166,7 +166,7 @@ void ServerSession::State::take_stream(StreamChoice choice) {
   }
   phase = Phase::Streaming;
   deadline.reset();
-  send_due(&Delivery::pump);
+  send_due();
 }
 
 void ServerSession::State::turn_away(const Joining::Refusal& refusal) {
@@ -258,7 +258,7 @@ void ServerSession::State::handle_code(Code code) {
       say_last(encode(End{}), Why::Stopped, "the client sent -4");
       return;
   }
-  if (phase == Phase::Streaming) send_due(&Delivery::pump);
+  if (phase == Phase::Streaming) send_due();
 }
 
 void ServerSession::State::take_answer() {
@@ -299,10 +299,15 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   }
 }
 
-/// Sends what may be sent now, and {-2} when everything has been answered.
-void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
+/// Sends what may be sent now, and {-2} when everything has been answered. `at_moment`: a stream
+/// has something new.
+void ServerSession::State::send_due(bool at_moment) {
   const std::uint64_t before = delivery.sent().keyframes;
-  (delivery.*pump)(output());
+  if (at_moment) {
+    delivery.pump_new_moments(output());
+  } else {
+    delivery.pump(output());
+  }
   if (output().empty()) events.pop_back();
   spare_codes.earn(delivery.sent().keyframes - before);
   if (delivery.complete()) say_last(encode(End{}), Why::Finished, "the stream was sent whole");
@@ -313,26 +318,17 @@ void ServerSession::State::send_due(void (Delivery::*pump)(std::string&)) {
 /// A peer that has shut its side can neither answer nor resume any more.
 void ServerSession::State::settle_peer_end() {
   if (!peer_ended) return;
-  switch (phase) {
-    case Phase::Grace:
-      carry_out(joining.classic(now));
-      break;
-    case Phase::Hello:
-      close(Why::PeerGone, "the client ended within its hello");
-      break;
-    case Phase::AwaitingStream:
-    case Phase::Streaming:
-    case Phase::HeldBack:
-    case Phase::Closed:
-      break;
-  }
+  if (phase == Phase::Hello) close(Why::PeerGone, "the client ended within its hello");
+  if (phase == Phase::Grace) carry_out(joining.classic(now));
   if (phase != Phase::Streaming && phase != Phase::AwaitingStream) return;
   // What it waits for is still to come: a live stream's next moment, the rest of what a relay
   // receives, the voice, or room. Whether a banked answer is left for it shows then.
-  if (!delivery.window().paused() && delivery.window().in_flight() == 0) return;
-  close(Why::PeerGone, delivery.window().paused()
-                           ? "the client ended while it was paused"
-                           : "the client ended before it had answered everything");
+  const AnswerWindow& window = delivery.window();
+  if (window.paused()) {
+    close(Why::PeerGone, "the client ended while it was paused");
+  } else if (window.in_flight() > 0) {
+    close(Why::PeerGone, "the client ended before it had answered everything");
+  }
 }
 
 ServerSession::ServerSession(const ServerCatalogue& catalogue, Duration round_trip, Instant now,
@@ -408,7 +404,7 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
   } else if (const auto refusal = state_->comes_round()) {
     state_->refuse(refusal->code, refusal->text);
   } else {
-    state_->send_due(&Delivery::pump_new_moments);
+    state_->send_due(true);
   }
   state_->settle_peer_end();
   return state_->take_events();
@@ -417,7 +413,7 @@ std::vector<ServerEvent> ServerSession::on_moment(Instant now) {
 std::vector<ServerEvent> ServerSession::on_voice(Instant now) {
   if (state_->phase != State::Phase::Streaming || !state_->delivery.waits_for_voice()) return {};
   state_->begin_call(now);
-  state_->send_due(&Delivery::pump);
+  state_->send_due();
   state_->settle_peer_end();
   return state_->take_events();
 }
@@ -428,7 +424,7 @@ std::vector<ServerEvent> ServerSession::set_blocked(bool blocked, Instant now) {
   state_->delivery.set_blocked(blocked);
   if (blocked) return {};
   state_->begin_call(now);
-  state_->send_due(&Delivery::pump);
+  state_->send_due();
   state_->settle_peer_end();
   return state_->take_events();
 }
