@@ -9,6 +9,7 @@
 #include "protocol/codec.h"
 #include "protocol/limits.h"
 #include "protocol/secret.h"
+#include "protocol/stream_file.h"
 #include "protocol/word_packet.h"
 
 namespace aucast::protocol {
@@ -20,6 +21,7 @@ std::optional<std::string> fault_of(const std::vector<std::string_view>& words) 
     return "the token is longer than " + std::to_string(kTokenBytesMax) + " bytes";
   }
   if (!is_field_value(words.front())) return "a token is printable ASCII without braces";
+  if (words.front() == kBeginTag) return "this is a stream file, and no list of publishers";
   for (auto name = words.begin() + 1; name != words.end(); ++name) {
     if (!is_stream_name(*name)) {
       return "'" + escaped(*name) + "' is no stream's name: " + kStreamNameRule;

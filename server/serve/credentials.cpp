@@ -1,6 +1,9 @@
 #include "server/serve/credentials.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "common/log.h"
 #include "common/text.h"
@@ -22,12 +25,14 @@ Result<std::optional<tls::Context>> load_context(const tls::Files& files,
   return std::optional(std::move(*context));
 }
 
-void warn_of_short(const std::string& token, const std::filesystem::path& file) {
-  if (token.size() >= kTokenBytesGood) return;
+/// Warns if some of the `tokens` in the file are short.
+void warn_of_short(const std::vector<std::string_view>& tokens, const std::filesystem::path& file) {
+  const auto count = static_cast<std::size_t>(std::count_if(
+      tokens.begin(), tokens.end(), [](auto token) { return token.size() < kTokenBytesGood; }));
+  if (count == 0) return;
   spdlog::warn(
-      "{}: the token has fewer than {} characters and may be guessed; "
-      "'openssl rand -hex 16' makes a good one",
-      file.string(), kTokenBytesGood);
+      "{}: {} of fewer than {} characters may be guessed; 'openssl rand -hex 16' makes a good one",
+      file.string(), counted(count, "token"), kTokenBytesGood);
 }
 
 Result<std::shared_ptr<const protocol::Publishers>> load_publishers(
@@ -35,14 +40,16 @@ Result<std::shared_ptr<const protocol::Publishers>> load_publishers(
   auto file = protocol::read_publisher_file(path);
   if (!file) return file.error();
   if (!file->warning.empty()) spdlog::warn("{}", file->warning);
+  std::vector<std::string_view> tokens;
   for (const auto& publisher : file->publishers.all()) {
     if (publisher.token == token_of_viewers) {
       return Error{ErrorKind::BadData, at_place(path.string(),
                                                 "the token of --token-file is in it: every viewer "
                                                 "could bring streams")};
     }
-    warn_of_short(publisher.token, path);
+    tokens.emplace_back(publisher.token);
   }
+  warn_of_short(tokens, path);
   return std::make_shared<const protocol::Publishers>(std::move(file->publishers));
 }
 
@@ -60,7 +67,7 @@ Result<Credentials> load_credentials(const CredentialFiles& files) {
     auto token = protocol::read_token_file(files.token);
     if (!token) return token.error();
     if (!token->warning.empty()) spdlog::warn("{}", token->warning);
-    warn_of_short(token->word, files.token);
+    warn_of_short({token->word}, files.token);
     credentials.token = std::move(token->word);
   }
   if (files.publishers.empty()) return credentials;

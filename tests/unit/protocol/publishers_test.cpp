@@ -40,6 +40,7 @@ TEST_F(PublisherFileTest, SaysWhichLineIsWrongAndQuotesNoToken) {
         {"secret talk/1\n", ":1: 'talk/1' is no stream's name"},
         {"secret talk\nsecret\n", ":2: this token stands on a line before"},
         {std::string(kTokenBytesMax + 1, 'x'), ":1: the token is longer"},
+        {"Beg_Stream\n6,12\nEnd_Stream\n", ":1: this is a stream file"},
         {"# nobody\n", ": there is no token"},
         {"", ": there is no token"}}) {
     const auto file = read(text);

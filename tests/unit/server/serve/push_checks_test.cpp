@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/kept_log.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::server {
@@ -38,6 +39,18 @@ TEST(PushChecks, AnAddressOrATokenThatWillNotDoIsAnError) {
   options.push = {};
   options.push.addresses = {"http://campus"};
   EXPECT_FALSE(check_pushes(options));
+}
+
+TEST(CheckPushes, ShortTokensOfOneFileAreWarnedOfOnce) {
+  const test::TempFolder folder;
+  const test::KeptLog log;
+  TransmitterOptions options;
+  options.credentials.publishers = folder.write("publishers", "one\ntwo\n0123456789abcdef\n");
+  ASSERT_TRUE(check_pushes(options));
+  const std::string said = log.said();
+  const std::string warning = "publishers: 2 tokens of fewer than 16 characters may be guessed";
+  ASSERT_NE(said.find(warning), std::string::npos) << said;
+  EXPECT_EQ(said.find("may be guessed", said.find(warning) + warning.size()), std::string::npos);
 }
 
 }  // namespace
