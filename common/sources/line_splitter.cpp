@@ -6,22 +6,31 @@
 namespace aucast::sources {
 
 std::optional<LineSplitter::Line> LineSplitter::next() {
-  if (fed_.empty()) return std::nullopt;
-  if (std::exchange(after_return_, false) && fed_.starts_with('\n')) fed_.remove_prefix(1);
-  const std::size_t feed = fed_.find_first_of("\r\n");
-  const std::string_view piece = fed_.substr(0, feed);
-  const std::size_t room = bytes_max_ - std::min(bytes_max_, partial_.size());
-  partial_ += piece.substr(0, room);
-  cut_ = cut_ || piece.size() > room;
-  const bool ended_by_return = feed != std::string_view::npos && fed_[feed] == '\r';
-  fed_.remove_prefix(feed == std::string_view::npos ? fed_.size() : feed + 1);
-  if (feed == std::string_view::npos) return std::nullopt;
-  after_return_ = ended_by_return;
-  return Line{std::exchange(partial_, {}), ++number_, std::exchange(cut_, false)};
+  while (!fed_.empty()) {
+    if (std::exchange(after_return_, false) && fed_.starts_with('\n')) {
+      fed_.remove_prefix(1);
+      continue;
+    }
+    const std::size_t length = std::min(fed_.find_first_of("\r\n"), fed_.size());
+    const std::string_view piece = fed_.substr(0, length);
+    const bool ends = length < fed_.size();
+    after_return_ = ends && fed_[length] == '\r';
+    fed_.remove_prefix(ends ? length + 1 : length);
+    const bool skipped = skipping_;
+    if (ends) skipping_ = false;
+    if (skipped) continue;
+    const std::size_t room = bytes_max_ - partial_.size();
+    const bool too_long = piece.size() > room;
+    partial_ += piece.substr(0, room);
+    if (!ends && !too_long) continue;
+    skipping_ = !ends;
+    return Line{std::exchange(partial_, {}), ++number_, too_long};
+  }
+  return std::nullopt;
 }
 
 bool LineSplitter::drop_partial() {
-  cut_ = false;
+  skipping_ = false;
   return !std::exchange(partial_, {}).empty();
 }
 

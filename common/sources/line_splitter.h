@@ -8,13 +8,13 @@
 namespace aucast::sources {
 
 /// Splits bytes that come in pieces into lines. A line is complete when its end, LF, CRLF or CR,
-/// has come. Of a line longer than `bytes_max` only the beginning is kept, which bounds the memory.
+/// has come; one longer than `bytes_max` as soon as that many have, and the rest of it is left out.
 class LineSplitter {
  public:
   struct Line {
     std::string text;        ///< without its end
     std::size_t number = 0;  ///< from 1
-    bool too_long = false;   ///< `text` is only the line's beginning
+    bool too_long = false;   ///< `text` is only the line's beginning, and its end need not be there
   };
 
   explicit LineSplitter(std::size_t bytes_max) : bytes_max_(bytes_max) {}
@@ -32,7 +32,7 @@ class LineSplitter {
   std::size_t bytes_max_;
   std::string_view fed_;
   std::string partial_;
-  bool cut_ = false;
+  bool skipping_ = false;      ///< the rest of a line that was too long
   bool after_return_ = false;  ///< the last line ended in CR: an LF that follows belongs to it
   std::size_t number_ = 0;
 };

@@ -31,6 +31,28 @@ TEST(LineSplitter, TakesEveryEndOfALineCutAnywhere) {
   }
 }
 
+TEST(LineSplitter, GivesALineThatIsTooLongOnceBeforeItEnds) {
+  LineSplitter splitter(4);
+  splitter.feed("abc");
+  EXPECT_FALSE(splitter.next());
+  splitter.feed("de");
+  const auto line = splitter.next();
+  ASSERT_TRUE(line);
+  EXPECT_TRUE(line->too_long);
+  EXPECT_EQ(line->text, "abcd");
+  EXPECT_FALSE(splitter.next());
+  const std::string rest(100, 'x');
+  splitter.feed(rest);
+  EXPECT_FALSE(splitter.next()) << "it was given already";
+  splitter.feed("\r\nabcd\nabcde\n");
+  EXPECT_FALSE(splitter.next()->too_long);
+  const auto next = splitter.next();
+  ASSERT_TRUE(next);
+  EXPECT_TRUE(next->too_long);
+  EXPECT_EQ(next->number, 3U);
+  EXPECT_FALSE(splitter.next());
+}
+
 TEST(LineSplitter, AnotherFileBeginsWithItsFirstLine) {
   LineSplitter splitter(100);
   splitter.feed("a\r");
