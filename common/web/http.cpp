@@ -104,7 +104,7 @@ std::optional<Field> field_of(std::string_view line) {
 }
 
 /// What a request asks for: "/path", or "http://authority/path" (RFC 9112 3.2.2), whose authority
-/// counts in place of the Host field.
+/// counts in place of the Host field. Whether it came over TLS is not known here.
 struct Target {
   std::string_view authority;  ///< empty: the Host field has it
   std::string_view path;
@@ -112,9 +112,13 @@ struct Target {
 
 std::optional<Target> target_of(std::string_view target) {
   if (target.starts_with('/')) return Target{{}, target};
-  constexpr std::string_view kScheme = "http://";
-  if (lowered(target.substr(0, kScheme.size())) != kScheme) return std::nullopt;
-  target.remove_prefix(kScheme.size());
+  constexpr std::string_view kAfterScheme = "://";
+  const std::size_t colon = std::min(target.find(kAfterScheme), target.size());
+  const std::string scheme = lowered(target.substr(0, colon));
+  if (scheme != "http" && scheme != "https") return std::nullopt;
+  target.remove_prefix(colon);
+  if (target.empty()) return std::nullopt;
+  target.remove_prefix(kAfterScheme.size());
   const std::size_t slash = std::min(target.find('/'), target.size());
   if (slash == 0) return std::nullopt;
   return Target{target.substr(0, slash), slash == target.size() ? "/" : target.substr(slash)};

@@ -38,6 +38,7 @@ TEST(HttpRequest, ATargetMayNameTheHostWhichThenCounts) {
   ASSERT_TRUE(get.request);
   EXPECT_EQ(get.request->path, "/x");
   EXPECT_EQ(get.request->field("host"), "b:80");
+  EXPECT_TRUE(read_http_request("GET https://b/ HTTP/1.1\r\nHost: a\r\n\r\n", kBytesMax).request);
   const HttpProgress root =
       read_http_request("GET HTTP://b HTTP/1.1\r\nHost: a\r\n\r\n", kBytesMax);
   ASSERT_TRUE(root.request);
@@ -69,7 +70,8 @@ TEST(HttpRequest, WhatIsNotUnderstoodIsRefused) {
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nHost: a\r\n folded\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nHost : a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nHost: a\nX: y\r\n\r\n"), 400) << "a bare LF";
-  EXPECT_EQ(refusal("GET https://a/ HTTP/1.1\r\nHost: a\r\n\r\n"), 400) << "TLS is below this";
+  EXPECT_EQ(refusal("GET ftp://a/ HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
+  EXPECT_EQ(refusal("GET https HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET http:///x HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET a/ HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(refusal("GET /a b HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
