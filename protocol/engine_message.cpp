@@ -8,8 +8,7 @@
 #include "common/check.h"
 #include "common/number_of.h"
 #include "common/text.h"
-#include "protocol/codec.h"
-#include "protocol/limits.h"
+#include "protocol/server_chain.h"
 
 namespace aucast::protocol {
 namespace {
@@ -26,10 +25,6 @@ constexpr std::uint64_t kNumberMax = (std::uint64_t{1} << 53U) - 1;
 
 Error broken(std::string what) {
   return {ErrorKind::BadData, std::move(what)};
-}
-
-bool is_origin(std::string_view text) {
-  return is_stream_name(text) && text.size() <= kServerIdBytesMax;
 }
 
 /// A line of words: the first alone, then `key=value`. Unknown keys are ignored.
@@ -60,7 +55,7 @@ class Line {
   [[nodiscard]] Result<std::string> id(std::string_view key) const {
     const auto found = values_.find(key);
     if (found == values_.end()) return broken("its line has no " + std::string(key) + "=");
-    if (!is_origin(found->second)) {
+    if (!is_server_id(found->second)) {
       return broken("its " + std::string(key) + "= is no ID of a server");
     }
     return std::string(found->second);
@@ -107,7 +102,7 @@ std::optional<PlaceField> place_of(std::string_view packet) {
 }  // namespace
 
 std::string encode(const EngineMessage& message) {
-  AUCAST_CHECK(is_origin(message.origin));
+  AUCAST_CHECK(is_server_id(message.origin));
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                  [&](const auto& one) { return one.second == message.kind; });
   std::string text(kind->first);
@@ -118,7 +113,7 @@ std::string encode(const EngineMessage& message) {
 }
 
 std::string encode(const EngineJoin& join) {
-  AUCAST_CHECK(join.origin.empty() || is_origin(join.origin));
+  AUCAST_CHECK(join.origin.empty() || is_server_id(join.origin));
   std::string text(kJoinWord);
   if (!join.origin.empty()) text += " origin=" + join.origin;
   if (join.after) text += " after=" + std::to_string(*join.after);

@@ -53,63 +53,16 @@ void warn_of_full() {
       link::LoopGate::kBytesMax >> 20U);
 }
 
-/// Gets what the library tells, on the loop. Connections are numbered, since the end of one is told
-/// by a thread of the library: perhaps when the next is there already.
-struct LibraryEvents {
-  std::function<void(Bus::Message)> on_message;
-  std::function<void(int connection, const std::string& server)> on_connected;
-  std::function<void(int connection)> on_disconnected;
-  std::function<void(const std::string& text)> on_error;
-  /// It is closed for good.
-  std::function<void(int connection, const std::string& why)> on_given_up;
-};
-
-/// Posts what the library tells about a connection to the loop, and does nothing else. `events` are
-/// called there, and live until the gate is closed.
-class Poster final : public NatsListener {
- public:
-  Poster(std::shared_ptr<link::LoopGate> gate, const LibraryEvents& events, int connection)
-      : gate_(std::move(gate)), events_(events), connection_(connection) {}
-
-  void on_connected(const std::string& server) override {
-    gate_->post([&events = events_, connection = connection_, server] {
-      events.on_connected(connection, server);
-    });
-  }
-  void on_disconnected() override {
-    gate_->post(
-        [&events = events_, connection = connection_] { events.on_disconnected(connection); });
-  }
-  void on_message(Bus::Message message) override {
-    const std::size_t bytes =
-        message.subject.size() + message.reply_to.size() + message.bytes.size();
-    gate_->post_if_room(
-        [&events = events_, message = std::move(message)] { events.on_message(message); }, bytes);
-  }
-  void on_error(const std::string& text) override {
-    gate_->post_if_room([&events = events_, text] { events.on_error(text); }, text.size());
-  }
-  void on_given_up(const std::string& why) override {
-    gate_->post([&events = events_, connection = connection_, why] {
-      events.on_given_up(connection, why);
-    });
-  }
-
- private:
-  std::shared_ptr<link::LoopGate> gate_;
-  const LibraryEvents& events_;
-  int connection_;
-};
-
 class NatsBus final : public Bus {
  public:
+  class Poster;
+
   NatsBus(asio::io_context& io, const NatsModule& module, NatsServers servers, Events events,
           std::chrono::milliseconds refused_pause)
       : module_(&module),
         servers_(std::move(servers)),
         refused_pause_(refused_pause),
         events_(std::move(events)),
-        library_events_(library_events()),
         gate_(std::make_shared<link::LoopGate>(io, [] { warn_of_full(); })),
         timer_(io) {}
   ~NatsBus() override;
@@ -124,8 +77,7 @@ class NatsBus final : public Bus {
  private:
   using Made = Result<std::unique_ptr<NatsConnection>>;
 
-  [[nodiscard]] LibraryEvents library_events();
-  [[nodiscard]] std::shared_ptr<Poster> new_listener();
+  [[nodiscard]] std::shared_ptr<NatsListener> new_listener();
   void use(std::unique_ptr<NatsConnection> connection);
   void add_subscription(const std::string& subject);
   void on_connected(const std::string& server);
@@ -138,7 +90,6 @@ class NatsBus final : public Bus {
   NatsServers servers_;
   const std::chrono::milliseconds refused_pause_;
   Events events_;
-  const LibraryEvents library_events_;
   std::shared_ptr<link::LoopGate> gate_;
   asio::steady_timer timer_;
   int connections_ = 0;                         ///< made so far; the last is the present one
@@ -150,30 +101,54 @@ class NatsBus final : public Bus {
   std::string own_subject_;
 };
 
+/// Posts what the library tells about a connection to the loop, and does nothing else. Connections
+/// are numbered, since the end of one is told by a thread of the library, perhaps when the next is
+/// there already; of an earlier one only messages and errors count.
+class NatsBus::Poster final : public NatsListener {
+ public:
+  /// `bus` lives until the gate is closed.
+  Poster(std::shared_ptr<link::LoopGate> gate, NatsBus& bus, int connection)
+      : gate_(std::move(gate)), bus_(bus), connection_(connection) {}
+
+  void on_connected(const std::string& server) override {
+    post([server](NatsBus& bus) { bus.on_connected(server); });
+  }
+  void on_disconnected() override {
+    post([](NatsBus& bus) { bus.on_disconnected(); });
+  }
+  void on_given_up(const std::string& why) override {
+    post([why](NatsBus& bus) { bus.ask_again_later(why); });
+  }
+  void on_message(Bus::Message message) override {
+    const std::size_t bytes =
+        message.subject.size() + message.reply_to.size() + message.bytes.size();
+    gate_->post_if_room(
+        [&bus = bus_, message = std::move(message)] { bus.events_.on_message(message); }, bytes);
+  }
+  void on_error(const std::string& text) override {
+    gate_->post_if_room([&bus = bus_, text] { bus.on_error(text); }, text.size());
+  }
+
+ private:
+  template <typename Act>
+  void post(Act act) {
+    gate_->post([&bus = bus_, connection = connection_, act = std::move(act)] {
+      if (connection == bus.connections_) act(bus);
+    });
+  }
+
+  std::shared_ptr<link::LoopGate> gate_;
+  NatsBus& bus_;
+  int connection_;
+};
+
 NatsBus::~NatsBus() {
   gate_->close();
   timer_.cancel();
 }
 
-LibraryEvents NatsBus::library_events() {
-  return {.on_message = events_.on_message,
-          .on_connected =
-              [this](int connection, const std::string& server) {
-                if (connection == connections_) on_connected(server);
-              },
-          .on_disconnected =
-              [this](int connection) {
-                if (connection == connections_) on_disconnected();
-              },
-          .on_error = [this](const std::string& text) { on_error(text); },
-          .on_given_up =
-              [this](int connection, const std::string& why) {
-                if (connection == connections_) ask_again_later(why);
-              }};
-}
-
-std::shared_ptr<Poster> NatsBus::new_listener() {
-  return std::make_shared<Poster>(gate_, library_events_, ++connections_);
+std::shared_ptr<NatsListener> NatsBus::new_listener() {
+  return std::make_shared<Poster>(gate_, *this, ++connections_);
 }
 
 /// Nothing can be sent yet over a connection that has not been passed to us.
