@@ -4,7 +4,7 @@
 
 #include "common/result.h"
 #include "protocol/endpoint.h"
-#include "server/settings/engine_settings.h"
+#include "server/settings/other_servers.h"
 
 namespace aucast::server {
 

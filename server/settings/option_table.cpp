@@ -22,11 +22,13 @@ constexpr std::int64_t kClientsMax = 1'000'000;
 
 Complaint read_address(const std::string& word, std::optional<HttpAddress>& address) {
   const std::size_t colon = word.rfind(':');
+  const std::string host = word.substr(0, colon);
   const auto port = number_of<std::uint16_t>(std::string_view(word).substr(colon + 1));
-  if (colon == std::string::npos || colon == 0 || !port) {
-    return "is not ADDR:PORT, such as 127.0.0.1:9465";
+  const bool bare_v6 = host.find(':') != std::string::npos && !host.starts_with('[');
+  if (colon == std::string::npos || colon == 0 || !port || bare_v6) {
+    return "is not ADDR:PORT, such as 127.0.0.1:9465 or [::1]:9465";
   }
-  address = HttpAddress{word.substr(0, colon), *port};
+  address = HttpAddress{host, *port};
   return std::nullopt;
 }
 

@@ -12,10 +12,8 @@
 #include "common/time.h"
 #include "protocol/limits.h"
 #include "server/settings/credential_files.h"
-#include "server/settings/engine_settings.h"
-#include "server/settings/push_settings.h"
+#include "server/settings/other_servers.h"
 #include "server/settings/source_options.h"
-#include "server/settings/upstream_settings.h"
 #include "server/settings/voice_options.h"
 
 namespace aucast::server {

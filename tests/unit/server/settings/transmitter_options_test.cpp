@@ -100,6 +100,13 @@ TEST(TransmitterOptions, LimitsAreInside) {
       << "a wait that was asked for never becomes 'for ever'";
 }
 
+TEST(TransmitterOptions, AnAddressOfIPv6StandsInBrackets) {
+  EXPECT_EQ(read({"--http", "[::1]:9465", "a"}).http, (HttpAddress{"[::1]", 9465}));
+  EXPECT_NE(message({"--http", "::1", "a"}).find("such as 127.0.0.1:9465 or [::1]:9465"),
+            std::string::npos);
+  EXPECT_NE(message({"--web", "::1:8080", "a"}), "") << "where the port begins nobody can tell";
+}
+
 TEST(TransmitterOptions, BadNumbersAreNamedWithTheirRange) {
   const std::string port = " is not a whole number from 0 to 65535 (try --help)";
   EXPECT_EQ(message({"--port", "65536", "a"}), "--port '65536'" + port);
