@@ -47,36 +47,40 @@ Result<void> RunningSources::open(const GivenUp& given_up) {
   return {};
 }
 
+/// How each stream of a source that is being written is served.
+Result<LiveStreamOptions> RunningSources::stream_options(
+    const std::filesystem::path& path, const sources::ConditioningSettings& conditioning,
+    bool voice) const {
+  LiveStreamOptions stream;
+  stream.path = path;
+  stream.reader = {options_.source.recording, options_.source.rate,
+                   conditioning_for(path, conditioning), options_.keyframe_ms};
+  stream.classic_min = options_.classic_min;
+  stream.timeout = options_.live_source.timeout;
+  stream.link = link_limits(options_);
+  stream.voice = voice;
+  if (!voice) return stream;
+  const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
+  if (!kbits) return kbits.error();
+  stream.encoder = options_.voice.encoder;
+  stream.voice_delay = options_.voice.delay;
+  return stream;
+}
+
 Result<void> RunningSources::open_live(const std::filesystem::path& path,
                                        const sources::ConditioningSettings& conditioning,
                                        const GivenUp& given_up) {
-  LiveSourceOptions source_options;
-  LiveStreamsOptions& streams = source_options.streams;
-  streams.follow = options_.live_source.follow;
-  streams.record = options_.record;
-  streams.record_first = live_.empty();
-  streams.take_name = take_name_;
-  streams.each.path = path;
-  streams.each.reader = {options_.source.recording, options_.source.rate,
-                         conditioning_for(path, conditioning), options_.keyframe_ms};
-  streams.each.classic_min = options_.classic_min;
-  streams.each.timeout = options_.live_source.timeout;
-  streams.each.link = link_limits(options_);
   const bool first = path == options_.sources.front();
-  if (first && !options_.voice.none && !options_.voice.file.empty()) {
-    const auto kbits = face_kbits(options_.max_kbits, options_.voice.encoder, path);
-    if (!kbits) return kbits.error();
-    source_options.voice = options_.voice.file;
-    streams.each.voice = true;
-    streams.each.encoder = options_.voice.encoder;
-    streams.each.voice_delay = options_.voice.delay;
-  }
-  source_options.camera = options_.source.camera;
-  source_options.faces = faces_of(options_.source);
-  source_options.on_sight = events_.on_sight;
-  source_options.given_up = given_up;
+  const bool voice = first && !options_.voice.none && !options_.voice.file.empty();
+  auto each = stream_options(path, conditioning, voice);
+  if (!each) return each.error();
+  LiveStreamsOptions streams{*std::move(each), options_.live_source.follow, options_.record,
+                             live_.empty(), take_name_};
   auto source = std::make_unique<LiveSource>(
-      io_, std::move(source_options),
+      io_,
+      LiveSourceOptions{std::move(streams), voice ? options_.voice.file : std::filesystem::path(),
+                        options_.source.camera, faces_of(options_.source), events_.on_sight,
+                        given_up},
       LiveStreams::Events{events_.on_moment, events_.on_face,
                           [this](const auto& neutral) { on_neutral(neutral); }});
   if (auto begun = source->start(); !begun) return begun;

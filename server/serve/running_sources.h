@@ -58,6 +58,9 @@ class RunningSources {
   [[nodiscard]] Result<void> finish();
 
  private:
+  [[nodiscard]] Result<LiveStreamOptions> stream_options(
+      const std::filesystem::path& path, const sources::ConditioningSettings& conditioning,
+      bool voice) const;
   [[nodiscard]] Result<void> open_live(const std::filesystem::path& path,
                                        const sources::ConditioningSettings& conditioning,
                                        const GivenUp& given_up);
