@@ -11,7 +11,7 @@
 #include "protocol/live_replay.h"
 #include "protocol/server_session.h"
 #include "tests/fuzz/fuzz_input.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 using namespace aucast;
 using namespace aucast::protocol;

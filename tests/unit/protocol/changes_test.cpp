@@ -3,8 +3,8 @@
 #include "protocol/codec.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/limits.h"
-#include "tests/support/packets.h"
 #include "tests/support/seeded.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::protocol {
 namespace {

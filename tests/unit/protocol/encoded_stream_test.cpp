@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "protocol/limits.h"
-#include "tests/support/packets.h"
 #include "tests/support/seeded.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::protocol {
 namespace {

@@ -7,7 +7,7 @@
 #include "protocol/encoded_track.h"
 #include "protocol/packet_list.h"
 #include "protocol/recent.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::protocol {
 namespace {

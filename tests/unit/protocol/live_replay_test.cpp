@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::protocol {
 namespace {

@@ -3,7 +3,7 @@
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "protocol/server_session.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 #include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {

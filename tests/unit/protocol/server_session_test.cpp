@@ -5,7 +5,7 @@
 #include "protocol/limits.h"
 #include "protocol/secret.h"
 #include "protocol/spare_codes.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 #include "tests/unit/protocol/session_text.h"
 
 namespace aucast::protocol {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "protocol/codec.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::test {
 

@@ -15,7 +15,7 @@
 #include "protocol/engine_message.h"
 #include "protocol/live_feed.h"
 #include "tests/support/kept_log.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 namespace {

@@ -6,7 +6,7 @@
 #include "protocol/limits.h"
 #include "protocol/live_replay.h"
 #include "tests/support/fake_link.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 #include "tests/unit/server/serve/talk_fixture.h"
 
 namespace aucast::server {

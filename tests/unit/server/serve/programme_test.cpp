@@ -12,10 +12,10 @@
 #include "server/serve/client_connection.h"
 #include "tests/support/fake_link.h"
 #include "tests/support/kept_log.h"
-#include "tests/support/packets.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/protocol/packets.h"
 #include "tests/unit/sources/tables.h"
 
 namespace aucast::server {

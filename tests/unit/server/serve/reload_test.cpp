@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <asio/executor_work_guard.hpp>
 
-#include "tests/support/packets.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "protocol/server_session.h"
-#include "tests/support/packets.h"
 #include "tests/support/quiet_log.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 

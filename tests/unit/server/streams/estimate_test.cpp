@@ -1,5 +1,5 @@
 #include "server/streams/estimate.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "protocol/limits.h"
-#include "tests/support/packets.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 namespace {

@@ -8,7 +8,7 @@
 #include "common/files.h"
 #include "protocol/stream_file.h"
 #include "server/streams/repertoire.h"
-#include "tests/support/packets.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 namespace {
