@@ -159,6 +159,17 @@ std::string found_report(const ConvertOptions& options, const sources::SourceCon
          std::to_string(protocol::media_ms(content.stream, options.keyframe_ms)) + " ms\n";
 }
 
+/// No file may be written over what is read, nor over another one.
+Result<void> check_files(std::vector<std::filesystem::path> made,
+                         const std::vector<std::filesystem::path>& sources,
+                         const std::filesystem::path& profile) {
+  made.push_back(profile);
+  auto kept = check_not_read(made, sources);
+  if (kept) kept = check_distinct(made);
+  if (!kept) return convert_usage(kept.error().message);
+  return {};
+}
+
 /// Writes the stream as OUT wants it. `said`: the report so far.
 Result<Converted> write_out(const ConvertOptions& options, const protocol::StreamFile& stream,
                             std::string said) {
@@ -182,9 +193,6 @@ Result<Converted> write_out(const ConvertOptions& options, const protocol::Strea
 
 Result<Converted> convert(const ConvertOptions& options, const SayProgress& say) {
   const SignalOptions& signal = options.source.signal;
-  if (auto kept = check_not_read({options.out, signal.save_profile}, {options.in}); !kept) {
-    return convert_usage(kept.error().message);
-  }
   const auto conditioning = conditioning_of(signal);
   if (!conditioning) return conditioning.error();
   std::string said = at_place(options.in.string(), "");
@@ -231,7 +239,7 @@ Result<Converted> convert_each(const ConvertOptions& options, const SayProgress&
   };
   std::vector<std::filesystem::path> made;
   for (const std::filesystem::path& source : sources) made.push_back(made_of(source));
-  if (auto kept = check_not_read(made, sources); !kept) return convert_usage(kept.error().message);
+  if (auto kept = check_files(made, sources, signal.save_profile); !kept) return kept.error();
   Converted all;
   for (const std::filesystem::path& source : sources) {
     ConvertOptions one = options;
@@ -256,7 +264,10 @@ Result<Converted> run_convert(std::vector<std::string> arguments, const SayProgr
   if (typed->contains("help")) return Converted{help_text(convert_page()), {}};
   if (auto read = read_words(rows, *typed); !read) return read.error();
   if (auto valid = validate(options); !valid) return valid.error();
-  return options.to.empty() ? convert(options, say) : convert_each(options, say);
+  if (!options.to.empty()) return convert_each(options, say);
+  const auto& profile = options.source.signal.save_profile;
+  if (auto kept = check_files({options.out}, {options.in}, profile); !kept) return kept.error();
+  return convert(options, say);
 }
 
 CommandPage convert_page() {

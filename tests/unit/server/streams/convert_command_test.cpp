@@ -68,6 +68,25 @@ TEST(Convert, NeverWritesOverWhatItReads) {
   EXPECT_FALSE(std::filesystem::exists(to + "/in.txt"));
 }
 
+TEST(Convert, WritesNoFileTwice) {
+  const TempFolder folder;
+  const std::string in = folder.write("in.csv", sources::tables::kOpenFace1).string();
+  const std::string profile = folder.write("in.txt", "of before").string();
+  for (const std::vector<std::string>& out :
+       std::vector<std::vector<std::string>>{{profile}, {"--to", folder.path().string()}}) {
+    std::vector<std::string> arguments{"--neutral", "1", "--save-profile", profile, in};
+    arguments.insert(arguments.end(), out.begin(), out.end());
+    const auto refused = run_convert(arguments);
+    ASSERT_FALSE(refused) << out.front();
+    EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
+    EXPECT_EQ(refused.error().message,
+              profile +
+                  " would be written twice, for two options; choose another name for one of them "
+                  "(try convert --help)");
+    EXPECT_EQ(folder.read("in.txt"), "of before");
+  }
+}
+
 TEST(Convert, WhatDoesNotFitIntoMemoryIsRefusedBeforeItIsRead) {
   const TempFolder folder;
   constexpr std::size_t kKeyframes = 1'000'000;
