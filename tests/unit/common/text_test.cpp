@@ -56,6 +56,9 @@ TEST(Nearest, OfAShortWordMostLettersAreRight) {
   EXPECT_FALSE(nearest("--foo", known).has_value());
   EXPECT_EQ(nearest("--fp", known), "--fps");
   EXPECT_EQ(nearest("fasc", known), "facs");
+  EXPECT_EQ(nearest("--fsp", known), "--fps") << "letters that are swapped are one mistake";
+  EXPECT_EQ(nearest("--pfs", known), "--fps");
+  EXPECT_FALSE(nearest("--spf", known).has_value()) << "and these are two";
   EXPECT_EQ(nearest("-v", known), "-v");
 }
 
