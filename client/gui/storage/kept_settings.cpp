@@ -22,6 +22,8 @@ constexpr int kBrokenMax = 5;
 constexpr std::array<std::string_view, 2> kMixers = {"maximum", "average"};
 constexpr std::array<std::string_view, 2> kInterpolations = {"linear", "cosine"};
 constexpr std::array<std::string_view, 5> kGrounds = {"studio", "black", "grey", "white", "none"};
+/// The names of gui::Behind, in its order.
+constexpr std::array<std::string_view, 4> kBehind{"sets", "live", "auto", "time"};
 
 /// What the tables of a file share.
 struct Reading {
@@ -71,26 +73,109 @@ class Fields : public TableReader {
   Reading& reading_;
 };
 
-/// The names of gui::Behind, in its order.
-constexpr std::array<std::string_view, 4> kBehind{"sets", "live", "auto", "time"};
+/// Writes fields as Fields reads them.
+class Lines {
+ public:
+  void begin(std::string_view table) { text_.append("\n").append(table).append("\n"); }
+  void take(std::string_view key, int value, int /*low*/, int /*high*/) {
+    text_ += toml_line(key, std::to_string(value));
+  }
+  void take(std::string_view key, bool value) { text_ += toml_line(key, value ? "true" : "false"); }
+  void take(std::string_view key, std::string_view value) {
+    text_ += toml_line(key, toml_text(value));
+  }
+  template <typename Enum, std::size_t N>
+  void take(std::string_view key, Enum value, const std::array<std::string_view, N>& words) {
+    take(key, words[static_cast<std::size_t>(value)]);
+  }
+  void take(std::string_view key, const std::vector<std::string>& values) {
+    text_ += toml_line(key, toml_texts(values));
+  }
+  [[nodiscard]] std::string text() { return std::move(text_); }
 
-void read_remote(Fields fields, KeptSettings& settings) {
+ private:
+  std::string text_;
+};
+
+// === The tables, each with its fields in the order of the file. `io`: Fields, which read the
+// settings, or Lines, which write them.
+
+void remote_fields(auto& io, auto& settings, auto& others) {
+  auto& remote = settings.remote;
+  io.take("address", remote.address);
+  io.take("port", remote.port, 1, RemoteSettings::kPortMax);
+  io.take("others", others);
+  io.take("recent", settings.recent);
+  io.take("buffer", remote.buffer, 1, RemoteSettings::kSetsMax);
+  io.take("playout", remote.playout, 1, RemoteSettings::kSetsMax);
+  io.take("threshold_percent", remote.threshold_percent, 1, 100);
+  io.take("behind", remote.behind, kBehind);
+  io.take("behind_ms", remote.behind_ms, 0, RemoteSettings::kBehindMsMax);
+  io.take("speed_ms", remote.speed_ms, 0, RemoteSettings::kSpeedMsMax);
+  io.take("reconnect", remote.reconnect);
+  io.take("stream", remote.stream);
+  io.take("tls", remote.tls);
+  io.take("tls_ca", remote.authorities_file);
+  io.take("token_file", remote.token_file);
+}
+
+void file_fields(auto& io, auto& settings) {
+  io.take("recent", settings.recent_files);
+  io.take("own_folder", settings.own_folder);
+}
+
+void table_fields(auto& io, auto& known) {
+  io.take("file", known.file);
+  auto& table = known.settings;
+  io.take("fps", table.fps, 0, kTableFpsMax);
+  io.take("rate", table.rate, 0, 100);
+  io.take("gain_percent", table.gain_percent, 0, kTableGainPercentMax);
+  io.take("neutral_s", table.neutral_s, 0, kTableNeutralMax);
+}
+
+void animation_fields(auto& io, auto& settings) {
+  io.take("mixer", settings.animation.mixer, kMixers);
+  io.take("rules", settings.animation.rules);
+  io.take("interpolation", settings.animation.interpolation, kInterpolations);
+  auto& transition = settings.transition;
+  io.take("transition_frames", transition.frames, 1, TransitionSettings::kFramesMax);
+  io.take("transition_frame_ms", transition.frame_ms, 1, TransitionSettings::kFrameMsMax);
+  io.take("transition_cosine", transition.cosine);
+}
+
+void rendering_fields(auto& io, auto& rendering, auto&& layers, auto&& seed) {
+  using Blink = playback::BlinkOptions;
+  io.take("show", layers);
+  io.take("background", rendering.ground, kGrounds);
+  io.take("light_yaw_deg", rendering.light_yaw_deg, -kLightYawMaxDeg, kLightYawMaxDeg);
+  io.take("light_pitch_deg", rendering.light_pitch_deg, -kLightPitchMaxDeg, kLightPitchMaxDeg);
+  io.take("light_percent", rendering.light_percent, 0, kLightPercentMax);
+  io.take("blinking", rendering.blinking);
+  auto& blink = rendering.blink;
+  io.take("blink_interval_ms", blink.interval_ms, Blink::kIntervalMinMs, Blink::kIntervalMaxMs);
+  io.take("blink_closing_ms", blink.closing_ms, Blink::kClosingMinMs, Blink::kClosingMaxMs);
+  io.take("blink_interpolation", blink.interpolation, kInterpolations);
+  io.take("blink_seed", seed, 0, kSeedShownMax);
+}
+
+void picture_fields(auto& io, auto& pictures) {
+  io.take("folder", pictures.folder);
+  io.take("name", pictures.pattern);
+  io.take("width", pictures.width, 0, kPictureSideMax);
+  io.take("height", pictures.height, 0, kPictureSideMax);
+}
+
+void display_fields(auto& io, auto& display) {
+  io.take("language", display.language);
+  io.take("text_percent", display.text_percent, kTextPercentMin, kTextPercentMax);
+}
+
+// === What reading checks beyond single fields.
+
+void read_remote(Fields& fields, KeptSettings& settings) {
   RemoteSettings& remote = settings.remote;
-  fields.take("address", remote.address);
-  fields.take("port", remote.port, 1, RemoteSettings::kPortMax);
-  fields.take("buffer", remote.buffer, 1, RemoteSettings::kSetsMax);
-  fields.take("playout", remote.playout, 1, RemoteSettings::kSetsMax);
-  fields.take("threshold_percent", remote.threshold_percent, 1, 100);
-  fields.take("behind", remote.behind, kBehind);
-  fields.take("behind_ms", remote.behind_ms, 0, RemoteSettings::kBehindMsMax);
-  fields.take("speed_ms", remote.speed_ms, 0, RemoteSettings::kSpeedMsMax);
-  fields.take("reconnect", remote.reconnect);
-  fields.take("stream", remote.stream);
-  fields.take("tls", remote.tls);
-  fields.take("tls_ca", remote.authorities_file);
-  fields.take("token_file", remote.token_file);
   std::vector<std::string> others;
-  fields.take("others", others);
+  remote_fields(fields, settings, others);
   for (const std::string& other : others) {
     if (auto endpoint = protocol::parse_endpoint(other)) {
       remote.others.push_back(*std::move(endpoint));
@@ -98,7 +183,6 @@ void read_remote(Fields fields, KeptSettings& settings) {
       fields.leave_out("others", endpoint.error().message);
     }
   }
-  fields.take("recent", settings.recent);
   if (settings.recent.size() > kRecentMax) settings.recent.resize(kRecentMax);
   const RemoteSettings usual;
   if (remote.playout > remote.buffer) {
@@ -114,48 +198,13 @@ void read_remote(Fields fields, KeptSettings& settings) {
     remote.address = usual.address;
     remote.others.clear();
   }
-  fields.finish();
 }
 
-void read_files(Fields fields, KeptSettings& settings) {
-  fields.take("recent", settings.recent_files);
-  if (settings.recent_files.size() > kRecentMax) settings.recent_files.resize(kRecentMax);
-  fields.take("own_folder", settings.own_folder);
-  fields.finish();
-}
-
-void read_table(Fields fields, std::vector<KnownTable>& tables) {
-  KnownTable known;
-  fields.take("file", known.file);
-  TableSettings& table = known.settings;
-  fields.take("fps", table.fps, 0, kTableFpsMax);
-  fields.take("rate", table.rate, 0, 100);
-  fields.take("gain_percent", table.gain_percent, 0, kTableGainPercentMax);
-  fields.take("neutral_s", table.neutral_s, 0, kTableNeutralMax);
-  fields.finish();
-  if (tables.size() < kKnownTablesMax) tables.push_back(std::move(known));
-}
-
-void read_face(Fields fields, KeptSettings& settings) {
-  fields.take("folder", settings.face);
-  fields.finish();
-}
-
-void read_animation(Fields fields, KeptSettings& settings) {
-  fields.take("mixer", settings.animation.mixer, kMixers);
-  fields.take("rules", settings.animation.rules);
-  fields.take("interpolation", settings.animation.interpolation, kInterpolations);
-  fields.take("transition_frames", settings.transition.frames, 1, TransitionSettings::kFramesMax);
-  fields.take("transition_frame_ms", settings.transition.frame_ms, 1,
-              TransitionSettings::kFrameMsMax);
-  fields.take("transition_cosine", settings.transition.cosine);
-  fields.finish();
-}
-
-void read_rendering(Fields fields, RenderingSettings& rendering) {
-  using Blink = playback::BlinkOptions;
+void read_rendering(Fields& fields, RenderingSettings& rendering) {
   std::string layers = view::format_layers(rendering.layers);
-  fields.take("show", layers);
+  int seed = shown_seed(rendering.blink.seed);
+  rendering_fields(fields, rendering, layers, seed);
+  rendering.blink.seed = static_cast<std::uint64_t>(seed);
   if (layers.empty()) {
     rendering.layers.textured = false;
   } else if (auto parsed = view::parse_layers(layers)) {
@@ -163,43 +212,14 @@ void read_rendering(Fields fields, RenderingSettings& rendering) {
   } else {
     fields.leave_out("show", parsed.error().message);
   }
-  fields.take("background", rendering.ground, kGrounds);
-  fields.take("light_yaw_deg", rendering.light_yaw_deg, -kLightYawMaxDeg, kLightYawMaxDeg);
-  fields.take("light_pitch_deg", rendering.light_pitch_deg, -kLightPitchMaxDeg, kLightPitchMaxDeg);
-  fields.take("light_percent", rendering.light_percent, 0, kLightPercentMax);
-  fields.take("blinking", rendering.blinking);
-  fields.take("blink_interval_ms", rendering.blink.interval_ms, Blink::kIntervalMinMs,
-              Blink::kIntervalMaxMs);
-  fields.take("blink_closing_ms", rendering.blink.closing_ms, Blink::kClosingMinMs,
-              Blink::kClosingMaxMs);
-  fields.take("blink_interpolation", rendering.blink.interpolation, kInterpolations);
-  int seed = shown_seed(rendering.blink.seed);
-  fields.take("blink_seed", seed, 0, kSeedShownMax);
-  rendering.blink.seed = static_cast<std::uint64_t>(seed);
-  fields.finish();
 }
 
-void read_pictures(Fields fields, PictureSettings& pictures) {
-  fields.take("folder", pictures.folder);
-  fields.take("name", pictures.pattern);
-  fields.take("width", pictures.width, 0, kPictureSideMax);
-  fields.take("height", pictures.height, 0, kPictureSideMax);
+void read_pictures(Fields& fields, PictureSettings& pictures) {
+  picture_fields(fields, pictures);
   if (const auto name = picture_name(pictures.pattern, {}, 1); !name) {
     fields.leave_out("name", name.error().message);
     pictures.pattern = PictureSettings().pattern;
   }
-  fields.finish();
-}
-
-void read_display(Fields fields, DisplaySettings& display) {
-  fields.take("language", display.language);
-  fields.take("text_percent", display.text_percent, kTextPercentMin, kTextPercentMax);
-  fields.finish();
-}
-
-void read_sound(Fields fields, int& volume) {
-  fields.take("volume", volume, 0, 100);
-  fields.finish();
 }
 
 /// Renames the file to FILE.broken, FILE.broken.2 and so on, whichever there is not yet. Empty: it
@@ -214,20 +234,6 @@ fs::path put_aside(const fs::path& file) {
     return failed ? fs::path() : aside;
   }
   return {};
-}
-
-std::string line(std::string_view key, int value) {
-  return toml_line(key, std::to_string(value));
-}
-std::string line(std::string_view key, bool value) {
-  return toml_line(key, value ? "true" : "false");
-}
-std::string line(std::string_view key, const std::string& value) {
-  return toml_line(key, toml_text(value));
-}
-template <typename Enum, std::size_t N>
-std::string line(std::string_view key, Enum value, const std::array<std::string_view, N>& words) {
-  return toml_line(key, toml_text(words[static_cast<std::size_t>(value)]));
 }
 
 }  // namespace
@@ -247,83 +253,68 @@ Result<ParsedSettings> parse_settings(std::string_view text, const std::string& 
   KeptSettings settings;
   Reading reading{file};
   Fields sections(*document, reading);
-  const auto section = [&](std::string_view name, const auto& read) {
-    const TomlValue* const table = sections.table_if(name);
-    if (reading.good() && table != nullptr) read(Fields(*table, reading));
+  const auto read = [&](const TomlValue& table, const auto& fields_of) {
+    Fields fields(table, reading);
+    fields_of(fields);
+    fields.finish();
   };
-  section("remote", [&](Fields fields) { read_remote(std::move(fields), settings); });
-  section("files", [&](Fields fields) { read_files(std::move(fields), settings); });
+  const auto section = [&](std::string_view name, const auto& fields_of) {
+    const TomlValue* const table = sections.table_if(name);
+    if (reading.good() && table != nullptr) read(*table, fields_of);
+  };
+  section("remote", [&](Fields& fields) { read_remote(fields, settings); });
+  section("files", [&](Fields& fields) { file_fields(fields, settings); });
+  if (settings.recent_files.size() > kRecentMax) settings.recent_files.resize(kRecentMax);
   const auto tables = sections.tables("table");
-  if (reading.good()) {
-    for (const TomlValue* table : tables) read_table({*table, reading}, settings.tables);
+  for (const TomlValue* table : reading.good() ? tables : std::vector<const TomlValue*>()) {
+    KnownTable known;
+    read(*table, [&](Fields& fields) { table_fields(fields, known); });
+    if (settings.tables.size() < kKnownTablesMax) settings.tables.push_back(std::move(known));
   }
-  section("face", [&](Fields fields) { read_face(std::move(fields), settings); });
-  section("animation", [&](Fields fields) { read_animation(std::move(fields), settings); });
-  section("rendering",
-          [&](Fields fields) { read_rendering(std::move(fields), settings.rendering); });
-  section("window", [&](Fields fields) { read_display(std::move(fields), settings.display); });
-  section("pictures", [&](Fields fields) { read_pictures(std::move(fields), settings.pictures); });
-  section("sound", [&](Fields fields) { read_sound(std::move(fields), settings.volume); });
+  section("face", [&](Fields& fields) { fields.take("folder", settings.face); });
+  section("animation", [&](Fields& fields) { animation_fields(fields, settings); });
+  section("rendering", [&](Fields& fields) { read_rendering(fields, settings.rendering); });
+  section("window", [&](Fields& fields) { display_fields(fields, settings.display); });
+  section("pictures", [&](Fields& fields) { read_pictures(fields, settings.pictures); });
+  section("sound", [&](Fields& fields) { fields.take("volume", settings.volume, 0, 100); });
   sections.finish();
   return ParsedSettings{std::move(settings), std::move(reading.left_out)};
 }
 
 std::string format_settings(const KeptSettings& settings) {
-  const RemoteSettings& remote = settings.remote;
   std::vector<std::string> others;
-  for (const protocol::Endpoint& other : remote.others) {
+  for (const protocol::Endpoint& other : settings.remote.others) {
     others.push_back(other.host.find(':') == std::string::npos ? other.host
                                                                : "[" + other.host + "]");
     others.back() += ":" + std::to_string(other.port);
   }
-  std::string text =
-      "# What face-player's window remembers. It is written when the window closes, and when a\n"
-      "# file, a server or a face was opened; options of the command line come first, --no-config "
-      "leaves\n"
-      "# it alone.\n\n[remote]\n";
-  text += line("address", remote.address) + line("port", remote.port) +
-          toml_line("others", toml_texts(others)) +
-          toml_line("recent", toml_texts(settings.recent)) + line("buffer", remote.buffer) +
-          line("playout", remote.playout) + line("threshold_percent", remote.threshold_percent) +
-          line("behind", std::string(kBehind[static_cast<std::size_t>(remote.behind)])) +
-          line("behind_ms", remote.behind_ms) + line("speed_ms", remote.speed_ms) +
-          line("reconnect", remote.reconnect) + line("stream", remote.stream) +
-          line("tls", remote.tls) + line("tls_ca", remote.authorities_file) +
-          line("token_file", remote.token_file);
-  text += "\n[files]\n" + toml_line("recent", toml_texts(settings.recent_files)) +
-          line("own_folder", settings.own_folder);
+  Lines lines;
+  lines.begin("[remote]");
+  remote_fields(lines, settings, others);
+  lines.begin("[files]");
+  file_fields(lines, settings);
   for (const KnownTable& known : settings.tables) {
-    const TableSettings& table = known.settings;
-    text += "\n[[table]]\n" + line("file", known.file) + line("fps", table.fps) +
-            line("rate", table.rate) + line("gain_percent", table.gain_percent) +
-            line("neutral_s", table.neutral_s);
+    lines.begin("[[table]]");
+    table_fields(lines, known);
   }
-  text += "\n[face]\n" + line("folder", settings.face);
-  text += "\n[animation]\n";
-  text += line("mixer", settings.animation.mixer, kMixers) +
-          line("rules", settings.animation.rules) +
-          line("interpolation", settings.animation.interpolation, kInterpolations) +
-          line("transition_frames", settings.transition.frames) +
-          line("transition_frame_ms", settings.transition.frame_ms) +
-          line("transition_cosine", settings.transition.cosine);
-  const RenderingSettings& rendering = settings.rendering;
-  text += "\n[rendering]\n";
-  text += line("show", view::format_layers(rendering.layers)) +
-          line("background", rendering.ground, kGrounds) +
-          line("light_yaw_deg", rendering.light_yaw_deg) +
-          line("light_pitch_deg", rendering.light_pitch_deg) +
-          line("light_percent", rendering.light_percent) + line("blinking", rendering.blinking) +
-          line("blink_interval_ms", rendering.blink.interval_ms) +
-          line("blink_closing_ms", rendering.blink.closing_ms) +
-          line("blink_interpolation", rendering.blink.interpolation, kInterpolations) +
-          line("blink_seed", shown_seed(rendering.blink.seed));
-  const PictureSettings& pictures = settings.pictures;
-  text += "\n[pictures]\n" + line("folder", pictures.folder) + line("name", pictures.pattern) +
-          line("width", pictures.width) + line("height", pictures.height);
-  text += "\n[window]\n" + line("language", settings.display.language) +
-          line("text_percent", settings.display.text_percent);
-  text += "\n[sound]\n" + line("volume", settings.volume);
-  return text;
+  lines.begin("[face]");
+  lines.take("folder", settings.face);
+  lines.begin("[animation]");
+  animation_fields(lines, settings);
+  lines.begin("[rendering]");
+  rendering_fields(lines, settings.rendering, view::format_layers(settings.rendering.layers),
+                   shown_seed(settings.rendering.blink.seed));
+  lines.begin("[pictures]");
+  picture_fields(lines, settings.pictures);
+  lines.begin("[window]");
+  display_fields(lines, settings.display);
+  lines.begin("[sound]");
+  lines.take("volume", settings.volume, 0, 100);
+  return "# What face-player's window remembers. It is written when the window closes, and when a\n"
+         "# file, a server or a face was opened; options of the command line come first, "
+         "--no-config leaves\n"
+         "# it alone.\n" +
+         lines.text();
 }
 
 void remember_address(std::vector<std::string>& recent, const RemoteSettings& settings) {
