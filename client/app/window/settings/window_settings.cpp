@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 #include <utility>
 
 #include "client/app/remote_options.h"
@@ -21,54 +22,32 @@ void copy_given(const std::set<std::string>& given, const KeptSettings& from, Ke
   const auto copy = [&](const char* option, auto member_of) {
     if (given.contains(option) && wanted(member_of)) member_of(to) = member_of(from);
   };
-  copy(
-      "--buffer", [](auto& s) -> auto& { return s.remote.buffer; });
+  copy("--buffer", [](auto& s) { return std::tie(s.remote.buffer); });
   for (const char* option : {"--buffer", "--live", "--live-delay"}) {
-    copy(
-        option, [](auto& s) -> auto& { return s.remote.behind; });
-    copy(
-        option, [](auto& s) -> auto& { return s.remote.behind_ms; });
+    copy(option, [](auto& s) { return std::tie(s.remote.behind); });
+    copy(option, [](auto& s) { return std::tie(s.remote.behind_ms); });
   }
-  copy(
-      "--playout", [](auto& s) -> auto& { return s.remote.playout; });
-  copy(
-      "--threshold", [](auto& s) -> auto& { return s.remote.threshold_percent; });
-  copy(
-      "--speed", [](auto& s) -> auto& { return s.remote.speed_ms; });
-  copy(
-      "--reconnect", [](auto& s) -> auto& { return s.remote.reconnect; });
-  copy(
-      "--stream", [](auto& s) -> auto& { return s.remote.stream; });
-  copy(
-      "--tls", [](auto& s) -> auto& { return s.remote.tls; });
-  copy(
-      "--tls-ca", [](auto& s) -> auto& { return s.remote.authorities_file; });
-  copy(
-      "--token-file", [](auto& s) -> auto& { return s.remote.token_file; });
-  copy(
-      "--mixer", [](auto& s) -> auto& { return s.animation.mixer; });
-  copy(
-      "--rules", [](auto& s) -> auto& { return s.animation.rules; });
-  copy(
-      "--interpolation", [](auto& s) -> auto& { return s.animation.interpolation; });
-  copy(
-      "--show", [](auto& s) -> auto& { return s.rendering.layers; });
-  copy(
-      "--language", [](auto& s) -> auto& { return s.display.language; });
-  copy(
-      "--text-size", [](auto& s) -> auto& { return s.display.text_percent; });
-  copy(
-      "--volume", [](auto& s) -> auto& { return s.volume; });
+  copy("--playout", [](auto& s) { return std::tie(s.remote.playout); });
+  copy("--threshold", [](auto& s) { return std::tie(s.remote.threshold_percent); });
+  copy("--speed", [](auto& s) { return std::tie(s.remote.speed_ms); });
+  copy("--reconnect", [](auto& s) { return std::tie(s.remote.reconnect); });
+  copy("--stream", [](auto& s) { return std::tie(s.remote.stream); });
+  copy("--tls", [](auto& s) { return std::tie(s.remote.tls); });
+  copy("--tls-ca", [](auto& s) { return std::tie(s.remote.authorities_file); });
+  copy("--token-file", [](auto& s) { return std::tie(s.remote.token_file); });
+  copy("--mixer", [](auto& s) { return std::tie(s.animation.mixer); });
+  copy("--rules", [](auto& s) { return std::tie(s.animation.rules); });
+  copy("--interpolation", [](auto& s) { return std::tie(s.animation.interpolation); });
+  copy("--show", [](auto& s) { return std::tie(s.rendering.layers); });
+  copy("--language", [](auto& s) { return std::tie(s.display.language); });
+  copy("--text-size", [](auto& s) { return std::tie(s.display.text_percent); });
+  copy("--volume", [](auto& s) { return std::tie(s.volume); });
   for (const char* option : {"--idle", "--blink"}) {
-    copy(
-        option, [](auto& s) -> auto& { return s.rendering.blinking; });
-    copy(
-        option, [](auto& s) -> auto& { return s.rendering.blink.seed; });
+    copy(option, [](auto& s) { return std::tie(s.rendering.blinking); });
+    copy(option, [](auto& s) { return std::tie(s.rendering.blink.seed); });
   }
-  copy(
-      "--blink", [](auto& s) -> auto& { return s.rendering.blink.interval_ms; });
-  copy(
-      "--blink", [](auto& s) -> auto& { return s.rendering.blink.closing_ms; });
+  copy("--blink", [](auto& s) { return std::tie(s.rendering.blink.interval_ms); });
+  copy("--blink", [](auto& s) { return std::tie(s.rendering.blink.closing_ms); });
 }
 
 KeptSettings settings_of(const PlayerOptions& options) {
