@@ -51,7 +51,7 @@ gui::GuiModel model_of(const WindowSession& session) {
   model.composer.can_take = !face.is(Shown::Composer) && face.aus().has_value();
   model.known_aus = editor.known_aus();
   model.exported = session.exports().view();
-  model.onsets = session.onsets().file();
+  model.onsets = session.onsets().file().string();
   model.expressions = editor.expressions();
   model.transition = editor.transition();
   model.rendering.settings = settings.rendering();

@@ -180,7 +180,7 @@ void WindowSession::apply(const gui::GuiCommand& command, Instant now) {
       [&](const gui::CloseNotice&) { notices_.clear(); },
       [&](const gui::CancelExport&) { exports_.cancel(); },
       [&](const gui::EndOnsets&) {
-        const std::string file = onsets_.file();
+        const std::string file = onsets_.file().string();
         const auto ended = onsets_.end();
         notices_.say(ended ? gui::tr("said.onsets_ended", file) : ended.error().message, !ended,
                      now);

@@ -20,7 +20,7 @@
 #include "client/app/window/playing/mirror_session.h"
 #include "client/app/window/playing/playback_session.h"
 #include "client/app/window/playing/stream_lister.h"
-#include "client/app/window/recording/onset_session.h"
+#include "client/app/window/recording/onset_log.h"
 #include "client/app/window/settings/settings_session.h"
 #include "client/app/window/shown_face.h"
 #include "client/gui/model/gui_commands.h"
@@ -76,7 +76,7 @@ class WindowSession {
   [[nodiscard]] ShownFace& face() { return face_; }
   [[nodiscard]] Notices& notices() { return notices_; }
   [[nodiscard]] SoundSession& sound() { return playback_.sound(); }
-  [[nodiscard]] OnsetSession& onsets() { return onsets_; }
+  [[nodiscard]] OnsetLog& onsets() { return onsets_; }
 
   [[nodiscard]] const PlayerOptions& options() const { return options_; }
   [[nodiscard]] const ShownFace& face() const { return face_; }
@@ -89,7 +89,7 @@ class WindowSession {
   [[nodiscard]] const StreamLister& lister() const { return lister_; }
   [[nodiscard]] const GallerySession& gallery() const { return gallery_; }
   [[nodiscard]] const ExportSession& exports() const { return exports_; }
-  [[nodiscard]] const OnsetSession& onsets() const { return onsets_; }
+  [[nodiscard]] const OnsetLog& onsets() const { return onsets_; }
   [[nodiscard]] const SettingsSession& settings() const { return settings_; }
   [[nodiscard]] const FileSession& files() const { return files_; }
   [[nodiscard]] const Leaving& leaving() const { return leaving_; }
@@ -129,7 +129,7 @@ class WindowSession {
   StreamLister lister_;
   GallerySession gallery_;
   ExportSession exports_;
-  OnsetSession onsets_;
+  OnsetLog onsets_;
   SettingsSession settings_;
   ShownFace face_;
   FileSession files_;

@@ -11,23 +11,24 @@
 
 namespace aucast::app {
 
-Result<std::unique_ptr<OnsetLog>> OnsetLog::create(const std::filesystem::path& path) {
-  auto temporary = TemporaryFile::beside(path);
-  if (!temporary) return temporary.error();
-  return std::unique_ptr<OnsetLog>(new OnsetLog(path, *std::move(temporary)));
-}
-
-OnsetLog::OnsetLog(std::filesystem::path path, TemporaryFile temporary)
-    : path_(std::move(path)), temporary_(std::move(temporary)), rows_(temporary_.path()) {
-  rows_ << "monotonic_s,keyframe,aus,reached\n";
-}
-
 OnsetLog::~OnsetLog() {
-  if (finished_) return;
-  if (const auto finished = finish(); !finished) spdlog::warn("{}", finished.error().message);
+  if (const auto ended = end(); !ended) spdlog::warn("{}", ended.error().message);
+}
+
+Result<void> OnsetLog::begin(const std::filesystem::path& file) {
+  if (auto ended = end(); !ended) return ended;
+  auto temporary = TemporaryFile::beside(file);
+  if (!temporary) return temporary.error();
+  file_ = file;
+  temporary_ = *std::move(temporary);
+  rows_ = std::ofstream(temporary_.path());
+  rows_ << "monotonic_s,keyframe,aus,reached\n";
+  reached_.reset();
+  return {};
 }
 
 void OnsetLog::add(Instant shown, const FaceShown& face) {
+  if (file_.empty()) return;
   std::array<char, 40> time{};
   std::snprintf(time.data(), time.size(), "%.6f", seconds(shown.time_since_epoch()));
   rows_ << time.data() << ',' << face.keyframe << ",\""
@@ -42,15 +43,16 @@ void OnsetLog::add(Instant shown, const FaceShown& face) {
   rows_ << '\n';
 }
 
-Result<void> OnsetLog::finish() {
-  finished_ = true;
+Result<void> OnsetLog::end() {
+  if (file_.empty()) return {};
+  const std::filesystem::path file = std::exchange(file_, {});
   rows_.close();
   if (rows_.fail()) {
     temporary_.remove();
     return Error{ErrorKind::Failed,
-                 at_place(path_.string(), "the onsets could not be written; is the disk full?")};
+                 at_place(file.string(), "the onsets could not be written; is the disk full?")};
   }
-  return temporary_.replace(path_);
+  return temporary_.replace(file);
 }
 
 }  // namespace aucast::app

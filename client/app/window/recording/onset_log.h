@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <optional>
 
 #include "common/action_unit.h"
@@ -25,29 +24,31 @@ struct FaceShown {
 /// which the face had moved. Columns: monotonic_s, CLOCK_MONOTONIC in seconds, read after the
 /// picture was handed to the display; keyframe, as in FaceShown; aus, the AUs shown, as in a
 /// packet; reached, the number of the keyframe that has ended since the row before ("3-5" if
-/// several have), else empty. The file appears with finish(); until then the rows are in a
-/// temporary file beside it.
+/// several have), else empty. The file appears with end(); until then the rows are in a temporary
+/// file beside it. Thread: the player's.
 class OnsetLog {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<OnsetLog>> create(const std::filesystem::path& path);
-  /// Finishes the file if that has not been done, so that the rows of a run that failed are kept.
+  OnsetLog() = default;
+  /// Ends the table if that has not been done, so that the rows of a run that failed are kept.
   ~OnsetLog();
   OnsetLog(const OnsetLog&) = delete;
   OnsetLog& operator=(const OnsetLog&) = delete;
 
+  /// From now on, logs in this file what is shown. Ends the previous table first.
+  [[nodiscard]] Result<void> begin(const std::filesystem::path& file);
+  /// Does nothing if no table is written.
   void add(Instant shown, const FaceShown& face);
-  /// Call it once. Fails if a row could not be written.
-  [[nodiscard]] Result<void> finish();
+  /// Completes the file, if there is one. Fails if a row could not be written.
+  [[nodiscard]] Result<void> end();
+  /// The file that is being written; empty: none.
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
-  OnsetLog(std::filesystem::path path, TemporaryFile temporary);
-
-  std::filesystem::path path_;
+  std::filesystem::path file_;
   TemporaryFile temporary_;
   std::ofstream rows_;
   std::optional<std::uint64_t> reached_;  ///< as in the last row that was written while something
                                           ///< played
-  bool finished_ = false;
 };
 
 }  // namespace aucast::app

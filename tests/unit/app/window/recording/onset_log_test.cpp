@@ -11,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "client/app/window/recording/onset_session.h"
 #include "tests/support/temp_folder.h"
 
 namespace aucast::app {
@@ -20,16 +19,16 @@ namespace {
 TEST(OnsetLog, HasARowForEachPictureOnceItIsFinished) {
   const test::TempFolder folder;
   const auto file = folder.path() / "onsets.csv";
-  auto log = OnsetLog::create(file);
-  ASSERT_TRUE(log) << log.error().message;
+  OnsetLog log;
+  ASSERT_TRUE(log.begin(file));
   AuFrame smile;
   set_intensity(smile, 6, Side::Both, 0.4F);
   set_intensity(smile, 12, Side::Left, 1);
-  (*log)->add(Instant(std::chrono::microseconds(1'500'000)), {1, 0, smile});
-  (*log)->add(Instant(std::chrono::microseconds(1'516'667)), {2, 1, AuFrame{}});
-  (*log)->add(Instant(std::chrono::microseconds(20'000'000)), {0, 0, std::nullopt});
+  log.add(Instant(std::chrono::microseconds(1'500'000)), {1, 0, smile});
+  log.add(Instant(std::chrono::microseconds(1'516'667)), {2, 1, AuFrame{}});
+  log.add(Instant(std::chrono::microseconds(20'000'000)), {0, 0, std::nullopt});
   EXPECT_FALSE(std::filesystem::exists(file));
-  ASSERT_TRUE((*log)->finish());
+  ASSERT_TRUE(log.end());
   EXPECT_EQ(folder.read("onsets.csv"),
             "monotonic_s,keyframe,aus,reached\n"
             "1.500000,1,\"6:40,L12\",\n"
@@ -39,10 +38,10 @@ TEST(OnsetLog, HasARowForEachPictureOnceItIsFinished) {
 
 TEST(OnsetLog, NamesAKeyframeInTheFirstPictureThatHasReachedIt) {
   const test::TempFolder folder;
-  auto log = OnsetLog::create(folder.path() / "onsets.csv");
-  ASSERT_TRUE(log) << log.error().message;
+  OnsetLog log;
+  ASSERT_TRUE(log.begin(folder.path() / "onsets.csv"));
   const auto add = [&log](std::uint64_t keyframe, std::uint64_t reached) {
-    (*log)->add(Instant{}, {keyframe, reached, AuFrame{}});
+    log.add(Instant{}, {keyframe, reached, AuFrame{}});
   };
   add(1, 0);
   add(2, 1);
@@ -53,7 +52,7 @@ TEST(OnsetLog, NamesAKeyframeInTheFirstPictureThatHasReachedIt) {
   add(5, 5);
   add(1, 0);  // again from the beginning
   add(1, 1);
-  ASSERT_TRUE((*log)->finish());
+  ASSERT_TRUE(log.end());
   std::istringstream table(folder.read("onsets.csv"));
   std::vector<std::string> reached;
   for (std::string row; std::getline(table, row);)
@@ -65,9 +64,9 @@ TEST(OnsetLog, NamesAKeyframeInTheFirstPictureThatHasReachedIt) {
 TEST(OnsetLog, OfARunThatFailsIsKeptAsFarAsItCame) {
   const test::TempFolder folder;
   {
-    auto log = OnsetLog::create(folder.path() / "onsets.csv");
-    ASSERT_TRUE(log) << log.error().message;
-    (*log)->add(Instant(std::chrono::microseconds(1'500'000)), {1, 0, AuFrame{}});
+    OnsetLog log;
+    ASSERT_TRUE(log.begin(folder.path() / "onsets.csv"));
+    log.add(Instant(std::chrono::microseconds(1'500'000)), {1, 0, AuFrame{}});
   }
   EXPECT_EQ(folder.read("onsets.csv"), "monotonic_s,keyframe,aus,reached\n1.500000,1,\"0\",\n");
   const std::filesystem::directory_iterator files(folder.path());
@@ -75,18 +74,19 @@ TEST(OnsetLog, OfARunThatFailsIsKeptAsFarAsItCame) {
 }
 
 TEST(OnsetLog, SaysAtTheStartThatItsPlaceCannotBeWritten) {
-  const auto log = OnsetLog::create("/nowhere/at/all.csv");
-  ASSERT_FALSE(log);
-  EXPECT_EQ(log.error().kind, ErrorKind::Failed);
+  OnsetLog log;
+  const auto begun = log.begin("/nowhere/at/all.csv");
+  ASSERT_FALSE(begun);
+  EXPECT_EQ(begun.error().kind, ErrorKind::Failed);
 }
 
-TEST(OnsetSession, WritesOneTableAfterTheOther) {
+TEST(OnsetLog, WritesOneTableAfterTheOther) {
   const test::TempFolder folder;
-  OnsetSession onsets;
+  OnsetLog onsets;
   EXPECT_TRUE(onsets.end()) << "there is none";
   onsets.add(Instant(std::chrono::seconds(1)), {1, 0, AuFrame{}});
   ASSERT_TRUE(onsets.begin(folder.path() / "one.csv"));
-  EXPECT_EQ(onsets.file(), (folder.path() / "one.csv").string());
+  EXPECT_EQ(onsets.file(), folder.path() / "one.csv");
   onsets.add(Instant(std::chrono::seconds(2)), {1, 0, AuFrame{}});
   EXPECT_FALSE(onsets.begin("/nowhere/at/all.csv"));
   EXPECT_EQ(onsets.file(), "") << "the one before is finished";
