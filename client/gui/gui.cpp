@@ -1,10 +1,10 @@
 #include "client/gui/gui.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -90,8 +90,8 @@ void gallery_mark(const Look& look, const GalleryView& gallery, GuiCommands& com
   }
   mark_focus();
   tip(tr("panel.gallery_tip", progress_text(gallery)));
-  constexpr float kTop = -IM_PI / 2;
-  constexpr float kAround = 2 * IM_PI;
+  constexpr float kTop = -std::numbers::pi_v<float> / 2;
+  constexpr float kAround = 2 * std::numbers::pi_v<float>;
   const float share = gallery.total == 0
                           ? 0.0F
                           : static_cast<float>(gallery.drawn) / static_cast<float>(gallery.total);
@@ -257,21 +257,6 @@ void Gui::State::side_panel(const GuiModel& model, GuiCommands& commands) {
   }
   ImGui::End();
 }
-
-namespace {
-
-/// ImGui itself closes drop-downs by Esc only while its keyboard navigation is on.
-void close_popup_by_escape() {
-  const ImGuiContext& context = *ImGui::GetCurrentContext();
-  const int open = context.OpenPopupStack.Size;
-  if (open == 0 || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
-  const ImGuiWindow* const top = context.OpenPopupStack[open - 1].Window;
-  // A dialog answers for itself.
-  if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
-  ImGui::ClosePopupToLevel(open - 1, true);
-}
-
-}  // namespace
 
 Gui::Gui(float scale) : state_(std::make_unique<State>()) {
   IMGUI_CHECKVERSION();

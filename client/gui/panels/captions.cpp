@@ -16,23 +16,11 @@ void written(const Look& look, const char* id, const std::string& text, float x,
              float anchor, float room) {
   const ImVec2 padding(12 * look.scale, 7 * look.scale);
   const float wrap = std::min(room, kCaptionWidthMax * look.scale) - padding.x;
-  // The size is given: ImGui would find it one frame late, and cut a text that is longer than the
-  // last.
-  const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-  ImGui::SetNextWindowSize(ImVec2(text_size.x + 2 * padding.x, text_size.y + 2 * padding.y));
-  ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(0.5F, anchor));
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
-      ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::SetNextWindowBgAlpha(0.72F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6 * look.scale);
-  if (ImGui::Begin(id, nullptr, kFlags)) {
-    ImGui::PushTextWrapPos(padding.x + wrap);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-  }
+  text_window(id, text, ImVec2(x, y), anchor, wrap,
+              ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

@@ -58,9 +58,7 @@ bool curves_heading(const Look& look, const AuCurves& curves, bool another) {
   if (another) ImGui::SetNextItemOpen(curves.size() <= kCurvesOpen);
   ImGui::PushFont(look.bold);
   const std::string title = tr("curves.title", curves.size());
-  const bool open =
-      ImGui::TreeNodeEx(with_id(title.c_str(), "fold").c_str(),
-                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  const bool open = foldable(with_id(title.c_str(), "fold").c_str());
   ImGui::PopFont();
   return open;
 }

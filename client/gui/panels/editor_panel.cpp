@@ -50,8 +50,7 @@ bool name_field(const Look& look, const GuiModel& model, int number, bool unname
   const bool another = std::exchange(form.named, number) != number;
   const bool renamed = std::exchange(form.name_taken, name) != name;
   if ((another || renamed) && name != form.name.data()) {
-    form.name = {};
-    name.copy(form.name.data(), form.name.size() - 1);
+    set_text(form.name, name);
   }
   const std::string before = form.name.data();
   label(look, tr("editor.name"), tr("tip.au_name"));

@@ -137,16 +137,10 @@ void way_there(const Look& look, const GuiModel& model, GuiCommands& commands) {
   auto way = settings.cosine ? Interpolation::Cosine : Interpolation::Linear;
   bool changed = in_between(look, "way", way);
   settings.cosine = way == Interpolation::Cosine;
-  label(look, tr("expression.frames"), tr("tip.frames"));
-  if (number_field("##frames", settings.frames,
-                   {.least = 1, .most = TransitionSettings::kFramesMax}))
-    changed = true;
-  tip(tr("tip.frames"));
-  label(look, tr("expression.each_ms"), tr("tip.frames"));
-  if (number_field("##frame", settings.frame_ms,
-                   {.least = 1, .most = TransitionSettings::kFrameMsMax}))
-    changed = true;
-  tip(tr("tip.frames"));
+  changed |= number_row(look, tr("expression.frames"), "##frames", settings.frames,
+                        {.least = 1, .most = TransitionSettings::kFramesMax}, tr("tip.frames"));
+  changed |= number_row(look, tr("expression.each_ms"), "##frame", settings.frame_ms,
+                        {.least = 1, .most = TransitionSettings::kFrameMsMax}, tr("tip.frames"));
   quiet_text(tr("expression.takes", settings.frames * settings.frame_ms));
   if (changed) commands.push_back(ChangeTransition{settings});
 }
@@ -160,8 +154,7 @@ void compound(const Look& look, const GuiModel& model, ExpressionForm& form,
   const int chosen = std::exchange(form.chosen, all.chosen);
   const bool other = chosen != all.chosen && all.chosen >= 0;
   if (std::exchange(form.taken, all.aus) != all.aus || other) {
-    if (!all.aus.empty() || other) form.aus.fill(0);
-    all.aus.copy(form.aus.data(), form.aus.size() - 1);
+    if (!all.aus.empty() || other) set_text(form.aus, all.aus);
   }
   const float button = 70 * look.scale;
   ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));

@@ -9,6 +9,7 @@
 #include "client/gui/panels/panels.h"
 #include "client/gui/texts/said_text.h"
 #include "client/gui/texts/texts.h"
+#include "client/gui/widgets/fields.h"
 #include "client/gui/widgets/keyboard_focus.h"
 #include "client/gui/widgets/tips.h"
 
@@ -91,11 +92,10 @@ void own_face_buttons(const FacesView& faces, FaceForm& form) {
     if (wide_button(tr(text), share, 3, enabled)) {
       form.asks = asks;
       form.folder = face->folder;
-      form.name = {};
       const auto taken = [&](const std::string& name) { return is_face_name(name, faces); };
       const std::string name =
           asks == FaceForm::Asks::Copy ? name_for_copy(face->name, taken) : face->name;
-      name.copy(form.name.data(), form.name.size() - 1);
+      set_text(form.name, name);
     }
     tip(help, true);
   };

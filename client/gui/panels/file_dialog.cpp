@@ -1,9 +1,7 @@
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
@@ -57,13 +55,6 @@ const char* title_of(Purpose purpose) {
   return tr("button.open");
 }
 
-template <std::size_t N>
-void set_text(std::array<char, N>& out, const std::string& text) {
-  const std::size_t length = std::min(text.size(), N - 1);
-  std::memcpy(out.data(), text.data(), length);
-  out[length] = 0;
-}
-
 /// Whether the line of the folder has another path in it, which was typed.
 bool path_is_typed(const BrowserView& view, const FileForm& form) {
   return form.folder.data() != view.folder;
@@ -85,26 +76,12 @@ bool path_begins(const BrowserView& view, FileForm& form) {
   auto& typed = ImGui::GetIO().InputQueueCharacters;
   const bool begins = !typed.empty() && (typed[0] == '/' || typed[0] == '~');
   if (!begins || is_saving(view.purpose) || ImGui::IsAnyItemActive()) return false;
-  std::string path;
-  for (const ImWchar character : typed) {
-    std::array<char, 5> bytes{};
-    path += ImTextCharToUtf8(bytes.data(), character);
-  }
+  set_text(form.folder, typed_text());
   typed.clear();
-  set_text(form.folder, path);
   form.name[0] = 0;
   form.to_first = false;
-  // ImGui itself would take some frames, in which more is typed.
-  ImGui::GetCurrentContext()->NavActivateInputId = ImGui::GetID("##folder");
+  enter_field("##folder");
   return true;
-}
-
-/// Puts the cursor behind what is in the previous item, a field that has just become active.
-void go_to_end_of_field() {
-  ImGuiInputTextState* const text = ImGui::GetInputTextState(ImGui::GetItemID());
-  if (text == nullptr) return;
-  text->Stb.cursor = text->CurLenW;
-  text->ClearSelection();
 }
 
 void folder_line(const Look& look, const BrowserView& view, FileForm& form, GuiCommands& commands) {
@@ -224,8 +201,7 @@ void table_line(const TableSettings& now, bool asked) {
 void table_settings(const Look& look, const TablesView& tables, const std::string& file,
                     GuiCommands& commands) {
   const TableSettings now = settings_for(tables, file);
-  const bool open = ImGui::TreeNodeEx(
-      tr("file.tables"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  const bool open = foldable(tr("file.tables"));
   tip(tr("tip.file_tables"));
   table_line(now, tables.asked.has_value());
   if (!open) return;
@@ -233,10 +209,9 @@ void table_settings(const Look& look, const TablesView& tables, const std::strin
   bool changed = false;
   const auto number = [&](const char* name, const char* id, int& value, int most, int step,
                           const char* zero, const char* help, int first = 0) {
-    label(look, name, help);
-    changed |= number_field(
-        id, value, {.near = step, .far = 10 * step, .most = most, .zero = zero, .first = first});
-    tip(help);
+    changed |= number_row(
+        look, name, id, value,
+        {.near = step, .far = 10 * step, .most = most, .zero = zero, .first = first}, help);
   };
   number(tr("file.fps"), "##fps", settings.fps, kTableFpsMax, 1, tr("file.fps_zero"),
          tr("file.fps_tip"));

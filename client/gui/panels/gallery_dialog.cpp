@@ -18,8 +18,7 @@ bool text_field(const char* id, const char* hint, const std::string& now, std::a
                 std::string& taken) {
   if (taken != now) {
     taken = now;
-    text = {};
-    now.copy(text.data(), N - 1);
+    set_text(text, now);
   }
   const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), N);
   if (!changed) return false;

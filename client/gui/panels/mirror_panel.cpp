@@ -23,9 +23,7 @@ constexpr float kUsualShape = 0.75F;
 constexpr float kBarHeight = 4;
 
 void fill_mirror_form(const MirrorView& mirror, MirrorForm& form) {
-  const std::string source = mirror.source.empty() ? "camera" : mirror.source;
-  form.source = {};
-  source.copy(form.source.data(), form.source.size() - 1);
+  set_text(form.source, mirror.source.empty() ? "camera" : mirror.source);
   form.taken = mirror.source;
   form.filled = true;
 }

@@ -13,28 +13,14 @@ namespace {
 /// Draws a sentence over the face with its lower edge at `bottom`, and sets `bottom` to its upper
 /// edge. Returns whether it was clicked.
 bool sentence(const Look& look, const char* id, const Notice& notice, float width, float& bottom) {
-  ImGui::SetNextWindowPos(ImVec2(width / 2, bottom), ImGuiCond_Always, ImVec2(0.5F, 1));
-  // The size is given: ImGui would find it one frame late, and cut a text that is longer than the
-  // last until the next frame, which may be long in coming.
-  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const float wrap = std::max(width - 60 * look.scale, 200 * look.scale) - padding.x;
-  const ImVec2 text_size = ImGui::CalcTextSize(notice.text.c_str(), nullptr, false, wrap);
-  ImGui::SetNextWindowSize(ImVec2(text_size.x + 2 * padding.x, text_size.y + 2 * padding.y));
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoFocusOnAppearing;
-  bool clicked = false;
+  const float padding = ImGui::GetStyle().WindowPadding.x;
+  const float wrap = std::max(width - 60 * look.scale, 200 * look.scale) - padding;
   const FloatingStyle floating(look);
-  if (ImGui::Begin(id, nullptr, kFlags)) {
-    const unsigned colour = notice.bad ? colour_of(Tone::Bad) : ImGui::GetColorU32(ImGuiCol_Text);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::PushTextWrapPos(padding.x + wrap);
-    ImGui::TextUnformatted(notice.text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0);
-    bottom -= ImGui::GetWindowHeight() + 8 * look.scale;
-  }
+  if (notice.bad) ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Tone::Bad));
+  const float height = text_window(id, notice.text, ImVec2(width / 2, bottom), 1, wrap);
+  if (notice.bad) ImGui::PopStyleColor();
+  const bool clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0);
+  bottom -= height + 8 * look.scale;
   ImGui::End();
   return clicked;
 }

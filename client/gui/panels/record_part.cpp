@@ -12,12 +12,6 @@
 namespace aucast::gui {
 namespace {
 
-template <std::size_t N>
-void put(const std::string& text, std::array<char, N>& field) {
-  field = {};
-  text.copy(field.data(), N - 1);
-}
-
 constexpr Steps kSideSteps{10, 100, kPictureSideMin, kPictureSideMax};
 
 /// What is being written at present, each in a line. `whole`: with the whole paths of the files, in
@@ -59,15 +53,14 @@ void say_under_way(const GuiModel& model, const char* label) {
 void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
                    GuiCommands& commands) {
   const PictureSettings& now = model.pictures;
-  const bool open = ImGui::TreeNodeEx(
-      tr("play.where"), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  const bool open = foldable(tr("play.where"));
   const std::string written = under_way(model, true);
   tip(tr("tip.where") + (written.empty() ? written : "\n" + written));
   say_under_way(model, tr("play.where"));
   if (!open) return;
   if (!form.filled || form.taken != now) {
-    if (!form.filled || form.taken.folder != now.folder) put(now.folder, form.folder);
-    if (!form.filled || form.taken.pattern != now.pattern) put(now.pattern, form.name);
+    if (!form.filled || form.taken.folder != now.folder) set_text(form.folder, now.folder);
+    if (!form.filled || form.taken.pattern != now.pattern) set_text(form.name, now.pattern);
     form.taken = now;
     form.filled = true;
   }
@@ -103,12 +96,9 @@ void where_they_go(const Look& look, const GuiModel& model, RecordForm& form,
   }
   if (kind == 2) {
     const std::string limits = tr("play.side_tip", kPictureSideMin, kPictureSideMax);
-    label(look, tr("play.width"), limits.c_str());
-    static_cast<void>(number_field("##picturewidth", wanted.width, kSideSteps));
-    tip(limits);
-    label(look, tr("play.height"), limits.c_str());
-    static_cast<void>(number_field("##pictureheight", wanted.height, kSideSteps));
-    tip(limits);
+    number_row(look, tr("play.width"), "##picturewidth", wanted.width, kSideSteps, limits.c_str());
+    number_row(look, tr("play.height"), "##pictureheight", wanted.height, kSideSteps,
+               limits.c_str());
   }
   if (wanted == now) return;
   form.taken = wanted;

@@ -1,7 +1,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,26 +24,13 @@ constexpr float kTitleWidth = 280;
 
 constexpr std::array kRules = {"facs", "kumar2010", "none"};
 
-void write(const std::string& text, std::span<char> out) {
-  const std::size_t length = std::min(text.size(), out.size() - 1);
-  std::memcpy(out.data(), text.data(), length);
-  out[length] = 0;
-}
-
 void fill_form(const RemoteSettings& settings, RemoteForm& form) {
   form.settings = settings;
-  write(server_text(settings), form.address);
-  write(settings.authorities_file, form.authorities_file);
-  write(settings.token_file, form.token_file);
+  set_text(form.address, server_text(settings));
+  set_text(form.authorities_file, settings.authorities_file);
+  set_text(form.token_file, settings.token_file);
   form.wrong.reset();
   form.filled = true;
-}
-
-/// A whole number that is typed or stepped; the limits are checked by problem().
-void number(const Look& look, const char* name, const char* id, int& value, const char* help = "") {
-  label(look, name, help);
-  static_cast<void>(number_field(id, value, {}));
-  tip(help);
 }
 
 /// One field for host, port and stream, with a list of the recent ones. It has the width of the
@@ -187,10 +173,11 @@ void behind_server(const Look& look, RemoteSettings& settings) {
     static_cast<void>(number_field("##behindms", settings.behind_ms, {.near = 50, .far = 500}));
   }
   if (settings.behind != Behind::Sets) return;
-  number(look, tr("play.buffer"), "##buffer", settings.buffer, tr("tip.buffer"));
-  number(look, tr("play.playout"), "##playout", settings.playout, tr("tip.playout"));
-  number(look, tr("play.threshold"), "##threshold", settings.threshold_percent,
-         tr("tip.threshold"));
+  // Their limits are checked by problem().
+  number_row(look, tr("play.buffer"), "##buffer", settings.buffer, {}, tr("tip.buffer"));
+  number_row(look, tr("play.playout"), "##playout", settings.playout, {}, tr("tip.playout"));
+  number_row(look, tr("play.threshold"), "##threshold", settings.threshold_percent, {},
+             tr("tip.threshold"));
 }
 
 /// The path of a file, typed or chosen in the dialog.
@@ -209,20 +196,18 @@ void path(const Look& look, const char* name, std::span<char> text, const char* 
 void take_chosen(const std::string& chosen, std::string& taken, std::span<char> text) {
   if (chosen == taken) return;
   taken = chosen;
-  if (!chosen.empty()) write(chosen, text);
+  if (!chosen.empty()) set_text(text, chosen);
 }
 
 /// How to connect to the server. Initially folded. Takes effect with the next Connect.
 void next_connection(const Look& look, const GuiModel& model, RemoteForm& form,
                      GuiCommands& commands) {
-  const bool open =
-      ImGui::TreeNodeEx(tr("play.next_connection"),
-                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  const bool open = foldable(tr("play.next_connection"));
   tip(tr("tip.connection"));
   if (!open) return;
   RemoteSettings& settings = form.settings;
   label(look, tr("play.protection"), tr("tip.tls"));
-  if (ImGui::Checkbox(tr("play.tls"), &settings.tls)) write(server_text(settings), form.address);
+  if (ImGui::Checkbox(tr("play.tls"), &settings.tls)) set_text(form.address, server_text(settings));
   tip(tr("tip.tls"));
   ImGui::BeginDisabled(!settings.tls);
   take_chosen(model.credentials.authorities, form.chosen.authorities, form.authorities_file);
@@ -237,7 +222,7 @@ void next_connection(const Look& look, const GuiModel& model, RemoteForm& form,
   ImGui::Checkbox(tr("play.again"), &settings.reconnect);
   tip(tr("tip.again"));
   behind_server(look, settings);
-  number(look, tr("play.speed_ms"), "##speed", settings.speed_ms, tr("play.speed_help"));
+  number_row(look, tr("play.speed_ms"), "##speed", settings.speed_ms, {}, tr("play.speed_help"));
   if (model.playing.timed && settings.speed_ms > 0) toned_text(Tone::Waiting, tr("play.timed"));
   quiet_text(tr("play.next_help"));
 }

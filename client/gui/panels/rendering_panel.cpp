@@ -111,15 +111,6 @@ bool light(const Look& look, RenderingSettings& settings) {
   return changed;
 }
 
-/// A whole number kept in its range, typed or stepped.
-bool number(const Look& look, const char* name, const char* id, int& value, int least, int most,
-            int step, const char* help) {
-  label(look, name, help);
-  const bool changed = number_field(id, value, {step, 10 * step, least, most});
-  tip(help);
-  return changed;
-}
-
 bool blinking(const Look& look, RenderingSettings& settings) {
   heading(look, tr("view.blinking"), tr("tip.blinking"));
   bool changed = false;
@@ -127,16 +118,17 @@ bool blinking(const Look& look, RenderingSettings& settings) {
   changed |= ImGui::Checkbox("##blinking", &settings.blinking);
   tip(tr("tip.blinking"));
   if (!settings.blinking) return changed;
-  playback::BlinkOptions& blink = settings.blink;
-  changed |= number(look, tr("view.every_ms"), "##interval", blink.interval_ms,
-                    playback::BlinkOptions::kIntervalMinMs, playback::BlinkOptions::kIntervalMaxMs,
-                    100, tr("tip.every_ms"));
-  changed |= number(look, tr("view.closing_ms"), "##closing", blink.closing_ms,
-                    playback::BlinkOptions::kClosingMinMs, playback::BlinkOptions::kClosingMaxMs,
-                    25, tr("tip.closing_ms"));
+  using Blink = playback::BlinkOptions;
+  Blink& blink = settings.blink;
+  changed |=
+      number_row(look, tr("view.every_ms"), "##interval", blink.interval_ms,
+                 {100, 1000, Blink::kIntervalMinMs, Blink::kIntervalMaxMs}, tr("tip.every_ms"));
+  changed |=
+      number_row(look, tr("view.closing_ms"), "##closing", blink.closing_ms,
+                 {25, 250, Blink::kClosingMinMs, Blink::kClosingMaxMs}, tr("tip.closing_ms"));
   changed |= in_between(look, "lids", blink.interpolation);
   int seed = shown_seed(blink.seed);
-  if (number(look, tr("view.seed"), "##seed", seed, 0, kSeedShownMax, 1, tr("tip.seed"))) {
+  if (number_row(look, tr("view.seed"), "##seed", seed, {.most = kSeedShownMax}, tr("tip.seed"))) {
     blink.seed = static_cast<std::uint64_t>(seed);
     changed = true;
   }

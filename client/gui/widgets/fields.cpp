@@ -54,7 +54,7 @@ bool slider_of(ImGuiDataType type, const char* id, float width, Number& value,
   ImGui::GetWindowDrawList()->AddText(number, ImGui::GetColorU32(ImGuiCol_Text), text.data());
   const bool typed = ImGui::TempInputIsActive(ImGui::GetID(id));
   if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
-  const SliderScope slider;
+  const ItemsAre sliders(ItemsAre::Sliders);
   ImGui::SetNextItemWidth(whole - column);
   const bool changed = ImGui::SliderScalar(id, type, &value, &limits[0], &limits[1], format,
                                            ImGuiSliderFlags_AlwaysClamp);
@@ -117,7 +117,7 @@ bool percent_slider(const char* id, float width, int& value) {
 }
 
 bool step_button(const char* text, const ImVec2& size, ImGuiID owner) {
-  const MouseOnly mouse;  // the keyboard steps in what it belongs to
+  const ItemsAre buttons(ItemsAre::MouseOnly);  // the keyboard steps in what it belongs to
   ImGui::PushButtonRepeat(true);
   const bool pressed = ImGui::Button(text, size);
   ImGui::PopButtonRepeat();
@@ -168,9 +168,21 @@ bool number_field(const char* id, int& value, const Steps& steps, bool when_ente
   return value != before;
 }
 
+bool number_row(const Look& look, const char* name, const char* id, int& value, const Steps& steps,
+                const char* help) {
+  label(look, name, help);
+  const bool changed = number_field(id, value, steps);
+  tip(help);
+  return changed;
+}
+
 bool belongs_to_drag() {
   return !ImGui::IsItemActivated() && ImGui::IsMouseDown(0) &&
          ImGui::GetIO().MouseDownDuration[0] > 0;
+}
+
+void set_text(std::span<char> field, std::string_view text) {
+  field[text.copy(field.data(), field.size() - 1)] = 0;
 }
 
 void leave_room_to_choose(const Look& look) {

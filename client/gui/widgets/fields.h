@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "client/gui/widgets/widgets.h"
 
@@ -34,12 +35,17 @@ struct Steps {
 /// `when_entered`: typing takes effect only with Enter.
 [[nodiscard]] bool number_field(const char* id, int& value, const Steps& steps,
                                 bool when_entered = false);
+/// The same behind a label(), with its tooltip `help`.
+bool number_row(const Look& look, const char* name, const char* id, int& value, const Steps& steps,
+                const char* help);
 /// A slider from 0 to 100 %; returns whether it changed `value`.
 [[nodiscard]] bool percent_slider(const char* id, float width, int& value);
 /// Whether a change of the previous item continues a drag. A step of undo begins when the mouse is
 /// pressed; changes while the button is held belong to that step.
 [[nodiscard]] bool belongs_to_drag();
 
+/// Puts a text into a text field's memory, as much of it as there is room for.
+void set_text(std::span<char> field, std::string_view text);
 /// Makes the next item, a field, leave room at its right for choose_button().
 void leave_room_to_choose(const Look& look);
 /// The button at the right of that field; it opens the file dialog. Returns whether it was pressed.

@@ -48,6 +48,15 @@ std::vector<ImGuiWindow*> windows() {
 
 }  // namespace
 
+std::string typed_text() {
+  std::string text;
+  for (const ImWchar character : ImGui::GetIO().InputQueueCharacters) {
+    std::array<char, 5> bytes{};
+    if (character >= ' ') text += ImTextCharToUtf8(bytes.data(), character);
+  }
+  return text;
+}
+
 void TypeAhead::take(bool listens, double now) {
   // What was typed while the list was still coming up is looked for once it is there.
   if (now - last_ > kPauseEndsWord) looks_ = false;
@@ -55,14 +64,12 @@ void TypeAhead::take(bool listens, double now) {
     looks_ = false;
     return typed_.clear();
   }
-  for (const ImWchar character : ImGui::GetIO().InputQueueCharacters) {
-    if (character < ' ') continue;
-    if (now - last_ > kPauseEndsWord) typed_.clear();
-    last_ = now;
-    std::array<char, 5> bytes{};
-    typed_ += lowered(ImTextCharToUtf8(bytes.data(), character));
-    looks_ = true;
-  }
+  const std::string typed = typed_text();
+  if (typed.empty()) return;
+  if (now - last_ > kPauseEndsWord) typed_.clear();
+  last_ = now;
+  typed_ += lowered(typed);
+  looks_ = true;
 }
 
 bool TypeAhead::finds(std::string_view label) {
@@ -184,11 +191,12 @@ bool KeyboardFocus::hide() {
   return std::exchange(shown_, false);
 }
 
-SliderScope::SliderScope() {
-  ImGui::PushItemFlag(kSlider, true);
+ItemsAre::ItemsAre(Kind kind) {
+  ImGui::PushItemFlag(kind == Sliders ? kSlider : ImGuiItemFlags_NoTabStop | ImGuiItemFlags_NoNav,
+                      true);
 }
 
-SliderScope::~SliderScope() {
+ItemsAre::~ItemsAre() {
   ImGui::PopItemFlag();
 }
 
@@ -236,12 +244,23 @@ void stay_in_field() {
   if (ImGuiInputTextState* const text = ImGui::GetInputTextState(field)) text->SelectAll();
 }
 
-MouseOnly::MouseOnly() {
-  ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop | ImGuiItemFlags_NoNav, true);
+void enter_field(const char* id) {
+  ImGui::GetCurrentContext()->NavActivateInputId = ImGui::GetID(id);
 }
 
-MouseOnly::~MouseOnly() {
-  ImGui::PopItemFlag();
+void go_to_end_of_field() {
+  ImGuiInputTextState* const text = ImGui::GetInputTextState(ImGui::GetItemID());
+  if (text == nullptr) return;
+  text->Stb.cursor = text->CurLenW;
+  text->ClearSelection();
+}
+
+void close_popup_by_escape() {
+  const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  const ImGuiWindow* const top = popup_on_top();
+  const bool dialog = top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0;
+  if (dialog || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  ImGui::ClosePopupToLevel(open - 1, true);
 }
 
 void focus_here(bool shows) {

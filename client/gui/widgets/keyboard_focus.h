@@ -7,10 +7,13 @@ struct ImGuiWindow;
 
 namespace aucast::gui {
 
+/// What was typed since the last frame, without control characters.
+[[nodiscard]] std::string typed_text();
+
 /// What the user types to find an entry of a list.
 class TypeAhead {
  public:
-  /// Takes what was typed since the last frame. `listens`: whether a list is open and no text is
+  /// Takes typed_text(). `listens`: whether a list is open and no text is
   /// edited. `now`: in seconds.
   void take(bool listens, double now);
   /// Call it for each entry in turn. True for the first one that has what was typed at its
@@ -56,14 +59,17 @@ class KeyboardFocus {
   std::string next_window_;  ///< the window in which to go on looking; empty: none
 };
 
-/// While it lives, the items that are made count as sliders: the focus comes to them without
-/// beginning to type a number.
-class SliderScope {
+/// While it lives, the items that are made are of this kind.
+class ItemsAre {
  public:
-  SliderScope();
-  ~SliderScope();
-  SliderScope(const SliderScope&) = delete;
-  SliderScope& operator=(const SliderScope&) = delete;
+  enum Kind : int {
+    Sliders,   ///< the focus comes to them without beginning to type a number
+    MouseOnly  ///< the focus does not come to them, because keys do the same in another way
+  };
+  explicit ItemsAre(Kind kind);
+  ~ItemsAre();
+  ItemsAre(const ItemsAre&) = delete;
+  ItemsAre& operator=(const ItemsAre&) = delete;
 };
 
 /// What the arrows do to an item that draws itself, in steps to the right and up.
@@ -85,16 +91,15 @@ struct ArrowSteps {
 /// what is typed next is still meant for the field and is no shortcut. Do not call it after a field
 /// that keeps a setting, such as a path: the next key would replace the setting.
 void stay_in_field();
+/// Makes the text field `id`, which comes next, active in this frame. ImGui itself would take some
+/// frames, in which more is typed.
+void enter_field(const char* id);
+/// Puts the cursor behind what is in the previous item, a text field that has just become active.
+void go_to_end_of_field();
 
-/// While it lives, the items that are made are for the mouse only, because keys can do the same in
-/// another way.
-class MouseOnly {
- public:
-  MouseOnly();
-  ~MouseOnly();
-  MouseOnly(const MouseOnly&) = delete;
-  MouseOnly& operator=(const MouseOnly&) = delete;
-};
+/// Closes the topmost drop-down or menu if Esc was pressed; a dialog answers for itself. ImGui does
+/// so only while its keyboard navigation is on.
+void close_popup_by_escape();
 
 /// Gives the focus to the previous item and scrolls to it. `shows`: the focus is shown from then
 /// on.

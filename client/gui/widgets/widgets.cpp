@@ -162,6 +162,29 @@ void quiet_text(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
+bool foldable(const char* text) {
+  return ImGui::TreeNodeEx(text,
+                           ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+}
+
+float text_window(const char* id, const std::string& text, const ImVec2& at, float anchor,
+                  float wrap, int flags) {
+  // The size is given: ImGui would find it one frame late, and cut a text that is longer than the
+  // last until the next frame, which may be long in coming.
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+  ImGui::SetNextWindowSize(ImVec2(size.x + 2 * padding.x, size.y + 2 * padding.y));
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, ImVec2(0.5F, anchor));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::Begin(id, nullptr, kFlags | flags);
+  ImGui::PushTextWrapPos(padding.x + wrap);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  return ImGui::GetWindowHeight();
+}
+
 bool list_item(const std::string& text, bool chosen, int flags) {
   const bool pressed = ImGui::Selectable(text.c_str(), chosen, flags);
   if (chosen && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();

@@ -57,6 +57,13 @@ void fitted_text(const std::string& text, float right, unsigned colour = 0);
 /// tooltip.
 void label(const Look& look, const char* text, const char* help);
 void quiet_text(const std::string& text);
+/// A line that a click opens and closes, which reaches over the panel; returns whether it is open.
+[[nodiscard]] bool foldable(const char* text);
+/// A window that is just large enough for its text, over the face. `anchor`: which part of its
+/// height is at `at`, 0 to 1; its middle is there. `wrap`: the width at which lines break.
+/// `flags`: of ImGui, besides those of a bare window. Returns its height.
+float text_window(const char* id, const std::string& text, const ImVec2& at, float anchor,
+                  float wrap, int flags = 0);
 /// Whether the pointer is on the previous item. Unlike ImGui's hovering, the keyboard focus does
 /// not count.
 [[nodiscard]] bool pointed_at();
