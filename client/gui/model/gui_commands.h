@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/gui/model/gui_model.h"
+#include "client/view/viewpoint.h"
 
 namespace aucast::gui {
 
@@ -24,58 +25,6 @@ struct Stop {};
 struct ChangeAnimation {
   AnimationSettings settings;
 };
-/// Goes from the face that is shown to expression `index` of the model.
-struct ShowExpression {
-  std::size_t index = 0;
-};
-/// The strength of the expression that is shown and of later ones: 0-100 % of its intensities.
-struct ChangeStrength {
-  int percent = 100;
-  bool continued = false;  ///< as in SetChannel
-};
-struct ChangeTransition {
-  TransitionSettings settings;
-};
-/// Sets a channel. With `continued` the change belongs to the same drag as the previous one, so
-/// that undo takes both back as one step.
-struct SetChannel {
-  int channel = 0;
-  float value = 0;
-  bool continued = false;
-};
-struct SetLinked {
-  bool linked = true;
-};
-struct LoadAu {
-  int number = 0;
-};
-/// Shows on the face what is being edited.
-struct ShowEdited {};
-/// Saves what the editor's sliders show as this AU. `name`: for an AU that FACS does not name;
-/// empty: its name stays.
-struct SaveAu {
-  int number = 0;
-  std::string name{};
-};
-/// A name that was typed for an AU and has not been saved yet.
-struct NameAu {
-  int number = 0;
-  std::string name;
-};
-/// Removes the user's version of an AU. If the player came with the AU, the shipped version is used
-/// again.
-struct RemoveAu {
-  int number = 0;
-};
-/// Applies rules and mixer to a set of AUs, written as in a packet, and takes the result into the
-/// editor.
-struct ShowAus {
-  std::string aus;
-};
-struct RevertAu {};
-struct NeutralFace {};
-struct Undo {};
-struct Redo {};
 struct ChangeRendering {
   RenderingSettings settings;
 };
@@ -83,7 +32,7 @@ struct ChangeDisplay {
   DisplaySettings settings;
 };
 struct LookFrom {
-  Facing view = Facing::Front;
+  view::ViewpointPreset view = view::ViewpointPreset::Front;
 };
 /// The user's answer to the question whether to leave with unsaved changes.
 struct Leave {
@@ -124,27 +73,8 @@ struct EndOnsets {};
 /// Begins a video of what is shown, or ends it.
 struct ToggleVideo {};
 
-struct SetVolume {
-  int percent = 100;
-};
-struct ToggleMute {};
-/// Looks up which sound devices there are.
-struct ListDevices {};
-/// Chooses the sound device; empty: the default one.
-struct ChooseDevice {
-  std::string name;
-};
-struct ToggleCaptions {};
-/// About sound and captions.
-using SoundCommand = std::variant<SetVolume, ToggleMute, ListDevices, ChooseDevice, ToggleCaptions>;
-
 /// About what plays.
 using PlaybackCommand = std::variant<Connect, Pause, Resume, Stop, LocalCommand>;
-/// About the face of the expression panel.
-using EditorCommand =
-    std::variant<ShowExpression, ChangeStrength, ChangeTransition, SetChannel, SetLinked, LoadAu,
-                 ShowEdited, SaveAu, NameAu, RemoveAu, RevertAu, NeutralFace, Undo, Redo, ShowAus>;
-
 /// About the file dialog, and what is opened.
 using FileCommand =
     std::variant<Browse, EnterFolder, ChooseFile, CloseBrowser, OpenStream, ChangeTable>;
