@@ -337,9 +337,14 @@ std::vector<OptionRow> program_rows(PlayerOptions& options) {
 }
 
 OptionRow viewpoint_row(PoseOptions& pose) {
+  std::vector<std::pair<std::string_view, view::ViewpointPreset>> names;
+  for (const auto preset : {view::ViewpointPreset::Front, view::ViewpointPreset::ThreeQuarter,
+                            view::ViewpointPreset::Profile}) {
+    names.emplace_back(name(preset), preset);
+  }
   return {.option = {"camera", "VIEW", "front"},
           .text = "front, three-quarter or profile (front)",
-          .value = one_of(pose.viewpoint, {"front", "three-quarter", "profile"})};
+          .value = one_of(pose.viewpoint, std::move(names))};
 }
 
 OptionRow aus_row(PoseOptions& pose) {

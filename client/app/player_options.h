@@ -18,6 +18,7 @@
 #include "client/playback/interpolator.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/view/style.h"
+#include "client/view/viewpoint.h"
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/endpoint.h"
@@ -101,9 +102,9 @@ struct PoseOptions {
   std::string expression;
   std::filesystem::path png;
   std::filesystem::path obj;
-  std::string viewpoint = "front";  ///< --camera
-  bool list = false;                ///< --list: print the names that can be given
-  bool explain = false;             ///< rules --explain
+  view::ViewpointPreset viewpoint = view::ViewpointPreset::Front;  ///< --camera
+  bool list = false;     ///< --list: print the names that can be given
+  bool explain = false;  ///< rules --explain
 };
 
 /// What `gallery` makes. Viewpoint, size, mixer and rules are in the other structs.

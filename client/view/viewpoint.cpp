@@ -42,11 +42,16 @@ ViewMatrices view_matrices(const Viewpoint& viewpoint, int width, int height) {
   return matrices;
 }
 
-std::optional<ViewpointPreset> viewpoint_preset(std::string_view name) {
-  if (name == "front") return ViewpointPreset::Front;
-  if (name == "three-quarter") return ViewpointPreset::ThreeQuarter;
-  if (name == "profile") return ViewpointPreset::Profile;
-  return std::nullopt;
+std::string_view name(ViewpointPreset preset) {
+  switch (preset) {
+    case ViewpointPreset::Front:
+      break;
+    case ViewpointPreset::ThreeQuarter:
+      return "three-quarter";
+    case ViewpointPreset::Profile:
+      return "profile";
+  }
+  return "front";
 }
 
 Viewpoint portrait_viewpoint(ViewpointPreset preset) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include <glm/mat4x4.hpp>
@@ -25,8 +24,8 @@ struct ViewMatrices {
 
 enum class ViewpointPreset : std::uint8_t { Front, ThreeQuarter, Profile };
 
-/// Reads "front", "three-quarter" or "profile"; nullopt for another word.
-[[nodiscard]] std::optional<ViewpointPreset> viewpoint_preset(std::string_view name);
+/// "front", "three-quarter" or "profile".
+[[nodiscard]] std::string_view name(ViewpointPreset preset);
 
 /// The viewpoint for a portrait of the whole neutral head. The side views show the subject's right,
 /// where the key light comes from.

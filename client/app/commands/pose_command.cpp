@@ -99,7 +99,7 @@ Result<void> write_outputs(const Assets& assets, const PlayerOptions& options, c
         PictureMaker::create(assets.face, options.output, pose.viewpoint, Sharpness::Still);
     if (!maker) return maker.error();
     const auto texts = texts_of({assets.face, aus, assets.rules.name, options.face.mixer,
-                                 options.output.layers, pose.viewpoint, activations});
+                                 options.output.layers, name(pose.viewpoint), activations});
     return view::write_png((*maker)->picture(activations), pose.png, texts);
   }
   if (pose.obj.empty()) print_activations(assets, activations);

@@ -144,7 +144,7 @@ class GalleryWriter {
     const bool only_muscles = !picture.muscles.empty() && picture.shown == AuFrame{};
     auto texts = texts_of({assets_.face, only_muscles ? std::nullopt : std::optional(picture.shown),
                            picture.rules, picture.mixer, options_.output.layers,
-                           options_.pose.viewpoint, activations_});
+                           name(options_.pose.viewpoint), activations_});
     if (picture.sweep_frame) {
       const int time_ms = picture.sweep_frame->time_ms;
       texts.push_back({"Strength", gallery::strength_text(time_ms) + " %"});
@@ -193,7 +193,7 @@ class GalleryWriter {
   Result<void> write_texts() {
     gallery::GallerySetting setting;
     setting.face = assets_.face.name;
-    setting.viewpoint = options_.pose.viewpoint;
+    setting.viewpoint = name(options_.pose.viewpoint);
     setting.background = options_.output.transparent ? "none" : "default";
     if (options_.output.background) {
       std::array<char, 16> text{};

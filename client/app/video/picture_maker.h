@@ -2,12 +2,12 @@
 
 #include <memory>
 #include <span>
-#include <string_view>
 
 #include "client/app/player_options.h"
 #include "client/app/video/face_view.h"
 #include "client/face/face.h"
 #include "client/view/image.h"
+#include "client/view/viewpoint.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -16,11 +16,10 @@ namespace aucast::app {
 /// says so. The face must outlive it. Thread: the one that made it.
 class PictureMaker {
  public:
-  /// Size, background and layers are those of `output`; `viewpoint`: a name that viewpoint_preset()
-  /// knows.
+  /// Size, background and layers are those of `output`.
   [[nodiscard]] static Result<std::unique_ptr<PictureMaker>> create(const face::Face& face,
                                                                     const OutputOptions& output,
-                                                                    std::string_view viewpoint,
+                                                                    view::ViewpointPreset viewpoint,
                                                                     Sharpness sharpness);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;

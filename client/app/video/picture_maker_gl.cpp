@@ -29,7 +29,7 @@ PictureMaker::~PictureMaker() = default;
 
 Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& face,
                                                            const OutputOptions& output,
-                                                           std::string_view viewpoint,
+                                                           view::ViewpointPreset viewpoint,
                                                            Sharpness sharpness) {
   auto context = render::OffscreenContext::create();
   if (!context) return context.error();
@@ -39,7 +39,7 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& fac
     return prepared.error();
   }
   auto state = std::make_unique<State>();
-  state->viewpoint = viewpoint_preset(viewpoint, face);
+  state->viewpoint = viewpoint_of(viewpoint, face);
   state->style.background = backdrop(output.background, output.transparent);
   state->style.scale = scale_of(output.height);
   state->style.layers = output.layers;

@@ -8,7 +8,7 @@ PictureMaker::PictureMaker(std::unique_ptr<State> state) : state_(std::move(stat
 PictureMaker::~PictureMaker() = default;
 
 Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face&, const OutputOptions&,
-                                                           std::string_view, Sharpness) {
+                                                           view::ViewpointPreset, Sharpness) {
   return Error{ErrorKind::Failed,
                "this face-player was built without OpenGL (AUCAST_BUILD_RENDER=OFF): no pictures"};
 }

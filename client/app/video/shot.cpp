@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "client/view/viewpoint.h"
-
 namespace aucast::app {
 
-view::Viewpoint viewpoint_preset(std::string_view name, const face::Face& face) {
-  view::Viewpoint viewpoint =
-      view::portrait_viewpoint(view::viewpoint_preset(name).value_or(view::ViewpointPreset::Front));
+view::Viewpoint viewpoint_of(view::ViewpointPreset preset, const face::Face& face) {
+  view::Viewpoint viewpoint = view::portrait_viewpoint(preset);
   if (face.classic) {
     // Waters' mask has its own height and nothing around it.
     float low = std::numeric_limits<float>::max();

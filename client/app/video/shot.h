@@ -2,15 +2,15 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "client/face/face.h"
 #include "client/view/scene.h"
+#include "client/view/viewpoint.h"
 
 namespace aucast::app {
 
-/// The viewpoint of --camera: front, three-quarter or profile.
-[[nodiscard]] view::Viewpoint viewpoint_preset(std::string_view name, const face::Face& face);
+/// The viewpoint of --camera.
+[[nodiscard]] view::Viewpoint viewpoint_of(view::ViewpointPreset preset, const face::Face& face);
 
 /// The plain background of --background (sRGB, 0xRRGGBB); nullopt: the default one, the studio.
 [[nodiscard]] view::Background backdrop(std::optional<std::uint32_t> rgb, bool transparent = false);

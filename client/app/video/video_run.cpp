@@ -112,7 +112,9 @@ class VideoRun {
     auto sinks = open_sinks(options_.output, sheet_, stop_);
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
-    auto maker = PictureMaker::create(assets_.face, options_.output, "front",
+    if (auto writable = check_last_outputs(options_.output); !writable) return writable;
+    if (!options_.output.pictures()) return {};
+    auto maker = PictureMaker::create(assets_.face, options_.output, view::ViewpointPreset::Front,
                                       options_.output.film() ? Sharpness::Video : Sharpness::Still);
     if (!maker) return maker.error();
     maker_ = std::move(*maker);

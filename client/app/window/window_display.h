@@ -17,6 +17,7 @@
 #include "client/render/window.h"
 #include "client/view/image.h"
 #include "client/view/style.h"
+#include "client/view/viewpoint.h"
 #include "common/result.h"
 
 namespace aucast::app {
@@ -54,7 +55,7 @@ class WindowDisplay {
   // === What the window does itself.
 
   virtual void set_title(const std::string& title) = 0;
-  virtual void look_from(gui::Facing view) = 0;
+  virtual void look_from(view::ViewpointPreset preset) = 0;
   /// Carries out an act, except Leave and CloseNearest.
   virtual void act(WindowAct act, Instant now) = 0;
   /// Closes the topmost thing that is open, or ends full screen. Returns the commands that the

@@ -23,18 +23,6 @@ namespace {
 constexpr int kWindowWidth = 1280;
 constexpr int kWindowHeight = 800;
 
-const char* name_of(gui::Facing view) {
-  switch (view) {
-    case gui::Facing::Front:
-      return "front";
-    case gui::Facing::ThreeQuarter:
-      return "three-quarter";
-    case gui::Facing::Profile:
-      return "profile";
-  }
-  return "front";
-}
-
 class GlDisplay : public WindowDisplay {
  public:
   GlDisplay(const Assets& assets, std::unique_ptr<render::Window> window,
@@ -72,8 +60,8 @@ class GlDisplay : public WindowDisplay {
 
   void set_title(const std::string& title) override { window_->set_title(title); }
 
-  void look_from(gui::Facing view) override {
-    window_->viewpoint() = viewpoint_preset(name_of(view), face_);
+  void look_from(view::ViewpointPreset preset) override {
+    window_->viewpoint() = viewpoint_of(preset, face_);
   }
 
   void act(WindowAct act, Instant now) override {
@@ -105,7 +93,7 @@ class GlDisplay : public WindowDisplay {
     pose_.clear();
     keyframe_thumbnails_.forget(overlay_.gui().keyframes());
     const view::Viewpoint before =
-        std::exchange(usual_, viewpoint_preset(name_of(gui::Facing::Front), face_));
+        std::exchange(usual_, viewpoint_of(view::ViewpointPreset::Front, face_));
     view::Viewpoint& viewpoint = window_->viewpoint();
     viewpoint.target += usual_.target - before.target;
     viewpoint.half_height *= usual_.half_height / before.half_height;
@@ -196,7 +184,7 @@ class GlDisplay : public WindowDisplay {
   KeyframeThumbnails keyframe_thumbnails_;
   WindowOverlay overlay_;
   /// The default viewpoint of the face.
-  view::Viewpoint usual_ = viewpoint_preset(name_of(gui::Facing::Front), face_);
+  view::Viewpoint usual_ = viewpoint_of(view::ViewpointPreset::Front, face_);
   std::shared_ptr<const std::vector<gui::FaceEntry>> listed_;
   std::vector<float> pose_;  ///< of view_; empty: not posed yet
   face::HairSway hair_;      ///< likewise

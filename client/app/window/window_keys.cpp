@@ -34,7 +34,7 @@ const auto kKeys = std::to_array<KeyRow>({
     {Key::H, WindowAct::ToggleBare},
     {Key::P, WindowAct::TogglePanel},
     {Key::Question, WindowAct::ToggleKeys},
-    {Key::R, gui::LookFrom{gui::Facing::Front}},
+    {Key::R, gui::LookFrom{view::ViewpointPreset::Front}},
     {Key::S, gui::TakePicture{}},
     {Key::V, gui::ToggleVideo{}},
     {Key::O, gui::Browse{gui::Purpose::PlayStream}},

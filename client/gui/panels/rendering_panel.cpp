@@ -35,13 +35,13 @@ constexpr std::array<LayerLabel, 8> kLayers = {
 
 void viewpoint(const Look& look, GuiCommands& commands) {
   heading(look, tr("view.viewpoint"), tr("tip.viewpoint"));
-  if (wide_button(tr("view.front"), 0, 3, true)) commands.push_back(LookFrom{Facing::Front});
-  tip(tr("tip.look_from"));
-  if (wide_button(tr("view.three_quarter"), 1, 3, true))
-    commands.push_back(LookFrom{Facing::ThreeQuarter});
-  tip(tr("tip.look_from"));
-  if (wide_button(tr("view.profile"), 2, 3, true)) commands.push_back(LookFrom{Facing::Profile});
-  tip(tr("tip.look_from"));
+  const auto button = [&](TextKey text, int share, view::ViewpointPreset preset) {
+    if (wide_button(tr(text), share, 3, true)) commands.push_back(LookFrom{preset});
+    tip(tr("tip.look_from"));
+  };
+  button("view.front", 0, view::ViewpointPreset::Front);
+  button("view.three_quarter", 1, view::ViewpointPreset::ThreeQuarter);
+  button("view.profile", 2, view::ViewpointPreset::Profile);
   quiet_text(tr("view.mouse"));
 }
 

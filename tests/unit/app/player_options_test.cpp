@@ -260,7 +260,7 @@ TEST(PlayerOptions, KnowTheCommands) {
   EXPECT_EQ(pose.pose.aus, "6,12");
   ASSERT_EQ(pose.pose.muscles.size(), 2U);
   EXPECT_EQ(pose.pose.muscles[0], (std::pair<std::string, float>("jaw", 1.5F)));
-  EXPECT_EQ(pose.pose.viewpoint, "profile");
+  EXPECT_EQ(pose.pose.viewpoint, view::ViewpointPreset::Profile);
 
   const PlayerOptions rules = accepted({"rules", "51,52", "--rules", "kumar2010", "--explain"});
   EXPECT_EQ(rules.command, Command::Rules);

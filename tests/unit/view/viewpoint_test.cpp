@@ -87,12 +87,9 @@ TEST(ViewMatrices, KeepNearerThingsInFront) {
 }
 
 TEST(ViewpointPreset, KnowsItsThreeNames) {
-  EXPECT_EQ(viewpoint_preset("front"), ViewpointPreset::Front);
-  EXPECT_EQ(viewpoint_preset("three-quarter"), ViewpointPreset::ThreeQuarter);
-  EXPECT_EQ(viewpoint_preset("profile"), ViewpointPreset::Profile);
-  for (const char* word : {"", "Front", "side", "profile "}) {
-    EXPECT_FALSE(viewpoint_preset(word).has_value()) << word;
-  }
+  EXPECT_EQ(name(ViewpointPreset::Front), "front");
+  EXPECT_EQ(name(ViewpointPreset::ThreeQuarter), "three-quarter");
+  EXPECT_EQ(name(ViewpointPreset::Profile), "profile");
 }
 
 TEST(PortraitViewpoint, TurnsToTheSubjectsRight) {

@@ -51,7 +51,8 @@ std::unique_ptr<render::PictureTexture> FaceThumbnails::draw(const face::Face& f
   if (!view || !(*view)->prepare(width_, height_, Sharpness::Still)) return nullptr;
   view::Style style;
   style.scale = 0.5F;
-  const view::Image image = (*view)->picture(viewpoint_preset("front", face), style);
+  const view::Image image =
+      (*view)->picture(viewpoint_of(view::ViewpointPreset::Front, face), style);
   auto texture = std::make_unique<render::PictureTexture>();
   texture->show(image);
   return texture;

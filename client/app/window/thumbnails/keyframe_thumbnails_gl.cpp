@@ -29,7 +29,7 @@ bool KeyframeThumbnails::advance(gui::Thumbnails& pictures, const FaceOf& face_o
     if (!view.prepare(pixels(gui::kKeyframeWidth), pixels(gui::kKeyframeHeight), Sharpness::Still))
       return false;
     view.pose(activations);
-    view::Viewpoint viewpoint = viewpoint_preset("front", face);
+    view::Viewpoint viewpoint = viewpoint_of(view::ViewpointPreset::Front, face);
     viewpoint.half_height *= kShown;
     view::Style style;
     style.scale = 0.5F;

@@ -40,7 +40,7 @@ class FakeDisplay : public WindowDisplay {
   bool take_redraw(Instant) override { return std::exchange(redraw, false); }
   std::optional<Instant> redraws_at(Instant) const override { return redraws; }
   void set_title(const std::string& title) override { titles.push_back(title); }
-  void look_from(gui::Facing view) override { looked_from.push_back(view); }
+  void look_from(view::ViewpointPreset preset) override { looked_from.push_back(preset); }
   void act(WindowAct act, Instant) override { acts.push_back(act); }
   gui::GuiCommands close_nearest(const gui::GuiModel&, Instant) override {
     ++closed;
@@ -104,7 +104,7 @@ class FakeDisplay : public WindowDisplay {
   std::vector<float> pictured;  ///< the pose in the last picture
   gui::GuiModel shown;
   std::vector<std::string> titles;
-  std::vector<gui::Facing> looked_from;
+  std::vector<view::ViewpointPreset> looked_from;
   std::vector<WindowAct> acts;
 };
 
@@ -248,10 +248,11 @@ TEST_F(WindowLoopTest, TheTitleIsSetWhenItChanges) {
 TEST_F(WindowLoopTest, WhatPanelsAskForIsCarriedOutAndDrawn) {
   settle();
   display_.redraw = true;
-  display_.asked = {gui::Browse{gui::Purpose::PlayStream}, gui::LookFrom{gui::Facing::Profile}};
+  display_.asked = {gui::Browse{gui::Purpose::PlayStream},
+                    gui::LookFrom{view::ViewpointPreset::Profile}};
   tick();
   EXPECT_TRUE(model_of(*session_).browser.open);
-  EXPECT_EQ(display_.looked_from, std::vector{gui::Facing::Profile});
+  EXPECT_EQ(display_.looked_from, std::vector{view::ViewpointPreset::Profile});
   tick();
   EXPECT_TRUE(display_.shown.browser.open);
   EXPECT_EQ(display_.looked_from.size(), 1U) << "once";
