@@ -570,31 +570,24 @@ std::vector<OptionRow> option_rows(Command command, PlayerOptions& options) {
     rows = gallery_rows(options);
   } else if (command == Command::Export) {
     rows = export_rows(options);
-    append(rows, table_rows(options.table));
-    append(rows, animation_rows(options.playback));
-    append(rows, face_rows(options.face));
-    append(rows, rules_rows(options.face));
-    append(rows, program_rows(options));
-    append(rows, help_rows());
-    return rows;
   } else {
     rows = {aus_row(options.pose),
             {.option = {"explain"},
              .text = "a line for each rule that applied, and its reference",
              .value = flag(options.pose.explain)}};
-    append(rows, rules_rows(options.face));
-    append(rows, program_rows(options));
-    append(rows, help_rows());
-    return rows;
   }
   const bool plays = command == Command::Watch || command == Command::Play;
-  if (command == Command::Play) append(rows, table_rows(options.table));
+  const bool draws = plays || command == Command::Pose || command == Command::Gallery;
+  const bool moves = plays || command == Command::Export;
+  if (command == Command::Play || command == Command::Export) {
+    append(rows, table_rows(options.table));
+  }
   if (plays) append(rows, receiving_rows(options.playback));
-  if (plays) append(rows, animation_rows(options.playback));
+  if (moves) append(rows, animation_rows(options.playback));
   if (plays) append(rows, sound_rows(options.sound));
-  append(rows, face_rows(options.face));
+  if (command != Command::Rules) append(rows, face_rows(options.face));
   append(rows, rules_rows(options.face));
-  append(rows, picture_rows(options.output));
+  if (draws) append(rows, picture_rows(options.output));
   if (plays) append(rows, video_rows(options));
   append(rows, program_rows(options));
   append(rows, help_rows());
