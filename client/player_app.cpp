@@ -143,6 +143,9 @@ Result<void> play(const PlayerOptions& given, const net::Security& security, Pla
   }
   if (!assets) return assets.error();
   // Not before it is clear that something will be shown: a device is taken from who else wants it.
+  if (!options.output.fast) {
+    if (auto writable = check_last_outputs(options.output); !writable) return writable;
+  }
   auto sound_out = open_sound(options);
   auto track = open_track(options);
   if (!track) return track.error();

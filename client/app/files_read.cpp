@@ -91,4 +91,12 @@ Result<void> check_outputs(const PlayerOptions& options) {
   return check_not_read(outputs, files_read(options));
 }
 
+Result<void> check_last_outputs(const OutputOptions& output) {
+  for (const auto& file : {output.stats, output.sheet}) {
+    if (file.empty()) continue;
+    if (auto writable = check_writable(file); !writable) return writable;
+  }
+  return {};
+}
+
 }  // namespace aucast::app

@@ -16,4 +16,8 @@ namespace aucast::app {
 /// check_not_read() and check_distinct(). What a gallery writes is known only to itself.
 [[nodiscard]] Result<void> check_outputs(const PlayerOptions& options);
 
+/// Fails if what is written at the end of a run, --stats or --sheet, could not be. Call it when the
+/// folder of --frames has been made.
+[[nodiscard]] Result<void> check_last_outputs(const OutputOptions& output);
+
 }  // namespace aucast::app

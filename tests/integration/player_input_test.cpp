@@ -146,6 +146,20 @@ TEST(PlayerInput, AShippedStreamPlaysWithoutAServer) {
 
 TEST(PlayerInput, FaceFolders) {
   const TempFolder folder;
+TEST(PlayerInput, WhatCannotBeWrittenAtTheEndIsRefusedAtTheBeginning) {
+  const TempFolder folder;
+  // An hour, which this test does not wait for.
+  const std::string hour =
+      folder.write("hour.txt", "Beg_Stream\n12;3600000\nEnd_Stream\n").string();
+  const auto nowhere = folder.path() / "none";
+  PlayerRun run;
+  run.finished = test::run({program("face-player"), "play", hour, "--headless", "--no-sound",
+                            "--stats", (nowhere / "stats.json").string()});
+  expect_failure(run, 1, {"none/stats.json"});
+  expect_failure(run_player({"play", hour, "--sheet", (nowhere / "page.png").string()}), 1,
+                 {"none/page.png"});
+}
+
   expect_failure(run_player({"pose", "12", "--face", (folder.path() / "none").string()}), 4,
                  {"none"});
   // Waters' format: three points and one triangle with a wrong index, then a point that is none.

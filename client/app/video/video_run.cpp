@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "client/app/files_read.h"
 #include "client/app/loss_warnings.h"
 #include "client/app/missing_aus.h"
 #include "client/app/progress_line.h"
