@@ -78,16 +78,19 @@ Result<std::unique_ptr<playback::Playback>> open_file(const PlayerOptions& optio
       std::make_unique<SourcePlayback>(std::move(source), how));
 }
 
-Result<std::unique_ptr<playback::Playback>> open_remote(const PlaybackOptions& options,
-                                                        const net::Security& security,
-                                                        const SourcePlayback::Options& how,
-                                                        bool captions) {
-  const auto endpoint = net::parse_endpoint(options.endpoint);
-  if (!endpoint) return endpoint.error();
-  net::RemoteOptions remote = remote_options(options, *endpoint, security);
+/// The server of the command line, and how it is reached.
+struct Server {
+  net::Endpoint endpoint;  ///< without a host: none was named
+  net::Security security;
+};
+
+std::unique_ptr<playback::Playback> open_remote(const PlaybackOptions& options,
+                                                const Server& server,
+                                                const SourcePlayback::Options& how, bool captions) {
+  net::RemoteOptions remote = remote_options(options, server.endpoint, server.security);
   remote.captions = captions;
-  return std::unique_ptr<playback::Playback>(std::make_unique<SourcePlayback>(
-      std::make_unique<net::RemoteSource>(std::move(remote)), how));
+  return std::make_unique<SourcePlayback>(std::make_unique<net::RemoteSource>(std::move(remote)),
+                                          how);
 }
 
 /// The sound file beside the stream file that is played without a window; null: none.
@@ -97,10 +100,8 @@ Result<std::unique_ptr<sound::SoundTrack>> open_track(const PlayerOptions& optio
   return open_sound_beside(options.playback.file, stop_asked);
 }
 
-Result<void> print_list(const PlaybackOptions& options, const net::Security& security) {
-  const auto endpoint = net::parse_endpoint(options.endpoint);
-  if (!endpoint) return endpoint.error();
-  const auto list = net::list_streams(remote_options(options, *endpoint, security));
+Result<void> print_list(const PlaybackOptions& options, const Server& server) {
+  const auto list = net::list_streams(remote_options(options, server.endpoint, server.security));
   if (!list) return list.error();
   // A program that reads the names gets nothing else.
   const bool for_people = ::isatty(STDOUT_FILENO) == 1;
@@ -123,7 +124,7 @@ Result<void> outcome(const playback::SourceStatus& status) {
   return Error{ErrorKind::Network, status.detail};
 }
 
-Result<void> play(const PlayerOptions& given, const net::Security& security, PlayerStats& stats) {
+Result<void> play(const PlayerOptions& given, const Server& server, PlayerStats& stats) {
   WindowSettings settings = WindowSettings::load(given);
   PlayerOptions options = settings.applied(given);
   SourcePlayback::Options how{options.playback.speed, options.playback.hold, false};
@@ -142,17 +143,15 @@ Result<void> play(const PlayerOptions& given, const net::Security& security, Pla
     assets = load_assets(usual);
   }
   if (!assets) return assets.error();
-  // Not before it is clear that something will be shown: a device is taken from who else wants it.
   if (!options.output.fast) {
     if (auto writable = check_last_outputs(options.output); !writable) return writable;
   }
+  // Not before it is clear that something will be shown: a device is taken from who else wants it.
   auto sound_out = open_sound(options);
   auto track = open_track(options);
   if (!track) return track.error();
-  if (!options.playback.endpoint.empty()) {
-    auto opened = open_remote(options.playback, security, how, !options.headless);
-    if (!opened) return opened.error();
-    playback = std::move(*opened);
+  if (!server.endpoint.host.empty()) {
+    playback = open_remote(options.playback, server, how, !options.headless);
   }
   Result<void> done;
   if (!options.headless) {
@@ -175,23 +174,24 @@ Result<void> play(const PlayerOptions& given, const net::Security& security, Pla
 }
 
 /// Reads certificates and token, before anything is connected or drawn.
-Result<net::Security> load_security(const PlaybackOptions& options) {
-  std::string host;
+Result<Server> load_server(const PlaybackOptions& options) {
+  Server server;
   if (!options.endpoint.empty()) {
-    const auto endpoint = net::parse_endpoint(options.endpoint);
+    auto endpoint = net::parse_endpoint(options.endpoint);
     if (!endpoint) return endpoint.error();
-    host = endpoint->host;
+    server.endpoint = *std::move(endpoint);
   }
-  auto security = net::load_security(options.security, host);
+  auto security = net::load_security(options.security, server.endpoint.host);
   if (!security) return security.error();
   if (!security->warning.empty()) spdlog::warn("{}", security->warning);
-  return security;
+  server.security = *std::move(security);
+  return server;
 }
 
 /// Plays, and writes --stats whether or not that succeeded.
-Result<void> play_and_count(const PlayerOptions& options, const net::Security& security) {
+Result<void> play_and_count(const PlayerOptions& options, const Server& server) {
   PlayerStats stats;
-  Result<void> played = play(options, security, stats);
+  Result<void> played = play(options, server, stats);
   if (!played && stats.detail.empty()) stats.detail = played.error().message;
   if (options.output.stats.empty()) return played;
   auto written = write_file_atomically(options.output.stats, to_json(stats));
@@ -220,10 +220,10 @@ Result<void> run(const PlayerOptions& options) {
   }
   // What is asked of a silent server is ended as the system ends programs.
   if (!options.list) set_up_signals();
-  const auto security = load_security(options.playback);
-  if (!security) return security.error();
-  if (options.list) return print_list(options.playback, *security);
-  return play_and_count(options, *security);
+  const auto server = load_server(options.playback);
+  if (!server) return server.error();
+  if (options.list) return print_list(options.playback, *server);
+  return play_and_count(options, *server);
 }
 
 int report(const Error& error) {

@@ -109,7 +109,6 @@ class VideoRun {
 
   Result<void> open() {
     if (auto opened = sound_.open(options_.sound, options_.output); !opened) return opened;
-    if (!options_.output.pictures()) return {};
     auto sinks = open_sinks(options_.output, sheet_, stop_);
     if (!sinks) return sinks.error();
     sinks_ = std::move(*sinks);
