@@ -1,6 +1,9 @@
 #include "client/app/assets.h"
 
+#include <algorithm>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "common/files.h"
 #include "common/log.h"
@@ -18,6 +21,28 @@ std::filesystem::path face_folder(const FaceOptions& options, const std::filesys
   if (is_name && std::filesystem::is_directory(shipped, ignored)) return shipped;
   return options.face;
 }
+
+namespace {
+
+/// Why there is no such face: a name that nobody knows is answered with those that are known.
+Result<void> check_face(const FaceOptions& options, const std::filesystem::path& data) {
+  std::error_code ignored;
+  const std::filesystem::path folder = face_folder(options, data);
+  if (folder.has_parent_path() || std::filesystem::exists(folder, ignored)) return {};
+  std::vector<std::string> names;
+  std::filesystem::directory_iterator at(data / "faces", ignored);
+  for (; at != std::filesystem::directory_iterator(); at.increment(ignored)) {
+    if (at->is_directory(ignored)) names.push_back(at->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  std::string known;
+  for (const std::string& name : names) known += printable(name) + ", ";
+  return Error{ErrorKind::Unreadable, "no face '" + escaped(options.face) + "' (known: " + known +
+                                          "or the folder of one)" +
+                                          did_you_mean(options.face, names)};
+}
+
+}  // namespace
 
 Result<std::map<int, std::string>> load_au_looks(const std::filesystem::path& file) {
   const auto document = read_toml(file);
@@ -47,6 +72,7 @@ Result<std::unique_ptr<Assets>> load_assets(const FaceOptions& options) {
   if (!data) return data.error();
   auto rules = face::find_rules(options.rules, *data);
   if (!rules) return rules.error();
+  if (auto known = check_face(options, *data); !known) return known.error();
   std::filesystem::path folder = face_folder(options, *data);
   auto face = face::load_face(folder, *data);
   if (!face) return face.error();

@@ -130,7 +130,9 @@ TEST(PlayerInput, ExportsThatCannotBeLeaveWhatWasThere) {
   expect_failure(run_player({"export", (folder.path() / "none.txt").string(), glb}), 4,
                  {"none.txt"});
   expect_failure(run_player({"export", bad.string(), glb}), 3, {"bad.txt:3:5:"});
-  expect_failure(run_player({"export", "--face", "nobody", glb}), 4, {"nobody"});
+  expect_failure(run_player({"export", "--face", "nobody", glb}), 4,
+                 {"no face 'nobody' (known: ", "default, ", "or the folder of one)"});
+  expect_failure(run_player({"export", "--face", "defualt", glb}), 4, {"did you mean default?"});
   expect_failure(run_player({"export", (folder.path() / "none" / "face.glb").string()}), 1,
                  {"none"});
   expect_failure(run_player({"export", glb + ".txt"}), 2, {"end in .glb"});
@@ -144,8 +146,6 @@ TEST(PlayerInput, AShippedStreamPlaysWithoutAServer) {
   EXPECT_EQ(run.stats["end_reason"], "end_of_stream");
 }
 
-TEST(PlayerInput, FaceFolders) {
-  const TempFolder folder;
 TEST(PlayerInput, WhatCannotBeWrittenAtTheEndIsRefusedAtTheBeginning) {
   const TempFolder folder;
   // An hour, which this test does not wait for.
@@ -160,6 +160,8 @@ TEST(PlayerInput, WhatCannotBeWrittenAtTheEndIsRefusedAtTheBeginning) {
                  {"none/page.png"});
 }
 
+TEST(PlayerInput, FaceFolders) {
+  const TempFolder folder;
   expect_failure(run_player({"pose", "12", "--face", (folder.path() / "none").string()}), 4,
                  {"none"});
   // Waters' format: three points and one triangle with a wrong index, then a point that is none.
@@ -201,7 +203,8 @@ TEST(PlayerInput, NoNameOfAFaceReachesTheTerminalAsControlCharacters) {
 TEST(PlayerInput, MusclesAndExpressions) {
   expect_failure(run_player({"pose", "--muscle", "left_zygomaticus_mayor=1"}), 2,
                  {"did you mean left_zygomaticus_major?"});
-  expect_failure(run_player({"pose", "--muscle", "jaw=4.5"}), 2, {"jaw", "outside"});
+  expect_failure(run_player({"pose", "--muscle", "jaw=4.5"}), 2,
+                 {"jaw: 4.5 is outside 0 to 4; give a value between them"});
   expect_failure(run_player({"pose", "--expression", "happynes"}), 2, {"happiness"});
   expect_failure(run_player({"pose", "1,2x,300"}), 2, {"300"});
 }

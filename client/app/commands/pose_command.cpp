@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <cstdio>
 
 #include "client/app/assets.h"
@@ -51,6 +52,12 @@ void print_activations(const Assets& assets, std::span<const float> activations)
   if (!any) std::printf("nothing is activated: the neutral face\n");
 }
 
+std::string short_number(float number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", static_cast<double>(number));
+  return text.data();
+}
+
 /// Checks --muscle NAME=VALUE: the name must be known and the value in the channel's range.
 Result<void> set_channel(const face::Face& face, const std::string& name, float value,
                          std::span<float> activations) {
@@ -64,8 +71,9 @@ Result<void> set_channel(const face::Face& face, const std::string& name, float 
   }
   const float largest = face.channels[*index].activation_max;
   if (value < 0 || value > largest) {
-    return Error{ErrorKind::Usage, "--muscle " + name + ": " + std::to_string(value) +
-                                       " is outside 0 to " + std::to_string(largest)};
+    return Error{ErrorKind::Usage, "--muscle " + name + ": " + short_number(value) +
+                                       " is outside 0 to " + short_number(largest) +
+                                       "; give a value between them"};
   }
   activations[*index] = value;
   return {};
