@@ -39,6 +39,8 @@ class SeekablePlayback final : public Playback {
   /// As of the last advance().
   [[nodiscard]] Duration position() const { return position_; }
   [[nodiscard]] const KeyframeList& keyframes() const { return keyframes_; }
+  /// The time of those without one of their own.
+  [[nodiscard]] Milliseconds untimed() const { return untimed_; }
   /// When each keyframe is reached, ascending.
   [[nodiscard]] const std::shared_ptr<const std::vector<Duration>>& ends() const { return ends_; }
   /// The keyframe under way, for a caller that must begin it once more, from the face before it,

@@ -8,7 +8,6 @@
 #include "client/face/face_deformer.h"
 #include "client/gui/texts/texts.h"
 #include "common/files.h"
-#include "protocol/limits.h"
 
 namespace aucast::app {
 namespace {
@@ -40,8 +39,8 @@ Result<std::string> ExportSession::stream(const Played& played, const std::files
 Result<std::string> ExportSession::table(const Played& played, const std::filesystem::path& file) {
   const std::size_t count = played.keyframes.size();
   if (count == 0) return nothing_played();
-  const auto written = write_file_atomically(
-      file, format_au_table(played.keyframes, protocol::kDefaultKeyframeTime));
+  const auto written =
+      write_file_atomically(file, format_au_table(played.keyframes, played.untimed));
   if (!written) return written.error();
   return gui::tr("said.exported_table", gui::keyframes_text(count), file.string()) +
          missing(played);

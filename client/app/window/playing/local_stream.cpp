@@ -96,7 +96,7 @@ bool LocalStream::stands() const {
 
 Played LocalStream::played() const {
   const auto& keyframes = playback_->keyframes();
-  return {keyframes, keyframes.size()};
+  return {keyframes, keyframes.size(), playback_->untimed()};
 }
 
 void LocalStream::describe(gui::PlayingView& view) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "client/playback/keyframe_list.h"
+#include "protocol/limits.h"
 
 namespace aucast::app {
 
@@ -14,6 +15,8 @@ struct Played {
 
   playback::KeyframeList keyframes;
   std::uint64_t begun = 0;  ///< how many keyframes have begun, kept or not
+  Milliseconds untimed = protocol::kDefaultKeyframeTime;  ///< how long those without a time of
+                                                          ///< their own were played
 
   /// Adds a keyframe of a stream that may never end.
   void add(const playback::Keyframe& keyframe) {

@@ -56,6 +56,14 @@ TEST(ExportSession, WritesTableStreamAndMesh) {
   EXPECT_NE(folder.read("a.obj"), folder.read("b.obj")) << "as it is shown";
 }
 
+TEST(ExportSession, ATableHasTheTimesAtWhichFacesWereSeen) {
+  const test::TempFolder folder;
+  const Played slow = {
+      {keyframe({{12, Side::Both, 80}}, -1), keyframe({}, 40)}, 2, Milliseconds(1000)};
+  ASSERT_TRUE(ExportSession::table(slow, folder.path() / "a.csv"));
+  EXPECT_EQ(folder.read("a.csv"), "time_s,duration_s,AU12\n1.000,1.000,80\n1.040,0.040,0\n");
+}
+
 TEST(Played, KeepsNoMoreThanAnHourAndCountsAll) {
   Played played;
   for (std::size_t i = 0; i < Played::kKept + 1; ++i) played.add(keyframe({}, 1));

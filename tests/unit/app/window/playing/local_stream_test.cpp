@@ -139,6 +139,7 @@ TEST_F(LocalStreamTest, ALoopThatEndsWithItIsShownLikewise) {
 TEST_F(LocalStreamTest, AllOfItIsExportedWhereverItStands) {
   EXPECT_EQ(stream_.played().keyframes.size(), 3U);
   EXPECT_EQ(stream_.played().begun, 3U);
+  EXPECT_EQ(stream_.played().untimed, Milliseconds(300)) << "as they are played";
   EXPECT_EQ(stream_.title("AUcast", false), "three.txt - AUcast");
 }
 
