@@ -78,7 +78,10 @@ std::string to_json(const PlayerStats& stats) {
   json["playback_seconds"] = stats.playback_seconds;
   json["media_seconds"] = stats.media_seconds;
   json["first_frame_ms"] = stats.first_frame_ms;
-  json["protocol_level"] = stats.negotiated ? 2 : 1;
+  // Keyframes that took no bytes were read from a file.
+  const bool file = stats.keyframes_received > 0 && stats.bytes_received == 0;
+  json["protocol_level"] =
+      file ? nlohmann::ordered_json() : nlohmann::ordered_json(stats.negotiated ? 2 : 1);
   json["live"] = stats.live;
   const bool measured = stats.delay_measured.keyframes > 0;
   const auto delay = [measured](Duration time) {

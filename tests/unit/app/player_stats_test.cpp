@@ -60,6 +60,22 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
   EXPECT_EQ(json["fps"], 0.0);
 }
 
+TEST(PlayerStats, AFileHasNoProtocol) {
+  playback::SourceStatus status;
+  status.keyframes_received = 816;
+  PlayerStats stats;
+  const auto level = [&] { return nlohmann::json::parse(to_json(stats))["protocol_level"]; };
+  EXPECT_EQ(level(), 1) << "a server that could not be reached";
+  stats.take(status);
+  EXPECT_EQ(level(), nullptr);
+  status.bytes_received = 9'000;
+  stats.take(status);
+  EXPECT_EQ(level(), 1);
+  status.negotiated = true;
+  stats.take(status);
+  EXPECT_EQ(level(), 2);
+}
+
 /// Gives one live keyframe.
 class OneKeyframe final : public playback::KeyframeSource {
  public:
