@@ -10,7 +10,9 @@
 #include <array>
 #include <deque>
 #include <utility>
+#include <vector>
 
+#include "client/view/screen_area.h"
 #include "common/text.h"
 
 namespace aucast::render {
@@ -63,6 +65,25 @@ GLFWwindow* open_window(int width, int height, const std::string& title) {
     if (window != nullptr) return window;
   }
   return nullptr;
+}
+
+/// The monitor that shows most of the window; null: there is none.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  std::vector<view::ScreenArea> screens;
+  for (int i = 0; i < count; ++i) {
+    view::ScreenArea& screen = screens.emplace_back();
+    glfwGetMonitorPos(monitors[i], &screen.x, &screen.y);
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+    if (mode != nullptr) screen.width = mode->width;
+    if (mode != nullptr) screen.height = mode->height;
+  }
+  if (screens.empty()) return nullptr;
+  view::ScreenArea own;
+  glfwGetWindowPos(window, &own.x, &own.y);
+  glfwGetWindowSize(window, &own.width, &own.height);
+  return monitors[view::screen_of(own, screens)];
 }
 
 Key key_of(int code, int modifiers) {
@@ -287,7 +308,7 @@ bool Window::full_screen() const {
 }
 
 void Window::fit_to_screen() {
-  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  GLFWmonitor* const monitor = monitor_of(state_->window);
   if (monitor == nullptr) return;
   int room_width = 0;
   int room_height = 0;
@@ -306,7 +327,7 @@ void Window::toggle_full_screen() {
     glfwSetWindowMonitor(window, nullptr, x, y, width, height, GLFW_DONT_CARE);
     return;
   }
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  GLFWmonitor* monitor = monitor_of(window);
   const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
   if (mode == nullptr) return;
   glfwGetWindowPos(window, &x, &y);

@@ -88,6 +88,7 @@ class Window {
   /// The path of the next file dropped on the window; empty: none.
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
+  // The screen is the one that shows most of the window.
   /// Makes the window smaller if it is larger than the free area of the screen.
   void fit_to_screen();
   void toggle_full_screen();
