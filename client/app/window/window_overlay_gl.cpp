@@ -13,6 +13,10 @@ namespace aucast::app {
 
 namespace {
 
+/// Rows are in their place again in the next frame; if they never came to rest, a picture would
+/// never come either.
+constexpr int kSettlingMax = 4;
+
 /// Keys of playback that belong to the panels while the keyboard focus is shown.
 bool is_of_focus(render::Key key) {
   using render::Key;
@@ -41,12 +45,15 @@ void WindowOverlay::draw(const gui::GuiModel& model, gui::GuiCommands& commands)
   }
   // Frames that are made only for pending input are not put on the screen, where each would take
   // the time of a picture; those in which rows have moved would flicker there.
+  int moved = 0;
   do {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     feed();
     gui_.draw(model, commands);
-  } while ((input_waits() || gui_.rows_moved()) && commands.empty() && keys_.empty());
+    if (gui_.rows_moved()) ++moved;
+  } while ((input_waits() || (gui_.rows_moved() && moved < kSettlingMax)) && commands.empty() &&
+           keys_.empty());
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
