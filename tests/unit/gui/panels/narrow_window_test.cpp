@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "tests/unit/gui/gui_by_hand.h"
 
@@ -48,6 +49,11 @@ class NarrowWindow : public GuiByHand {
       shrink();
     }
   }
+  /// Whether the window of this identity was in the last frame.
+  static bool is_drawn(const char* id) {
+    const ImGuiWindow* const window = ImGui::FindWindowByID(ImHashStr(id));
+    return window != nullptr && window->Active;
+  }
   void letters(int percent) {
     DisplayView display;
     display.settings.text_percent = percent;
@@ -69,17 +75,23 @@ TEST_F(NarrowWindow, EveryTabIsDrawnWithLargeLetters) {
 TEST_F(NarrowWindow, EveryDialogIsDrawn) {
   gui_->toggle_keys();
   shrink();
+  EXPECT_TRUE(is_drawn("###keys"));
   gui_->toggle_keys();
   model_.gallery.open = true;
   shrink();
+  EXPECT_TRUE(is_drawn("###gallery"));
+  EXPECT_FALSE(is_drawn("###keys"));
   model_.gallery.open = false;
   model_.browser.open = true;
   model_.browser.folder = "/tmp";
   model_.browser.entries = {{"anger.txt", false}, {"fear.txt", false}};
   shrink();
+  EXPECT_TRUE(is_drawn("###files"));
   model_.asks_to_leave = true;
   model_.composer.unsaved = true;
   shrink();
+  EXPECT_TRUE(is_drawn("###leave"));
+  EXPECT_FALSE(is_drawn("###files")) << "of two questions the one about leaving comes first";
 }
 
 }  // namespace
