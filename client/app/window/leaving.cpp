@@ -5,15 +5,17 @@
 namespace aucast::app {
 
 void Leaving::wish(const Losses& losses) {
-  leaves_ = !losses.any();
-  asks_ = !leaves_;
+  next_ = losses.any() ? Next::Asks : Next::Leaves;
 }
 
 void Leaving::answer(const gui::Leave& answer, const Losses& losses, bool choosing) {
   once_saved_ = answer.saves && choosing;
-  // What saving cannot end is asked about on its own.
-  asks_ = answer.saves && !losses.unsaved && losses.unfinished;
-  leaves_ = answer.really || (answer.saves && !losses.any());
+  if (answer.really || (answer.saves && !losses.any())) {
+    next_ = Next::Leaves;
+  } else {
+    // What saving cannot end is asked about on its own.
+    next_ = answer.saves && !losses.unsaved ? Next::Asks : Next::Stays;
+  }
 }
 
 void Leaving::chosen(const Losses& losses) {
@@ -21,7 +23,7 @@ void Leaving::chosen(const Losses& losses) {
 }
 
 void Leaving::look(const Losses& losses) {
-  if (!losses.any()) asks_ = false;
+  if (asks() && !losses.any()) next_ = Next::Stays;
 }
 
 }  // namespace aucast::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "client/gui/model/gui_commands.h"
 
 namespace aucast::app {
@@ -26,13 +28,13 @@ class Leaving {
   /// ended, and is to read that first, so that this does not leave.
   void look(const Losses& losses);
 
-  [[nodiscard]] bool asks() const { return asks_; }
-  [[nodiscard]] bool leaves() const { return leaves_; }
+  [[nodiscard]] bool asks() const { return next_ == Next::Asks; }
+  [[nodiscard]] bool leaves() const { return next_ == Next::Leaves; }
 
  private:
-  bool asks_ = false;
+  enum class Next : std::uint8_t { Stays, Asks, Leaves };
+  Next next_ = Next::Stays;
   bool once_saved_ = false;  ///< a file to save to is being chosen
-  bool leaves_ = false;
 };
 
 }  // namespace aucast::app
