@@ -9,31 +9,16 @@ namespace {
 /// How many samples are still written when sound stops, so that it fades out.
 constexpr std::int64_t kPortion = std::int64_t{10} * kSamplesPerMs;
 
-Duration time_of(std::int64_t samples) {
-  return std::chrono::microseconds(samples / kSamplesPerMs * 1000) +
-         std::chrono::nanoseconds(samples % kSamplesPerMs * 1'000'000 / kSamplesPerMs);
-}
-
-std::int64_t samples_of(Duration time) {
-  return time / std::chrono::milliseconds(1) * kSamplesPerMs +
-         time % std::chrono::milliseconds(1) * kSamplesPerMs / std::chrono::milliseconds(1);
-}
-
 }  // namespace
 
-SoundPlayer::SoundPlayer(std::unique_ptr<SoundOut> out) : out_(std::move(out)) {}
-
-Instant SoundPlayer::moment_of(std::int64_t sample) const {
-  return begin_ + time_of(sample);
+SoundPlayer::SoundPlayer(std::unique_ptr<SoundOut> out) {
+  set_out(std::move(out));
 }
 
 void SoundPlayer::set_out(std::unique_ptr<SoundOut> out) {
   if (sounds_) stop();
-  out_ = std::move(out);
-  line_ = {};
-  written_ = 0;
-  heard_ = 0;
-  lead_ = kLeadMin;
+  if (out_ != nullptr) underruns_ += out_->underruns();
+  out_ = out == nullptr ? nullptr : std::make_unique<HeardOut>(std::move(out));
 }
 
 void SoundPlayer::open(playback::Playback* playback, SoundTrack* track) {
@@ -50,27 +35,24 @@ void SoundPlayer::open(playback::Playback* playback, SoundTrack* track) {
 /// Sound starts from the time that playback has come to.
 void SoundPlayer::start(Instant steady) {
   sounds_ = true;
-  begin_ = now_ - time_of(written_);
+  begin_ = now_ - time_of(out_->written());
   sound_until_ = now_;
-  heard_at_ = steady;
-  starved_ = written_ > 0;
-  line_.begin_again();
+  out_->begin(steady);
 }
 
 /// The clock goes on from where it is, without sound.
 void SoundPlayer::stop() {
   sounds_ = false;
   ahead_.reset();
-  if (out_ == nullptr) return;
   samples_.resize(static_cast<std::size_t>(kPortion));
   mixer_->mix(std::nullopt, samples_);
   write();
 }
 
 void SoundPlayer::write() {
-  if (tap_) tap_(*steady_ + (moment_of(written_) - shown_), samples_);
+  const Instant begin = begin_ + time_of(out_->written());
+  if (tap_) tap_(*steady_ + (begin - shown_), samples_);
   out_->write(samples_);
-  written_ += static_cast<std::int64_t>(samples_.size());
 }
 
 Instant SoundPlayer::now(Instant steady) {
@@ -78,14 +60,17 @@ Instant SoundPlayer::now(Instant steady) {
   const bool plays = playback_ != nullptr && (!playback_->over() || rings_on());
   if (sounds_ && !plays) stop();
   const bool wanted = plays && (given_ != nullptr || playback_->status().voice);
-  if (!sounds_ && out_ != nullptr && wanted) start(steady);
-  if (sounds_) look_at_device(steady);
+  if (!sounds_ && has_out() && wanted) start(steady);
+  if (sounds_ && !out_->look(steady)) {
+    stop();
+    out_->close();
+    lost_ = true;
+  }
   steady_ = steady;
   if (sounds_) {
-    // What has run dry has been heard to its end; the line stands where it was looked at last.
-    const Instant heard = starved_ ? moment_of(heard_) : begin_ + line_.at(steady);
+    const Instant heard = begin_ + out_->heard(steady);
     shown_ = std::max(shown_, heard);
-    now_ = std::max(now_, heard + lead_);
+    now_ = std::max(now_, heard + out_->lead());
   } else {
     if (!ahead_) ahead_ = now_ - steady;
     now_ = std::max(now_, steady + *ahead_);
@@ -95,35 +80,15 @@ Instant SoundPlayer::now(Instant steady) {
   return now_;
 }
 
-void SoundPlayer::look_at_device(Instant steady) {
-  const std::int64_t heard = std::clamp(out_->heard(), heard_, written_);
-  if (std::exchange(heard_, heard) != heard) heard_at_ = steady;
-  line_.add(steady, time_of(heard));
-  if (out_->lost() || steady - *heard_at_ > kDeafMax) {
-    stop();
-    out_.reset();
-    lost_ = true;
-  } else if (heard_ == written_ && !starved_ && written_ > 0) {
-    starved_ = true;
-    ++underruns_;
-    lead_ = std::min<Duration>(lead_ + kLeadStep, kLeadMax);
-    line_.begin_again();
-  }
-}
-
-void SoundPlayer::feed() {
-  while (auto voice = playback_->take_voice()) voice_->add(voice->place, std::move(voice->opus));
-}
-
 void SoundPlayer::advanced() {
   if (playback_ == nullptr) return;
-  feed();
+  while (auto voice = playback_->take_voice()) voice_->add(voice->place, std::move(voice->opus));
   const auto passing = playback_->passing();
   if (!sounds_ && passing) voice_->skip(samples_of(passing->place));
   const bool ended = playback_->state() == playback::PlaybackState::Ended;
   if (ended && passing) voice_->end_at(samples_of(passing->place));
   if (!sounds_) return;
-  const std::int64_t due = samples_of(now_ - begin_) - written_;
+  const std::int64_t due = samples_of(now_ - begin_) - out_->written();
   if (due <= 0) return;
   const SoundTrack& track = given_ != nullptr ? *given_ : *voice_;
   if (passing && passing->speed > 0 && samples_of(passing->place) < track.end()) {
@@ -132,14 +97,12 @@ void SoundPlayer::advanced() {
   samples_.resize(static_cast<std::size_t>(due));
   mixer_->mix(passing, samples_);
   write();
-  starved_ = false;
 }
 
 void SoundPlayer::face_shown() {
-  if (!sounds_ || playback_ == nullptr || heard_ == 0 || starved_) return;
-  const auto passing = playback_->passing();
-  if (!passing || passing->speed == 0) return;
-  shifts_.add(shown_ - moment_of(std::clamp(out_->heard(), heard_, written_)));
+  const auto heard = sounds_ ? out_->reported() : std::nullopt;
+  const auto passing = heard ? playback_->passing() : std::nullopt;
+  if (passing && passing->speed != 0) shifts_.add(shown_ - (begin_ + *heard));
 }
 
 bool SoundPlayer::take_loss() {
@@ -159,8 +122,8 @@ void SoundPlayer::set_muted(bool muted) {
 SoundCounts SoundPlayer::counts() const {
   SoundCounts counts = before_;
   if (voice_) counts.voice += voice_->counts();
-  counts.underruns = underruns_;
-  counts.drift_ppm = line_.drift_ppm();
+  counts.underruns = underruns_ + (out_ == nullptr ? 0 : out_->underruns());
+  counts.drift_ppm = out_ == nullptr ? std::nullopt : out_->drift_ppm();
   counts.shift = shifts_.summary();
   return counts;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "client/playback/playback.h"
-#include "client/sound/heard_line.h"
+#include "client/sound/heard_out.h"
 #include "client/sound/shift_meter.h"
 #include "client/sound/sound_mixer.h"
 #include "client/sound/sound_out.h"
@@ -31,17 +31,11 @@ struct SoundCounts {
 /// Plays the sound of a playback, and is the clock by which the face moves. Playback is advanced to
 /// now(), which is lead() ahead of what is heard, so that sound is written in time. The face to be
 /// shown is that of shown(), whose sound is being heard. While there is no sound, both times go on
-/// with the steady clock from where they were. Neither ever goes back. The lead is kLeadMin at
-/// first and grows by kLeadStep each time the device runs out of sound, up to kLeadMax. A device
-/// that is lost, or that plays nothing for kDeafMax, is given up.
+/// with the steady clock from where they were. Neither ever goes back. The lead is that of the
+/// device (HeardOut). A device that is lost is given up.
 /// Thread: the player's.
 class SoundPlayer {
  public:
-  static constexpr Milliseconds kLeadMin{100};
-  static constexpr Milliseconds kLeadStep{50};
-  static constexpr Milliseconds kLeadMax{400};
-  static constexpr Milliseconds kDeafMax{5000};
-
   /// `out` may be null: nothing is heard, and the steady clock is the clock.
   explicit SoundPlayer(std::unique_ptr<SoundOut> out);
 
@@ -82,47 +76,38 @@ class SoundPlayer {
   [[nodiscard]] SoundCounts counts() const;
 
  private:
-  // The times while there is sound, and the samples that belong to them:
+  // The player's times while there is sound, and what the device counts:
   //
-  //     the player's time   begin_ ----------- shown_ <--- lead_ ---> now_
-  //     samples             0 ---------------- heard_ --------------- written_
+  //     begin_ -------- shown_ <--- lead ---> now_
+  //     0 ------------- heard --------------- written
   //
-  // heard_ grows by jumps, as the device reports it; line_ makes shown_ of it, which goes evenly
-  // with the steady clock. advanced() writes up to now_. If the device runs out of sound
-  // (starved_), heard_ meets written_ and both times stand until more is written.
+  // advanced() writes up to now_. If the device runs out of sound, heard meets written and both
+  // times stand until more is written.
 
-  void feed();
+  [[nodiscard]] bool has_out() const { return out_ != nullptr && out_->open(); }
   void start(Instant steady);
   void stop();
   /// Writes samples_ to the device and the tap.
   void write();
-  void look_at_device(Instant steady);
-  [[nodiscard]] Instant moment_of(std::int64_t sample) const;
 
-  std::unique_ptr<SoundOut> out_;  ///< null: there is none, or it was given up
+  std::unique_ptr<HeardOut> out_;  ///< null: there is none; closed: it was given up
   playback::Playback* playback_ = nullptr;
   SoundTrack* given_ = nullptr;
   std::unique_ptr<VoiceTrack> voice_;
   std::unique_ptr<SoundMixer> mixer_;
   std::vector<float> samples_;
   Tap tap_;
-  HeardLine line_;
   ShiftMeter shifts_;
-  SoundCounts before_;  ///< the counts for what was opened before
-  std::uint64_t underruns_ = 0;
+  SoundCounts before_;           ///< the counts for what was opened before
+  std::uint64_t underruns_ = 0;  ///< of the devices before this one
   bool sounds_ = false;
   bool lost_ = false;
-  bool starved_ = false;      ///< the device has run out of sound and has not been given more yet
-  Instant begin_{};           ///< the time, as now() gives it, of sample 0
-  std::int64_t written_ = 0;  ///< samples written to out_
-  std::int64_t heard_ = 0;
-  Duration lead_ = kLeadMin;
+  Instant begin_{};  ///< the time, as now() gives it, of the device's sample 0
   Instant now_{};
   Instant shown_{};
-  Instant sound_until_{};            ///< until this time written sound may be heard; after it there
-                                     ///< is silence
-  std::optional<Instant> steady_;    ///< the steady clock's time of the last now()
-  std::optional<Instant> heard_at_;  ///< when the device last reported that more had been heard
+  Instant sound_until_{};          ///< until this time written sound may be heard; after it there
+                                   ///< is silence
+  std::optional<Instant> steady_;  ///< the steady clock's time of the last now()
   std::optional<Duration> ahead_;  ///< how far now_ is ahead of the steady clock while there is no
                                    ///< sound
   int volume_ = 100;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 
+#include "common/time.h"
 #include "common/voice/voice_decoder.h"
 
 namespace aucast::sound {
@@ -10,6 +12,17 @@ namespace aucast::sound {
 /// Samples a second of all sound in this folder. All of it is mono.
 inline constexpr int kRate = voice::kDecoderRate;
 inline constexpr int kSamplesPerMs = voice::kDecoderSamplesPerMs;
+
+/// How long so many samples last.
+[[nodiscard]] constexpr Duration time_of(std::int64_t samples) {
+  return Milliseconds(samples / kSamplesPerMs) +
+         std::chrono::nanoseconds(samples % kSamplesPerMs * 1'000'000 / kSamplesPerMs);
+}
+/// How many whole samples there are in a time.
+[[nodiscard]] constexpr std::int64_t samples_of(Duration time) {
+  return time / Milliseconds(1) * kSamplesPerMs +
+         time % Milliseconds(1) * kSamplesPerMs / Milliseconds(1);
+}
 
 /// The sound of a stream, mono at kRate in [-1,1]. Its samples are counted from the stream's
 /// beginning.

@@ -247,7 +247,7 @@ TEST_F(SoundPlayerTest, ALostDeviceLeavesTheSteadyClock) {
 TEST_F(SoundPlayerTest, ADeviceThatPlaysNothingIsGivenUp) {
   player_.open(playback_.get(), &counting_);
   keyframes(1000);
-  ticks(1 + static_cast<int>(SoundPlayer::kDeafMax / kTick), Duration::zero());
+  ticks(1 + static_cast<int>(HeardOut::kDeafMax / kTick), Duration::zero());
   EXPECT_FALSE(player_.take_loss());
   tick(Duration::zero());
   EXPECT_TRUE(player_.take_loss());
@@ -304,7 +304,7 @@ TEST_F(SoundPlayerTest, LiveKeyframesAreDueByTheClockOfTheSound) {
   }
   ticks(200);
   ASSERT_GT(playback_->delays().all().keyframes, 0U);
-  EXPECT_GE(playback_->delays().all().median, SoundPlayer::kLeadMin);
+  EXPECT_GE(playback_->delays().all().median, HeardOut::kLeadMin);
 }
 
 TEST_F(SoundPlayerTest, WhatIsWrittenGoesToTheTapWithWhenItIsHeard) {

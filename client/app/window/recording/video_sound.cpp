@@ -10,13 +10,8 @@
 namespace aucast::app {
 namespace {
 
-constexpr Duration kSecond = std::chrono::seconds(1);
 /// Samples of silence that are written at once.
 constexpr std::int64_t kSilentPortion = sound::kRate;
-
-std::int64_t samples_in(Duration time) {
-  return time / kSecond * sound::kRate + time % kSecond * sound::kRate / kSecond;
-}
 
 }  // namespace
 
@@ -30,7 +25,7 @@ Result<std::unique_ptr<VideoSound>> VideoSound::open(const std::filesystem::path
 void VideoSound::add(Instant heard_at, std::span<const float> samples) {
   constexpr std::int64_t kSlackSamples = kSlack.count() * sound::kSamplesPerMs;
   const auto written = static_cast<std::int64_t>(wav_->samples());
-  std::int64_t missing = samples_in(heard_at - begin_) - written;
+  std::int64_t missing = sound::samples_of(heard_at - begin_) - written;
   if (written > 0 && missing > -kSlackSamples && missing < kSlackSamples) missing = 0;
   const std::vector<float> silence(
       static_cast<std::size_t>(std::clamp<std::int64_t>(missing, 0, kSilentPortion)));
