@@ -13,21 +13,25 @@
 
 namespace aucast::sound {
 
-WavFile::WavFile(std::filesystem::path path, TemporaryFile temporary)
+WavFile::WavFile(std::filesystem::path path, TemporaryFile temporary, std::size_t samples_max)
     : path_(std::move(path)),
       temporary_(std::move(temporary)),
-      file_(temporary_.path(), std::ios::binary | std::ios::trunc) {
+      file_(temporary_.path(), std::ios::binary | std::ios::trunc),
+      samples_max_(samples_max) {
   file_ << voice::wav_head(0, kRate);
 }
 
-Result<std::unique_ptr<WavFile>> WavFile::open(const std::filesystem::path& path) {
+Result<std::unique_ptr<WavFile>> WavFile::open(const std::filesystem::path& path,
+                                               std::size_t samples_max) {
   auto temporary = TemporaryFile::beside(path);
   if (!temporary) return temporary.error();
-  return std::unique_ptr<WavFile>(new WavFile(path, std::move(*temporary)));
+  return std::unique_ptr<WavFile>(new WavFile(path, std::move(*temporary), samples_max));
 }
 
 void WavFile::add(std::span<const float> samples) {
-  samples = samples.first(std::min(samples.size(), kSamplesMax - samples_));
+  const std::size_t room = samples_max_ - samples_;
+  dropped_ = dropped_ || samples.size() > room;
+  samples = samples.first(std::min(samples.size(), room));
   std::string bytes;
   bytes.reserve(samples.size() * 2);
   for (const float sample : samples) {
@@ -35,6 +39,12 @@ void WavFile::add(std::span<const float> samples) {
   }
   file_ << bytes;
   samples_ += samples.size();
+}
+
+std::string WavFile::complaint() const {
+  if (!dropped_) return {};
+  return at_place(path_.string(),
+                  "a WAV file holds 12 hours of sound at most: what comes after is left out");
 }
 
 Result<void> WavFile::flush() {

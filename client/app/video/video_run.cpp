@@ -164,6 +164,7 @@ class VideoRun {
       if (auto finished = sinks_.video->finish(*sound); !finished) return finished;
     }
     if (auto finished = sound_.finish(); !finished) return finished;
+    if (const std::string cut = sound_.complaint(); !cut.empty()) warn(cut);
     if (sinks_.sheet) {
       if (auto finished = sinks_.sheet->finish(); !finished) return finished;
     }

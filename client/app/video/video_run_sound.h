@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "client/app/player_options.h"
@@ -35,6 +36,10 @@ class VideoRunSound {
   /// The WAV file with all of the sound, for the videos; empty: there was no sound.
   [[nodiscard]] Result<std::filesystem::path> file();
   [[nodiscard]] Result<void> finish();
+  /// What of the sound is not in the file, as a sentence; empty: all is there.
+  [[nodiscard]] std::string complaint() const {
+    return wav_ == nullptr ? std::string() : wav_->complaint();
+  }
   [[nodiscard]] const sound::VoiceTrack::Counts& counts() const { return voice_.counts(); }
 
  private:

@@ -22,6 +22,22 @@ TEST(WavFile, HasAHeaderAndItsSamples) {
   EXPECT_EQ(folder.read("a.wav"), expected);
 }
 
+TEST(WavFile, WhatIsTooLongForAWavFileIsLeftOutAndSaid) {
+  const aucast::test::TempFolder folder;
+  auto file = WavFile::open(folder.path() / "a.wav", 3);
+  ASSERT_TRUE(file.has_value());
+  (*file)->add(std::vector<float>{1, 1});
+  EXPECT_FALSE((*file)->full());
+  EXPECT_EQ((*file)->complaint(), "");
+  (*file)->add(std::vector<float>{1, 0.5F, 0.5F});
+  (*file)->add(std::vector<float>{0.5F});
+  EXPECT_TRUE((*file)->full());
+  EXPECT_EQ((*file)->samples(), 3U);
+  ASSERT_TRUE((*file)->finish().has_value());
+  EXPECT_EQ(folder.read("a.wav").size(), 44U + 6U);
+  EXPECT_NE((*file)->complaint().find("a.wav: a WAV file holds 12 hours"), std::string::npos);
+}
+
 TEST(WavFile, LeavesWhatWasThereUntilItIsDone) {
   const aucast::test::TempFolder folder;
   folder.write("a.wav", "before");

@@ -23,6 +23,7 @@ Result<std::unique_ptr<VideoSound>> VideoSound::open(const std::filesystem::path
 }
 
 void VideoSound::add(Instant heard_at, std::span<const float> samples) {
+  if (wav_->full()) return;
   constexpr std::int64_t kSlackSamples = kSlack.count() * sound::kSamplesPerMs;
   const auto written = static_cast<std::int64_t>(wav_->samples());
   std::int64_t missing = sound::samples_of(heard_at - begin_) - written;
