@@ -35,8 +35,9 @@ Joining::Joining(const ServerCatalogue& catalogue, Admission admission, TokenCou
 
 Joining::Answer Joining::hello(const HelloAsked& asked, Instant now) const {
   if (asked.version != kProtocolVersion) {
-    return Refusal{{505, "version " + std::to_string(asked.version) + " is not spoken here, only " +
-                             std::to_string(kProtocolVersion)}};
+    return Refusal{{kOtherVersion, "version " + std::to_string(asked.version) +
+                                       " is not spoken here, only " +
+                                       std::to_string(kProtocolVersion)}};
   }
   if (!asked.publish.empty()) return publisher(asked, now);
   // Before anything else is told: what is served here is no stranger's business.
@@ -57,16 +58,16 @@ Joining::Answer Joining::list(const StreamsAsked& asked, Instant now) const {
 Joining::Answer Joining::classic(Instant now) const {
   if (auto refusal = viewer_refused({}, now)) return std::move(*refusal);
   if (silence_ == Silence::Refused) {
-    return Refusal{{400, "a hello is needed here, as the very first bytes"}};
+    return Refusal{{kMalformed, "a hello is needed here, as the very first bytes"}};
   }
-  if (no_room_ != nullptr) return Refusal{{503, no_room_}, true};
+  if (no_room_ != nullptr) return Refusal{{kBusy, no_room_}, true};
   return stream_of(std::nullopt);
 }
 
 Joining::Answer Joining::stream_of(const std::optional<HelloAsked>& asked) const {
   StreamChoice choice = choose_stream(*catalogue_, asked);
   if (choice.state == StreamChoice::State::Refused) return Refusal{std::move(choice.refusal)};
-  if (no_room_ != nullptr) return Refusal{{503, no_room_}};
+  if (no_room_ != nullptr) return Refusal{{kBusy, no_room_}};
   return choice;
 }
 
@@ -74,14 +75,14 @@ Joining::Answer Joining::stream_of(const std::optional<HelloAsked>& asked) const
 Joining::Answer Joining::publisher(const HelloAsked& asked, Instant now) const {
   using Verdict = Publishers::Verdict;
   if (!catalogue_->publishers || silence_ == Silence::Refused) {
-    return Refusal{{403, "streams are not taken here (--accept-push)"}};
+    return Refusal{{kNotAllowed, "streams are not taken here (--accept-push)"}};
   }
   constexpr TokenWords kWords = TokenWords::publishers();
   if (auto refusal = may_not_show(asked.token, kWords, now)) return std::move(*refusal);
   const Verdict verdict = catalogue_->publishers->verdict(asked.token, asked.publish);
   if (verdict == Verdict::Unknown) return wrong_token(kWords, now);
   if (verdict == Verdict::OtherNames) {
-    return Refusal{{403, "this token is not for the stream '" + asked.publish + "'"}};
+    return Refusal{{kNotAllowed, "this token is not for the stream '" + asked.publish + "'"}};
   }
   if (auto refusal = catalogue_->publish_refused(asked)) return Refusal{std::move(*refusal)};
   return HandOver{asked};
@@ -93,7 +94,8 @@ std::optional<Joining::Refusal> Joining::viewer_refused(std::string_view token, 
     // It cannot be guessed. If tries were counted, others of this host would shut the owner out.
     const std::string& wanted = catalogue_->owner_token;
     if (!wanted.empty() && same_secret(token, wanted)) return std::nullopt;
-    return Refusal{{401, "only the program that started this server may watch here (--preview)"}};
+    return Refusal{
+        {kTokenNeeded, "only the program that started this server may watch here (--preview)"}};
   }
   constexpr TokenWords kWords = TokenWords::viewers();
   if (catalogue_->token.empty()) return std::nullopt;
@@ -105,15 +107,16 @@ std::optional<Joining::Refusal> Joining::viewer_refused(std::string_view token, 
 /// nullopt: the token may be compared.
 std::optional<Joining::Refusal> Joining::may_not_show(std::string_view token,
                                                       const TokenWords& words, Instant now) const {
-  if (token.empty()) return Refusal{{401, words.none}};
+  if (token.empty()) return Refusal{{kTokenNeeded, words.none}};
   // Whether this one is right must not show.
-  if (!token_count_.may_try(now)) return Refusal{{503, "too many wrong tokens from this address"}};
+  if (!token_count_.may_try(now))
+    return Refusal{{kBusy, "too many wrong tokens from this address"}};
   return std::nullopt;
 }
 
 Joining::Refusal Joining::wrong_token(const TokenWords& words, Instant now) const {
   token_count_.add_wrong(now);
-  return {{401, words.wrong}, false, kWrongTokenWait};
+  return {{kTokenNeeded, words.wrong}, false, kWrongTokenWait};
 }
 
 }  // namespace aucast::protocol

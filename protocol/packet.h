@@ -84,9 +84,21 @@ struct HelloGranted {
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 
-/// {error CODE TEXT}: a code from section 10 of PROTOCOL.md, and a sentence.
+/// The codes of section 10 of PROTOCOL.md.
+enum RefusalCode : int {
+  kMalformed = 400,
+  kTokenNeeded = 401,
+  kNotAllowed = 403,
+  kNoSuchStream = 404,
+  kNameTaken = 409,
+  kBusy = 503,
+  kOtherVersion = 505,
+  kRoundAbout = 508,
+};
+
+/// {error CODE TEXT}: a RefusalCode, or one that a newer server has, and a sentence.
 struct ErrorReply {
-  int code = 400;
+  int code = kMalformed;
   std::string text;
   friend bool operator==(const ErrorReply&, const ErrorReply&) = default;
 };

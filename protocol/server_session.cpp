@@ -190,7 +190,7 @@ void ServerSession::State::await_stream(Milliseconds patience) {
 void ServerSession::State::give_up_stream() {
   constexpr const char* kNotYet = "the stream has not come yet; try again later";
   if (asked) {
-    refuse(503, kNotYet);
+    refuse(kBusy, kNotYet);
   } else {
     close(Why::Refused, kNotYet);
   }
@@ -293,7 +293,7 @@ void ServerSession::State::handle_fault(const DecodeError& fault) {
   const std::string reason = fault.reason + " (" + std::string(name(fault.fault)) + " at byte " +
                              std::to_string(fault.position) + ")";
   if (phase == Phase::Hello && fault.fault != DecodeFault::TooManyBlanks) {  // those are before it
-    refuse(400, reason);
+    refuse(kMalformed, reason);
   } else {
     close(Why::ProtocolError, reason);
   }
@@ -377,8 +377,8 @@ std::vector<ServerEvent> ServerSession::on_time(Instant now) {
       state_->carry_out(state_->joining.classic(now));
       break;
     case State::Phase::Hello:
-      state_->refuse(400, "the hello was not complete within " +
-                              std::to_string(kHelloTimeMax.count() / 1000) + " seconds");
+      state_->refuse(kMalformed, "the hello was not complete within " +
+                                     std::to_string(kHelloTimeMax.count() / 1000) + " seconds");
       break;
     case State::Phase::AwaitingStream:
       state_->give_up_stream();

@@ -44,7 +44,7 @@ StreamChoice choose_stream(const ServerCatalogue& catalogue,
                             return candidate.known_name().empty();
                           });
     choice.state = may_come ? State::NotYet : State::Refused;
-    if (asked) choice.refusal = {404, "there is no stream '" + asked->stream + "' here"};
+    if (asked) choice.refusal = {kNoSuchStream, "there is no stream '" + asked->stream + "' here"};
     choice.patience = catalogue.patience.value_or(choice.patience);
     return choice;
   }
@@ -76,11 +76,11 @@ std::optional<ErrorReply> relay_refused(const ServerCatalogue& catalogue,
   if (!tells_servers(catalogue, asked)) return std::nullopt;
   const std::string servers = servers_of(catalogue, stream);
   if (passes_through(servers, asked.relay)) {
-    return ErrorReply{508, "the stream would come back to the relay that asks for it"};
+    return ErrorReply{kRoundAbout, "the stream would come back to the relay that asks for it"};
   }
   if (servers_in(servers) > kRelayHopsMax) {
-    return ErrorReply{508, "the stream has come through " + std::to_string(kRelayHopsMax) +
-                               " relays already, which is the most"};
+    return ErrorReply{kRoundAbout, "the stream has come through " + std::to_string(kRelayHopsMax) +
+                                       " relays already, which is the most"};
   }
   return std::nullopt;
 }

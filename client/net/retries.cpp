@@ -1,16 +1,8 @@
 #include "client/net/retries.h"
 
 namespace aucast::net {
-namespace {
 
 using protocol::SessionFailed;
-
-/// The code of a server that is full or does not have the stream yet. Another server may have it.
-constexpr int kBusyCode = 503;
-/// The code of a server that has no stream of that name.
-constexpr int kNoStreamCode = 404;
-
-}  // namespace
 
 std::optional<Milliseconds> Retries::unreachable(Keyframes came) {
   busy_in_a_row_ = 0;
@@ -20,10 +12,12 @@ std::optional<Milliseconds> Retries::unreachable(Keyframes came) {
 std::optional<Milliseconds> Retries::failed(const SessionFailed& event, Keyframes came) {
   const bool lost =
       event.why == SessionFailed::Why::Lost || event.why == SessionFailed::Why::Silent;
-  busy_in_a_row_ = event.code == kBusyCode ? busy_in_a_row_ + 1 : 0;
+  // Another server may have room, or have the stream already.
+  busy_in_a_row_ = event.code == protocol::kBusy ? busy_in_a_row_ + 1 : 0;
   const bool elsewhere = busy_in_a_row_ > 0 && busy_in_a_row_ < options_.hosts;
   // A stream that was here comes again: its server may have begun anew, or be full for now.
-  const bool later = came.earlier && (event.code == kBusyCode || event.code == kNoStreamCode);
+  const bool later =
+      came.earlier && (event.code == protocol::kBusy || event.code == protocol::kNoSuchStream);
   return lost || elsewhere || later ? again(came) : std::nullopt;
 }
 

@@ -42,13 +42,15 @@ std::optional<protocol::ErrorReply> PushedStreams::refusal(
   if (const auto slot = find(hello.publish)) {
     const bool same = !hello.relay.empty() && hello.relay == slot->publisher;
     if (!slot->reception.connected() || same) return std::nullopt;
-    return protocol::ErrorReply{409, "another publisher sends the stream '" + hello.publish + "'"};
+    return protocol::ErrorReply{protocol::kNameTaken,
+                                "another publisher sends the stream '" + hello.publish + "'"};
   }
   const bool room = slots_.size() < kPushedStreamsMax ||
                     std::any_of(slots_.begin(), slots_.end(),
                                 [](const auto& slot) { return !slot->reception.connected(); });
   if (room) return std::nullopt;
-  return protocol::ErrorReply{503, "as many streams are brought here as there is room for"};
+  return protocol::ErrorReply{protocol::kBusy,
+                              "as many streams are brought here as there is room for"};
 }
 
 void PushedStreams::take(std::shared_ptr<link::Link> link, const protocol::HelloAsked& hello,

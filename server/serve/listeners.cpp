@@ -144,9 +144,10 @@ std::shared_ptr<link::Link> Listeners::link_of(tcp::socket socket, ClientRegistr
   auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits, programme_.held_back_max());
   const auto& tls = certificates_.tcp;
   if (!tls || way == ClientRegistry::Way::Owner) return link;
-  return link::tls_link(std::move(link), tls::Layer(*tls), protocol::kLinkLimits,
-                        protocol::encode(protocol::ErrorReply{
-                            400, "this server speaks TLS only (face-player --tls)"}));
+  return link::tls_link(
+      std::move(link), tls::Layer(*tls), protocol::kLinkLimits,
+      protocol::encode(protocol::ErrorReply{protocol::kMalformed,
+                                            "this server speaks TLS only (face-player --tls)"}));
 }
 
 }  // namespace aucast::server

@@ -110,10 +110,11 @@ std::optional<protocol::ErrorReply> Programme::publish_refused(
     const protocol::HelloAsked& hello) const {
   if (is_own(hello.publish)) {
     return protocol::ErrorReply{
-        409, "the stream '" + hello.publish + "' is one of this server's own; use another name"};
+        protocol::kNameTaken,
+        "the stream '" + hello.publish + "' is one of this server's own; use another name"};
   }
   if (auto refusal = pushed_.refusal(hello)) return refusal;
-  if (stopped_) return protocol::ErrorReply{503, "the server stops"};
+  if (stopped_) return protocol::ErrorReply{protocol::kBusy, "the server stops"};
   return std::nullopt;
 }
 
