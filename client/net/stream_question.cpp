@@ -32,7 +32,10 @@ void StreamQuestion::on_open() {
 void StreamQuestion::on_bytes(std::string_view bytes) {
   const auto packet = decoder_.next(bytes);
   if (!packet) {
-    if (decoder_.error()) abandon(decoder_.error()->reason + "; is it an au-transmitter?");
+    if (decoder_.error()) {
+      abandon("the server sent what is not the protocol: " + decoder_.error()->reason +
+              "; is it an au-transmitter?");
+    }
     return;
   }
   if (const auto* list = std::get_if<protocol::StreamList>(&*packet)) {
