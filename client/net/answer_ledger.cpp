@@ -32,11 +32,10 @@ std::string AnswerLedger::speak_classic(protocol::ClientSession& session, const 
     if (wishes.user_paused || wishes.full) return words;
     words += resume(session);
   }
-  for (; owed_ > 0; --owed_) {
-    if (wishes.user_paused || (wishes.full && owed_ == 1)) {
-      --owed_;  // -1 answers the oldest
-      return words + pause(session);
-    }
+  while (owed_ > 0) {
+    const bool pauses = wishes.user_paused || (wishes.full && owed_ == 1);
+    --owed_;
+    if (pauses) return words + pause(session);  // -1 is an answer too
     words += session.answer_received();
   }
   return words;

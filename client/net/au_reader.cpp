@@ -195,7 +195,8 @@ void AuReader::handle(const protocol::DeliverKeyframe& event, Reaction& reaction
   // keyframe proves it one, it may be that earlier server, which is just about to come back.
   if (first && retries_.ever_granted() && !negotiated()) received_.begin({});
   retries_.keyframe_came();
-  received_.add(event, now_, first && manner_.negotiate && !negotiated());
+  const bool answers_hello = first && manner_.negotiate && !negotiated();  // as a classic one does
+  received_.add(event, now_, answers_hello);
   ledger_.owe(now_);
   answer(reaction.send);
 }

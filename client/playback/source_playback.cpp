@@ -165,7 +165,6 @@ std::optional<Passing> SourcePlayback::passing() const {
   const bool plays = state_ == PlaybackState::Playing && !paused_;
   const Duration own = current_.target.span;
   const Duration since = movement_.passed(now_);
-  if (takes == own) return Passing{reached - own + since, plays ? 1.0 : 0.0};
   const double speed = static_cast<double>(own.count()) / static_cast<double>(takes.count());
   const auto passed = Duration(std::llround(static_cast<double>(since.count()) * speed));
   return Passing{reached - own + passed, plays ? speed : 0};

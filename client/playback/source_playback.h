@@ -74,7 +74,9 @@ class SourcePlayback final : public Playback {
   void stand(Instant now);
   void move();
   /// Begins the next keyframe at `latest`, or, if it has a due time, when it arrived, but not
-  /// before `earliest`. If there is none, sets the state that follows from that.
+  /// before `earliest`. After a keyframe both are its end, so that no time is lost; out of a stall
+  /// it may have arrived since the last advance(). If there is none, sets the state that follows
+  /// from that.
   [[nodiscard]] std::optional<KeyframeBegun> begin_next(Instant earliest, Instant latest);
   void wait_for_next(std::optional<EndReason> end);
   [[nodiscard]] std::optional<KeyframeBegun> hold_or_ease();
