@@ -164,6 +164,7 @@ export class PlayerEngine {
     this.parts = parts;
     this.decodes = false;      // there is a decoder for voice
     this.heardBefore = false;  // what the core was told
+    this.question = null;      // of streams(), while there is no answer
   }
 
   call(name, texts = []) {
@@ -191,28 +192,50 @@ export class PlayerEngine {
   show(aus) { this.check(this.call('aucast_show', [aus])); }
   setLayers(layers) { this.check(this.call('aucast_layers', [layers])); }
 
-  server(server, token) {
+  address(server, token) {
     const url = socketUrl(server);
     if (token && !mayShowToken(url)) {
       throw new Error('a token is sent only over wss:// or to localhost');
     }
-    this.browser.url = url.href;
-    return url.host;
+    return url;
   }
 
   /// Before play(), if a voice is to be heard.
   async loadVoice() { this.decodes = await loadOpus(this.parts.opus); }
 
   play(server, stream, token) {
+    const url = this.address(server, token);
+    this.browser.url = url.href;
     this.core.ccall('aucast_play', null, ['string', 'string', 'string', 'number'],
-                    [this.server(server, token), stream, token, this.decodes ? 1 : 0]);
+                    [url.host, stream, token, this.decodes ? 1 : 0]);
   }
 
-  /// The server's streams, in its order.
-  async streams(server, token) {
-    this.call('aucast_ask_streams', [this.server(server, token), token]);
+  /// The server's streams, in its order. The core has one question: whoever asks the same gets the
+  /// same answer, and what was asked of another server before fails.
+  streams(server, token) {
+    const asked = `${server}\n${token}`;
+    if (this.question?.asked !== asked) {
+      const question = { asked };
+      this.question = question;
+      question.answer = this.ask(server, token, question).finally(() => {
+        if (this.question === question) this.question = null;
+      });
+    }
+    return this.question.answer;
+  }
+
+  async ask(server, token, question) {
+    const url = this.address(server, token);
+    // Of this question alone: the stream that plays is dialled again at its own address.
+    const played = this.browser.url;
+    this.browser.url = url.href;
+    this.call('aucast_ask_streams', [url.host, token]);
+    this.browser.url = played;
     for (;;) {
       await new Promise(resolve => setTimeout(resolve, 50));
+      if (this.question !== question) {
+        throw new Error('another server was asked for its streams meanwhile');
+      }
       const answer = this.call('aucast_streams');
       if (answer.startsWith('!')) throw new Error(answer.slice(1));
       if (answer.startsWith('=')) return answer.slice(1).split('\n').filter(Boolean).map(streamOf);
