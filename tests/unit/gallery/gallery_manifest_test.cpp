@@ -104,5 +104,56 @@ TEST(Manifest, SaysWhatAPictureShows) {
   }
 }
 
+TEST(Manifest, AFieldOfAnyKindStaysOneField) {
+  PlannedGallery gallery;
+  gallery.expressions.front().name = "a,b\"c";
+  const auto plan = gallery.plan({"prototypes"});
+  ASSERT_TRUE(plan.has_value());
+  GallerySetting setting = kSetting;
+  setting.face = "my, \"own\"\r\nface";
+  const auto lines = read_csv(format_manifest(*plan, setting, {}));
+  ASSERT_EQ(lines.size(), 1 + plan->pictures.size());
+  for (const auto& line : lines) ASSERT_EQ(line.size(), lines.front().size());
+  const auto column = [&lines](const std::string& name) {
+    const auto found = std::find(lines.front().begin(), lines.front().end(), name);
+    EXPECT_NE(found, lines.front().end()) << name;
+    return static_cast<std::size_t>(found - lines.front().begin());
+  };
+  EXPECT_EQ(lines[1][column("expression")], "a,b\"c");
+  EXPECT_EQ(lines[1][column("file")], "prototypes/a,b\"c.png");
+}
+
+TEST(Manifest, SaysWhatTheRulesLeft) {
+  PlannedGallery gallery;
+  gallery.rules.facs.rules = {
+      {.kind = face::RuleKind::Exclusion, .sources = {26}, .targets = {12}, .source = {}}};
+  const auto plan = gallery.plan({"appendix-b"});
+  ASSERT_TRUE(plan.has_value());
+  const std::string text = format_manifest(*plan, kSetting, {});
+  EXPECT_NE(text.find("appendix_b/fear_maximum_facs.png,12 26,100 100,both both,26,thesis-fear"),
+            std::string::npos);
+  EXPECT_NE(text.find("appendix_b/fear_maximum_none.png,12 26,100 100,both both,\"12,26\""),
+            std::string::npos);
+}
+
+TEST(Manifest, AVideoIsListedOnlyIfItWasWritten) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({"sweeps"}, {"12", "26"});
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_EQ(format_manifest(*plan, kSetting, {}).find(".mp4"), std::string::npos);
+  const auto lines = read_csv(format_manifest(*plan, kSetting, {1}));
+  EXPECT_EQ(lines.back().front(), "sweeps/au26.mp4");
+  EXPECT_EQ(lines.size(), 1U + 2U * 41U + 1U);
+}
+
+TEST(StrengthText, HasOneDecimalAndGoesUpAndDown) {
+  EXPECT_EQ(strength_text(0), "0.0");
+  EXPECT_EQ(strength_text(kApexMs), "100.0");
+  EXPECT_EQ(strength_text(kOffsetMs), "100.0");
+  EXPECT_EQ(strength_text(kSweepEndMs), "0.0");
+  EXPECT_EQ(strength_text(40), "1.1");
+  EXPECT_EQ(strength_text(kSweepEndMs - 40), "1.1") << "down as it went up";
+}
+
 }  // namespace
 }  // namespace aucast::gallery

@@ -1,8 +1,11 @@
 #include "client/gallery/gallery_plan.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -173,6 +176,171 @@ TEST(ShippedGallery, PlansEveryRecordedAuAndEveryExpression) {
     EXPECT_TRUE(files.contains("prototypes/" + expression.name + ".png")) << expression.name;
   }
   EXPECT_EQ(plan->sections[0].blocks.size(), face->recordings.size());
+}
+
+TEST(GalleryPlan, EveryFigureShowsAPictureOrASweepThatIsThere) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({}, {"12", "all"});
+  ASSERT_TRUE(plan.has_value());
+  std::set<std::size_t> shown;
+  for (const GallerySection& section : plan->sections) {
+    EXPECT_FALSE(section.title.empty());
+    for (const GalleryBlock& block : section.blocks) {
+      for (const GalleryRow& row : block.rows) {
+        if (!block.columns.empty()) {
+          EXPECT_EQ(row.figures.size(), block.columns.size()) << block.heading;
+        }
+        for (const GalleryFigure& figure : row.figures) {
+          EXPECT_LE(figure.video, plan->sweeps.size());
+          if (!figure.picture) continue;
+          ASSERT_LT(*figure.picture, plan->pictures.size());
+          shown.insert(*figure.picture);
+        }
+      }
+    }
+  }
+  for (const GallerySweep& sweep : plan->sweeps) {
+    ASSERT_LE(sweep.begin + sweep.count, plan->pictures.size());
+    for (std::size_t i = 0; i < sweep.count; ++i) shown.insert(sweep.begin + i);
+  }
+  EXPECT_EQ(shown.size(), plan->pictures.size()) << "no picture is drawn for nothing";
+}
+
+TEST(GalleryPlan, AFilesNameWorksOnEverySystem) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({}, {"all", "1,2,5B,L12:40"});
+  ASSERT_TRUE(plan.has_value());
+  std::set<std::string> lowered;
+  for (const GalleryPicture& picture : plan->pictures) {
+    EXPECT_EQ(picture.file.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDELR0123456789_-./"),
+              std::string::npos)
+        << picture.file;
+    EXPECT_FALSE(picture.file.starts_with('/') || picture.file.find("..") != std::string::npos);
+    std::string same = picture.file;
+    std::transform(same.begin(), same.end(), same.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    EXPECT_TRUE(lowered.insert(same).second) << picture.file << ": where case does not count";
+  }
+}
+
+TEST(GalleryPlan, AnAskedSectionAloneIsPlanned) {
+  const PlannedGallery gallery;
+  for (const char* section : {"aus", "prototypes", "combinations", "appendix-a", "appendix-b"}) {
+    const auto plan = gallery.plan({section}, {});
+    ASSERT_TRUE(plan.has_value());
+    ASSERT_EQ(plan->sections.size(), 1U) << section;
+    EXPECT_EQ(plan->sections.front().name, section);
+    EXPECT_FALSE(plan->pictures.empty());
+  }
+  EXPECT_TRUE(gallery.plan({"sweeps"}, {})->sections.empty()) << "none was asked for";
+}
+
+TEST(GalleryPlan, TheLettersAreFacsFiveIntensities) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({"aus"});
+  ASSERT_TRUE(plan.has_value());
+  std::vector<std::string> aus;
+  for (const char letter : std::string("ABCDE")) {
+    const std::string file = std::string("au/au26_") + letter + ".png";
+    aus.push_back(protocol::format_au_set(named_picture(*plan, file).aus));
+  }
+  EXPECT_EQ(aus, (std::vector<std::string>{"26:10", "26:25", "26:50", "26:80", "26"}));
+  EXPECT_EQ(named_picture(*plan, "au/neutral.png").aus, AuFrame{});
+}
+
+TEST(GalleryPlan, AppendixANamesWhatTheFaceLacks) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({"appendix-a"});
+  ASSERT_TRUE(plan.has_value());
+  const auto& figures = plan->sections.front().blocks.front().rows.front().figures;
+  EXPECT_EQ(figures.size(), 16U);
+  EXPECT_EQ(plan->pictures.size(), 2U) << "of the sixteen the face has 12 and 26";
+  EXPECT_EQ(std::count_if(figures.begin(), figures.end(),
+                          [](const GalleryFigure& one) { return one.text == "not recorded"; }),
+            14);
+  EXPECT_EQ(figures.front().title, "AU 1 Inner Brow Raiser");
+}
+
+TEST(GalleryPlan, APairIsTheStrongerOfBothAndIsLeftOutWhereOneIsUnknown) {
+  PlannedGallery gallery;
+  gallery.expressions[0].aus = *protocol::parse_au_set("12:40,26");    // surprise
+  gallery.expressions[12].aus = *protocol::parse_au_set("12:80,L46");  // happiness
+  const auto plan = gallery.plan({"combinations"});
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_EQ(
+      protocol::format_au_set(named_picture(*plan, "combinations/surprise_happiness.png").aus),
+      "12:80,26,L46");
+  std::erase_if(gallery.expressions, [](const Expression& one) { return one.name == "fear"; });
+  EXPECT_EQ(gallery.plan({"combinations"})->pictures.size(), 30U - 5U);
+}
+
+TEST(GalleryPlan, RulesDecideWhatIsShownAndNotWhatIsAsked) {
+  PlannedGallery gallery;
+  gallery.rules.chosen.rules = {
+      {.kind = face::RuleKind::Exclusion, .sources = {26}, .targets = {12}, .source = {}}};
+  const auto plan = gallery.plan({"prototypes"});
+  ASSERT_TRUE(plan.has_value());
+  const GalleryPicture& picture = named_picture(*plan, "prototypes/thesis-fear.png");
+  EXPECT_EQ(protocol::format_au_set(picture.aus), "12,26");
+  EXPECT_EQ(protocol::format_au_set(picture.shown), "26");
+}
+
+TEST(GalleryPlan, ASweepThatIsAskedForTwiceIsMadeOnceAndOneOfMusclesKeepsThem) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({}, {"12", "12", "R12", "waters-fear", "waters-fear"});
+  ASSERT_TRUE(plan.has_value());
+  ASSERT_EQ(plan->sweeps.size(), 3U);
+  EXPECT_EQ(plan->sweeps[1].name, "auR12");
+  const GalleryPicture& frame = plan->pictures[plan->sweeps[2].begin];
+  EXPECT_EQ(frame.file, "sweeps/waters-fear/frame_000001.png");
+  EXPECT_EQ(frame.muscles.size(), 1U);
+  const auto& figures = plan->sections.back().blocks.front().rows.front().figures;
+  ASSERT_EQ(figures.size(), 3U);
+  EXPECT_EQ(plan->pictures[*figures[2].picture].sweep_frame->time_ms, kApexMs);
+  EXPECT_EQ(figures[2].text, "waters-fear");
+}
+
+TEST(GalleryPlan, ASweepOfMusclesThatTheFaceLacksIsRefusedAndLeftOutOfAll) {
+  PlannedGallery gallery;
+  gallery.expressions[2].muscles.front() = {"nowhere", {}, 1, 1};
+  const auto refused = gallery.plan({}, {"waters-surprise"});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().message.find("nowhere"), std::string::npos) << refused.error().message;
+  EXPECT_EQ(gallery.plan({"sweeps"}, {"all"})->sweeps.size(), 4U + 17U);
+}
+
+TEST(GalleryPlan, AHostileSweepIsNamedWithoutItsControlCharacters) {
+  const PlannedGallery gallery;
+  const auto plan = gallery.plan({}, {"../\x1b[2J"});
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().message.find('\x1b'), std::string::npos);
+  EXPECT_NE(plan.error().message.find("\\x1b"), std::string::npos);
+}
+
+TEST(GallerySided, IsWhatFacsScoresByASideIfTheFaceCanShowIt) {
+  face::Face face = small_gallery_face();
+  EXPECT_TRUE(is_sided(face, 12));
+  EXPECT_FALSE(is_sided(face, 51)) << "a turn of the head has no sides";
+  EXPECT_FALSE(is_sided(face, 10)) << "not recorded";
+  face.recordings[10] = {10, {1, 0, 0, 0, 0, 0}, ""};
+  EXPECT_FALSE(is_sided(face, 10)) << "this face has one of its sides";
+  face.recordings[10] = {10, {1, 1, 0, 0, 0, 0}, ""};
+  EXPECT_TRUE(is_sided(face, 10));
+  face.recordings[26] = {26, {1, 1, 2, 0, 0, 0}, ""};
+  EXPECT_FALSE(is_sided(face, 26)) << "FACS does not score it by sides";
+}
+
+TEST(GalleryCoverage, HasWhatTheUserMadeToo) {
+  face::Face face = small_gallery_face();
+  face.recordings[98] = {98, {0, 0, 1, 0, 0, 0}, "mine"};
+  const auto table = coverage_of(face);
+  EXPECT_EQ(table.size(), 55U);
+  EXPECT_EQ(table.back().number, 98);
+  EXPECT_EQ(table.back().name, "not named by FACS");
+  EXPECT_EQ(table.back().drives, std::vector<std::string>{"jaw"});
+  EXPECT_TRUE(std::is_sorted(table.begin(), table.end(), [](const Coverage& a, const Coverage& b) {
+    return a.number < b.number;
+  }));
 }
 
 }  // namespace
