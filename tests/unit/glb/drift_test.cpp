@@ -51,5 +51,21 @@ TEST(Drift, RandomFacesAreTheSameEachTime) {
   EXPECT_NE(measured(1), measured(2));
 }
 
+TEST(Drift, SummaryIsOfAllThatWasAdded) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, false);
+  const MorphTargets targets(face, Basis::Aus, rig);
+  Drift drift(face, targets, rig);
+  EXPECT_EQ(drift.summary().faces, 0U);
+  EXPECT_EQ(drift.summary().worst_mm, 0);
+  // Activations without AUs, which the file's targets do not know of: further and further.
+  for (int i = 0; i < 10; ++i) drift.add({{}, only(face, "jaw", 0.2F * static_cast<float>(i))});
+  const Drift::Summary summary = drift.summary();
+  EXPECT_EQ(summary.faces, 10U);
+  EXPECT_LT(summary.median_mm, summary.most_mm);
+  EXPECT_LE(summary.most_mm, summary.worst_mm);
+  EXPECT_NEAR(summary.median_mm / summary.worst_mm, 5.0 / 9, 0.1);
+}
+
 }  // namespace
 }  // namespace aucast::glb

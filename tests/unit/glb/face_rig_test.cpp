@@ -1,6 +1,10 @@
 #include "client/glb/face_rig.h"
 
+#include <cmath>
+#include <string_view>
+
 #include <gtest/gtest.h>
+#include <glm/trigonometric.hpp>
 
 #include "client/face/face_deformer.h"
 #include "tests/unit/face/small_face.h"
@@ -83,6 +87,88 @@ TEST(FaceRig, AtRestNothingIsCarriedAway) {
        rig.carriers(rig.pose(std::vector<float>(face.channels.size())))) {
     EXPECT_LT(glm::distance(glm::vec3(carrier * glm::vec4(1, 2, 3, 1)), glm::vec3(1, 2, 3)), 1e-5F);
   }
+}
+
+/// The joint of this name; a failure, and 0, if there is none.
+std::size_t joint_named(const FaceRig& rig, std::string_view name) {
+  for (std::size_t i = 0; i < rig.joints().size(); ++i) {
+    if (rig.joints()[i].name == name) return i;
+  }
+  ADD_FAILURE() << "no joint " << name;
+  return 0;
+}
+
+TEST(FaceRig, AJointsPlaceIsItsParentsAndTheWayFromThere) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  for (std::size_t i = 0; i < rig.joints().size(); ++i) {
+    glm::vec3 place(0);
+    for (std::size_t at = i; at != 0; at = rig.joints()[at].parent) place += rig.from_parent(at);
+    EXPECT_LT(glm::distance(place, rig.joints()[i].place), 1e-6F) << rig.joints()[i].name;
+    EXPECT_LE(rig.joints()[i].parent, i) << "a parent comes first";
+  }
+  EXPECT_EQ(rig.joints()[joint_named(rig, "jaw")].place, face.jaw->hinge);
+  EXPECT_EQ(rig.joints()[joint_named(rig, "head")].parent, joint_named(rig, "neck"));
+  for (const char* part : {"jaw", "left_eye", "right_eye"}) {
+    EXPECT_EQ(rig.joints()[joint_named(rig, part)].parent, joint_named(rig, "head")) << part;
+  }
+}
+
+TEST(FaceRig, WithoutAHeadTheRestHangsOnTheBody) {
+  face::Face face = small_face();
+  face.head.reset();
+  const FaceRig rig(face, true);
+  EXPECT_EQ(rig.joints().size(), 4U) << "body, jaw and eyes";
+  EXPECT_EQ(rig.joints()[joint_named(rig, "left_eye")].parent, 0U);
+  EXPECT_FALSE(rig.takes(*face.channel_index("head_up")));
+  for (std::size_t i = 0; i < face.mesh.positions.size(); i += 100) {
+    const Carried carried = rig.carried(i);
+    EXPECT_FLOAT_EQ(carried.shares[0] + carried.shares[1], 1) << "of the jaw and the body";
+    EXPECT_EQ(carried.shares[2], 0);
+  }
+}
+
+TEST(FaceRig, NeckAndHeadTogetherTurnAsTheHeadIsAsked) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  std::vector<float> activations = only(face, "head_turn_left", 1);
+  activations[*face.channel_index("head_up")] = 0.5F;
+  const auto poses = rig.pose(activations);
+  const glm::quat whole =
+      poses[joint_named(rig, "neck")].turn * poses[joint_named(rig, "head")].turn;
+  // What is in front goes up first, then to the left.
+  const glm::vec3 ahead = whole * glm::vec3(0, 0, 1);
+  const float up = glm::radians(face.head->pitch_deg / 2);
+  const float left = glm::radians(face.head->turn_deg);
+  EXPECT_NEAR(ahead.y, std::sin(up), 1e-5F);
+  EXPECT_NEAR(ahead.x, std::cos(up) * std::sin(left), 1e-5F);
+  EXPECT_GT(ahead.z, 0);
+  EXPECT_FALSE(poses[joint_named(rig, "jaw")].moved());
+}
+
+TEST(FaceRig, EachEyeFollowsItsOwnChannelsAndOppositesCancel) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  std::vector<float> activations = only(face, "left_gaze_left", 1);
+  activations[*face.channel_index("right_gaze_up")] = 1;
+  activations[*face.channel_index("right_gaze_down")] = 1;
+  const auto poses = rig.pose(activations);
+  EXPECT_TRUE(poses[joint_named(rig, "left_eye")].moved());
+  EXPECT_FALSE(poses[joint_named(rig, "right_eye")].moved());
+  const glm::vec3 ahead = poses[joint_named(rig, "left_eye")].turn * glm::vec3(0, 0, 1);
+  EXPECT_NEAR(ahead.x, std::sin(glm::radians(face.eyes.front().yaw_deg)), 1e-5F);
+}
+
+TEST(FaceRig, AnEyeballIsCarriedByItsJointAlone) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  for (const std::size_t part : {1U, 2U}) {
+    const face::MeshPart& eye = face.mesh.parts[part];
+    for (std::uint32_t i = 0; i < eye.vertex_count; ++i) {
+      EXPECT_EQ(rig.carried(eye.vertex_begin + i).wholly(), joint_named(rig, eye.name));
+    }
+  }
+  EXPECT_FALSE((Carried{{0, 1, 0, 0}, {0.5F, 0.5F, 0, 0}}).wholly().has_value());
 }
 
 }  // namespace

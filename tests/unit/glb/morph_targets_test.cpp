@@ -1,10 +1,13 @@
 #include "client/glb/morph_targets.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "client/face/face_deformer.h"
+#include "client/glb/units.h"
 #include "tests/unit/face/small_face.h"
 
 namespace aucast::glb {
@@ -116,6 +119,105 @@ TEST(MorphTargets, WeightsAreSharesOfTheLargestContractionOrIntensities) {
   state.aus.left[static_cast<std::size_t>(left.au)] = 0.2F;
   EXPECT_EQ(aus.weights(face, state)[0], 51);
   EXPECT_EQ(aus.weights(face, state)[1], 0);
+}
+
+TEST(MorphTargets, VerticesAscendAndMoveByWholeStepsOfTheFile) {
+  const face::Face face = small_face();
+  const FaceRig rig(face, true);
+  for (const Basis basis : {Basis::Muscles, Basis::Aus}) {
+    const MorphTargets targets(face, basis, rig);
+    for (const Target& target : targets.all()) {
+      for (const auto& changes : {target.places, target.normals}) {
+        EXPECT_TRUE(
+            std::is_sorted(changes.begin(), changes.end(),
+                           [](const Change& a, const Change& b) { return a.vertex < b.vertex; }))
+            << target.name;
+      }
+      for (const Change& change : target.places) {
+        const glm::vec3 metres = kMetresPerUnit * glm::vec3(change.by);
+        ASSERT_LT(glm::distance(stored_place_change(metres), metres), 1e-6F) << target.name;
+      }
+    }
+  }
+}
+
+TEST(MorphTargets, HairClothesAndEyeballsNeverMove) {
+  face::Face face = small_face();
+  // The lower half of the skin becomes a beard, which would go with the mouth.
+  face::MeshPart beard = face.mesh.parts.front();
+  beard.vertex_count /= 2;
+  beard.material = face::Material::Hair;
+  face.mesh.parts.push_back(beard);
+  const MorphTargets targets(face, Basis::Muscles, FaceRig(face, true));
+  EXPECT_FALSE(targets.all().empty());
+  for (const Target& target : targets.all()) {
+    for (const Change& change : target.places) {
+      ASSERT_GE(change.vertex, beard.vertex_count) << target.name;
+      ASSERT_LT(change.vertex, face.mesh.parts[1].vertex_begin) << target.name;
+    }
+  }
+}
+
+TEST(MorphTargets, WhatMovesNothingIsLeftOut) {
+  face::Face face = small_face();
+  face.recordings[90] = {90, std::vector<float>(face.channels.size()), "nothing"};
+  const MorphTargets aus(face, Basis::Aus, FaceRig(face, false));
+  EXPECT_EQ(named(aus, "AU90_L"), nullptr);
+  EXPECT_NE(named(aus, "AU12_L"), nullptr);
+  EXPECT_EQ(named(aus, "AU51_L"), nullptr) << "the head's joints do it";
+}
+
+TEST(MorphTargets, OnesideOfASmileMovesThatSideAndTheWinkItsLid) {
+  const face::Face face = small_face();
+  const MorphTargets aus(face, Basis::Aus, FaceRig(face, false));
+  for (const auto& [name, sign] :
+       {std::pair{"AU12_L", 1.0F}, {"AU46_L", 1.0F}, {"AU12_R", -1.0F}, {"AU46_R", -1.0F}}) {
+    const Target* const target = named(aus, name);
+    ASSERT_NE(target, nullptr) << name;
+    ASSERT_FALSE(target->places.empty()) << name;
+    float most = 0;
+    float there = 0;
+    for (const Change& change : target->places) {
+      const float way = glm::length(glm::vec3(change.by));
+      if (way > most) there = face.mesh.positions[change.vertex].x;
+      most = std::max(most, way);
+    }
+    EXPECT_GT(sign * there, 0) << name << " moves most at x " << there;
+  }
+}
+
+TEST(MorphTargets, WhereItIsAJointTheJawHasLittleLeftToDo) {
+  const face::Face face = small_face();
+  const auto moved_by_jaw = [&face](bool joint) {
+    const MorphTargets targets(face, Basis::Muscles, FaceRig(face, joint));
+    const Target* const jaw = named(targets, "jaw");
+    float most = 0;
+    for (const Change& change : jaw == nullptr ? std::vector<Change>() : jaw->places) {
+      most = std::max(most, glm::length(glm::vec3(change.by)));
+    }
+    return most;
+  };
+  EXPECT_GT(moved_by_jaw(false), 1);
+  EXPECT_LT(moved_by_jaw(true), 0.5F * moved_by_jaw(false));
+}
+
+TEST(MorphTargets, HalfWayATargetAndItsArcAreTheLidHalfClosed) {
+  const face::Face face = small_face();
+  const MorphTargets targets(face, Basis::Muscles, FaceRig(face, true));
+  const Target* const lid = named(targets, "left_lid_close");
+  const Target* const arc = named(targets, "left_lid_close_arc");
+  ASSERT_NE(lid, nullptr);
+  ASSERT_NE(arc, nullptr);
+  face::FaceDeformer deformer(face);
+  const auto& real = deformer.deform(face::test::only(face, "left_lid_close", 0.5F)).positions;
+  std::vector<glm::vec3> places = face.mesh.positions;
+  for (const Change& change : lid->places) places[change.vertex] += 0.5F * glm::vec3(change.by);
+  for (const Change& change : arc->places) places[change.vertex] += glm::vec3(change.by);
+  float worst = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    worst = std::max(worst, glm::distance(places[i], real[i]));
+  }
+  EXPECT_LT(worst, 0.01F) << "mesh units";
 }
 
 }  // namespace
