@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -86,55 +87,51 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
   return monitors[view::screen_of(own, screens)];
 }
 
+struct CodeKey {
+  int code;
+  Key key;
+};
+
+/// The key of a code; None if it has none.
+Key found(std::span<const CodeKey> keys, int code) {
+  const auto key = std::find_if(keys.begin(), keys.end(),
+                                [code](const CodeKey& one) { return one.code == code; });
+  return key == keys.end() ? Key::None : key->key;
+}
+
+constexpr auto kAlone = std::to_array<CodeKey>({{GLFW_KEY_SPACE, Key::Space},
+                                                {GLFW_KEY_ESCAPE, Key::Escape},
+                                                {GLFW_KEY_LEFT, Key::Left},
+                                                {GLFW_KEY_RIGHT, Key::Right},
+                                                {GLFW_KEY_HOME, Key::Home},
+                                                {GLFW_KEY_END, Key::End},
+                                                {GLFW_KEY_PAGE_UP, Key::PageUp},
+                                                {GLFW_KEY_PAGE_DOWN, Key::PageDown},
+                                                {GLFW_KEY_Q, Key::Quit},
+                                                {GLFW_KEY_F, Key::F},
+                                                {GLFW_KEY_S, Key::S},
+                                                {GLFW_KEY_V, Key::V},
+                                                {GLFW_KEY_C, Key::C},
+                                                {GLFW_KEY_R, Key::R},
+                                                {GLFW_KEY_P, Key::P},
+                                                {GLFW_KEY_H, Key::H},
+                                                {GLFW_KEY_L, Key::L},
+                                                {GLFW_KEY_O, Key::O}});
+/// With Ctrl these mean something else; any other key means the same.
+constexpr auto kWithControl = std::to_array<CodeKey>({{GLFW_KEY_W, Key::Quit},
+                                                      {GLFW_KEY_S, Key::Save},
+                                                      {GLFW_KEY_Z, Key::Undo},
+                                                      {GLFW_KEY_Y, Key::Redo}});
+
 Key key_of(int code, int modifiers) {
-  const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
-  switch (code) {
-    case GLFW_KEY_Q:
-      return Key::Quit;
-    case GLFW_KEY_W:
-      return control ? Key::Quit : Key::None;
-    case GLFW_KEY_SPACE:
-      return Key::Space;
-    case GLFW_KEY_ESCAPE:
-      return Key::Escape;
-    case GLFW_KEY_F:
-      return Key::F;
-    case GLFW_KEY_S:
-      return control ? Key::Save : Key::S;
-    case GLFW_KEY_V:
-      return Key::V;
-    case GLFW_KEY_C:
-      return control ? Key::None : Key::C;
-    case GLFW_KEY_Z:
-      if (!control) return Key::None;
-      return (modifiers & GLFW_MOD_SHIFT) != 0 ? Key::Redo : Key::Undo;
-    case GLFW_KEY_Y:
-      return control ? Key::Redo : Key::None;
-    case GLFW_KEY_R:
-      return Key::R;
-    case GLFW_KEY_P:
-      return Key::P;
-    case GLFW_KEY_LEFT:
-      return Key::Left;
-    case GLFW_KEY_RIGHT:
-      return Key::Right;
-    case GLFW_KEY_HOME:
-      return Key::Home;
-    case GLFW_KEY_END:
-      return Key::End;
-    case GLFW_KEY_PAGE_UP:
-      return Key::PageUp;
-    case GLFW_KEY_PAGE_DOWN:
-      return Key::PageDown;
-    case GLFW_KEY_H:
-      return Key::H;
-    case GLFW_KEY_L:
-      return (modifiers & GLFW_MOD_SHIFT) != 0 ? Key::Repeat : Key::L;
-    case GLFW_KEY_O:
-      return Key::O;
-    default:
-      return Key::None;
+  const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+  if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+    if (code == GLFW_KEY_C) return Key::None;  // to be copied
+    const Key key = found(kWithControl, code);
+    if (key != Key::None) return key == Key::Undo && shift ? Key::Redo : key;
   }
+  const Key key = found(kAlone, code);
+  return key == Key::L && shift ? Key::Repeat : key;
 }
 
 /// Whether the command is repeated while the key is held.
@@ -149,26 +146,15 @@ bool is_text(int code, int modifiers) {
 }
 
 Key key_of_character(unsigned character) {
-  switch (character) {
-    case '?':
-      return Key::Question;
-    case ',':
-      return Key::Comma;
-    case '.':
-      return Key::Period;
-    case '[':
-      return Key::Slower;
-    case ']':
-      return Key::Faster;
-    case 'm':
-      return Key::Mute;
-    case '9':
-      return Key::Quieter;
-    case '0':
-      return Key::Louder;
-    default:
-      return Key::None;
-  }
+  constexpr auto kCharacters = std::to_array<CodeKey>({{'?', Key::Question},
+                                                       {',', Key::Comma},
+                                                       {'.', Key::Period},
+                                                       {'[', Key::Slower},
+                                                       {']', Key::Faster},
+                                                       {'m', Key::Mute},
+                                                       {'9', Key::Quieter},
+                                                       {'0', Key::Louder}});
+  return found(kCharacters, static_cast<int>(character));
 }
 
 }  // namespace
