@@ -17,42 +17,16 @@ namespace {
 
 constexpr float kUpWidth = 60;
 
+/// The titles, in the order of Purpose.
+constexpr std::array<TextKey, 16> kTitles{
+    "file.play",         "file.compose",     "file.save_stream",    "file.export_keyframes",
+    "file.export_table", "file.export_mesh", "file.export_glb",     "file.onsets",
+    "file.export_au",    "file.import_aus",  "file.picture_folder", "file.gallery_folder",
+    "file.faces",        "file.film",        "file.authorities",    "file.token"};
+
 const char* title_of(Purpose purpose) {
-  switch (purpose) {
-    case Purpose::PlayStream:
-      return tr("file.play");
-    case Purpose::ComposeStream:
-      return tr("file.compose");
-    case Purpose::SaveStream:
-      return tr("file.save_stream");
-    case Purpose::ExportKeyframes:
-      return tr("file.export_keyframes");
-    case Purpose::ExportTable:
-      return tr("file.export_table");
-    case Purpose::ExportMesh:
-      return tr("file.export_mesh");
-    case Purpose::ExportGlb:
-      return tr("file.export_glb");
-    case Purpose::LogOnsets:
-      return tr("file.onsets");
-    case Purpose::ExportAu:
-      return tr("file.export_au");
-    case Purpose::ImportAus:
-      return tr("file.import_aus");
-    case Purpose::PictureFolder:
-      return tr("file.picture_folder");
-    case Purpose::GalleryFolder:
-      return tr("file.gallery_folder");
-    case Purpose::LookForFaces:
-      return tr("file.faces");
-    case Purpose::CameraFilm:
-      return tr("file.film");
-    case Purpose::AuthoritiesFile:
-      return tr("file.authorities");
-    case Purpose::TokenFile:
-      return tr("file.token");
-  }
-  return tr("button.open");
+  static_assert(kTitles.size() == static_cast<std::size_t>(Purpose::TokenFile) + 1);
+  return tr(kTitles[static_cast<std::size_t>(purpose)]);
 }
 
 /// Whether the line of the folder has another path in it, which was typed.
