@@ -14,6 +14,7 @@
 #include "client/gui/model/table_settings.h"
 #include "client/mirror/mirror_options.h"
 #include "client/net/security.h"
+#include "client/net/stream_request.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
 #include "client/playback/keyframe_buffers.h"
@@ -43,20 +44,13 @@ struct FaceOptions {
   face::Mixer mixer = face::Mixer::Maximum;
 };
 
-/// How keyframes are received and played.
-struct PlaybackOptions {
+/// How keyframes are received and played; `voice`: it is heard or written.
+struct PlaybackOptions : net::StreamRequest {
   std::string endpoint;                    ///< HOST[:PORT]; empty: none
   std::vector<protocol::Endpoint> others;  ///< the further hosts of an address that names several
   std::filesystem::path file;              ///< play FILE
-  playback::BufferOptions buffers;
-  std::optional<Milliseconds> speed;
   playback::Interpolation interpolation = playback::Interpolation::Linear;
-  bool classic = false;
-  std::string stream;
-  bool voice = false;  ///< ask for the stream's voice, because it is heard or written
   Duration connect_timeout = std::chrono::seconds(10);
-  bool reconnect = false;
-  bool one_round = false;         ///< without --reconnect, each of several hosts is tried only once
   Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
   net::SecurityOptions security;  ///< TLS with its files, and the token's file
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking

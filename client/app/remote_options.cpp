@@ -7,18 +7,12 @@ namespace aucast::app {
 net::RemoteOptions remote_options(const PlaybackOptions& options, const net::Endpoint& endpoint,
                                   net::Security security) {
   net::RemoteOptions remote;
+  static_cast<net::StreamRequest&>(remote) = options;
   remote.host = endpoint.host;
   remote.port = endpoint.port;
   remote.others = options.others;
-  remote.classic = options.classic;
-  remote.stream = options.stream;
   remote.connect_timeout = options.connect_timeout;
-  remote.buffers = options.buffers;
-  remote.speed = options.speed;
-  remote.reconnect = options.reconnect;
-  remote.one_round = options.one_round;
   remote.security = std::move(security);
-  remote.voice = options.voice;
   return remote;
 }
 

@@ -11,6 +11,7 @@
 #include "client/net/answer_ledger.h"
 #include "client/net/received_stream.h"
 #include "client/net/retries.h"
+#include "client/net/stream_request.h"
 #include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
@@ -18,20 +19,11 @@
 
 namespace aucast::net {
 
-struct AuReaderOptions {
+struct AuReaderOptions : StreamRequest {
   std::string peer;                                 ///< HOST:PORT, the server's name in messages
-  bool classic = false;                             ///< never send a hello
-  std::string stream;                               ///< empty: the server's first
   Duration silence_max = std::chrono::seconds(10);  ///< how long the first packet may take
-  playback::BufferOptions buffers;
-  std::optional<Milliseconds> speed{};  ///< --speed: the time of keyframes that have none of their
-                                        ///< own; nullopt: what the server's hello says
-  bool reconnect = false;               ///< try again when the connection is lost or cannot be made
-  bool one_round = false;  ///< until a server has been reached, each host is tried only once
-  std::string token{};     ///< shown in the hello; empty: none
-  bool voice = false;      ///< asks for the stream's voice
-  bool captions = false;   ///< asks for its captions
-  std::size_t hosts = 1;   ///< how many are tried in turn
+  std::string token{};                              ///< shown in the hello; empty: none
+  std::size_t hosts = 1;                            ///< how many are tried in turn
 };
 
 /// What the connection's owner has to do: send `send`, then do what `next` says.

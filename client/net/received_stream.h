@@ -23,7 +23,7 @@ namespace aucast::net {
 /// Thread: none of its own.
 class ReceivedStream {
  public:
-  /// `speed`: as AuReaderOptions::speed.
+  /// `speed`: as StreamRequest::speed.
   ReceivedStream(const playback::BufferOptions& options, std::optional<Milliseconds> speed);
 
   // === The connection's side.

@@ -31,18 +31,13 @@ std::string peer_names(const RemoteOptions& options) {
 }
 
 AuReaderOptions reader_options(const RemoteOptions& options) {
-  return {.peer = peer_names(options),
-          .classic = options.classic,
-          .stream = options.stream,
-          .silence_max = options.connect_timeout,
-          .buffers = options.buffers,
-          .speed = options.speed,
-          .reconnect = options.reconnect,
-          .one_round = options.one_round,
-          .token = options.security.token,
-          .voice = options.voice,
-          .captions = options.captions,
-          .hosts = 1 + options.others.size()};
+  AuReaderOptions reader;
+  static_cast<StreamRequest&>(reader) = options;
+  reader.peer = peer_names(options);
+  reader.silence_max = options.connect_timeout;
+  reader.token = options.security.token;
+  reader.hosts = 1 + options.others.size();
+  return reader;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "client/net/connected_source.h"
 #include "client/net/security.h"
-#include "client/playback/keyframe_buffers.h"
+#include "client/net/stream_request.h"
 #include "common/result.h"
 #include "common/time.h"
 #include "protocol/endpoint.h"
@@ -21,25 +21,14 @@ namespace aucast::net {
 using protocol::Endpoint;
 using protocol::parse_endpoint;
 
-struct RemoteOptions {
+struct RemoteOptions : StreamRequest {
   std::string host;
   std::uint16_t port = protocol::kDefaultPort;
   std::vector<Endpoint> others{};  ///< with `reconnect`: other servers of the stream, tried in turn
-  bool classic = false;            ///< --protocol classic
-  std::string stream;              ///< --stream; empty: the first
   /// How long it may take to look up and reach the server. Its first packet may then take as long
   /// again.
   Duration connect_timeout = std::chrono::seconds(10);
-  playback::BufferOptions buffers;
-  std::optional<Milliseconds> speed{};  ///< --speed
-  /// --reconnect: a connection that is lost or cannot be made is tried again after 1, 2, 4 ... 30
-  /// s, until stop().
-  bool reconnect = false;
-  /// With `reconnect`: until one of the servers has been reached, each is tried only once.
-  bool one_round = false;
   Security security{};
-  bool voice = false;     ///< ask for the stream's voice
-  bool captions = false;  ///< ask for its captions
   /// Called on the network thread when something has changed, until the source is destroyed. It may
   /// only wake the player. May be empty.
   std::function<void()> wakeup;

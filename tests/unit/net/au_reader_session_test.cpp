@@ -12,6 +12,7 @@
 #include "protocol/server_session.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/seeded.h"
+#include "tests/unit/net/reader_options.h"
 
 namespace aucast::net {
 namespace {
@@ -157,7 +158,7 @@ void play_to(Fate fate, Seeded& seeded) {
                << (classic ? " classic" : " level 2"));
 
   const protocol::ServerCatalogue catalogue = catalogue_of(count);
-  Loop loop(catalogue, {"server:4650", classic, "", 10s, buffers}, fate, seeded);
+  Loop loop(catalogue, test::reader_options(classic, buffers), fate, seeded);
   const std::vector<int> taken = loop.play();
 
   const auto status = loop.status();
@@ -207,7 +208,8 @@ TEST(AuReaderSession, BearsDamagedBytes) {
       bytes[at] = static_cast<char>(seeded.integer(-128, 127));
     }
     ManualClock clock;
-    AuReader reader({"server:4650", seeded.chance(0.5), "", 10s, random_buffers(seeded)});
+    const bool classic = seeded.chance(0.5);
+    AuReader reader(test::reader_options(classic, random_buffers(seeded)));
     static_cast<void>(reader.connected(clock.now()));
     Wire wire;
     wire.put(bytes);

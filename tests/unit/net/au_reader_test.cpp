@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/manual_clock.h"
+#include "tests/unit/net/reader_options.h"
 
 namespace aucast::net {
 namespace {
@@ -23,7 +24,7 @@ constexpr playback::BufferOptions kEager{100, 100, 1};
 class Reading {
  public:
   explicit Reading(playback::BufferOptions buffers, bool classic = false)
-      : reader({"server:4650", classic, "", 10s, buffers}) {
+      : reader(test::reader_options(classic, buffers)) {
     said = reader.connected(clock.now()).send;
   }
 
@@ -478,7 +479,7 @@ TEST(AuReader, LeavingAfterTheLastKeyframeKeepsTheEnd) {
 }
 
 TEST(AuReader, TheFirstReasonOfTheEndStays) {
-  AuReader reader({"server:4650", false, "", 10s, kEager});
+  AuReader reader(test::reader_options(false, kEager));
   reader.unreachable("cannot reach server:4650: no route");
   reader.unreachable("something else");
   EXPECT_EQ(reader.status().end, EndReason::Unreachable);
