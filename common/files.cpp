@@ -295,6 +295,11 @@ Result<void> check_writable(const fs::path& path) {
   return {};
 }
 
+bool written_directly(const fs::path& path) {
+  std::error_code ignored;
+  return is_special(path, fs::status(path, ignored));
+}
+
 void ignore_file_size_signal() {
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -62,6 +62,10 @@ struct SecretFile {
 /// it. Changes nothing; a program that reads the FIFO sees no end of file.
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
+/// Whether write_file_atomically() writes to `path` directly, as to a device, and not to a
+/// temporary file beside it.
+[[nodiscard]] bool written_directly(const std::filesystem::path& path);
+
 /// After this call a write beyond the file size limit (RLIMIT_FSIZE) fails with EFBIG instead of
 /// ending the program.
 void ignore_file_size_signal();
