@@ -9,6 +9,8 @@
 #include "common/au_numbers.h"
 #include "common/number_of.h"
 #include "common/text.h"
+#include "common/text_file.h"
+#include "protocol/codec.h"
 #include "speaker/lips.h"
 
 namespace aucast::speaker {
@@ -22,31 +24,55 @@ const std::set<int> kMouth{kUpperLipRaiser,     kLipCornerPuller,   kSharpLipPul
 const std::set<int> kLipsOnly{kLipPucker, kTongueShow,   kLipFunneler, kLipsPart,
                               kJawDrop,   kMouthStretch, kLipsSuck,    kBite};
 
-/// AUs of a cue at full strength.
-std::optional<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
+/// Whether a cue is meant as AUs: 6,12 or R14:50, perhaps in braces.
+bool begins_with_au(std::string_view cue) {
+  if (cue.starts_with('{')) cue.remove_prefix(1);
+  if (cue.starts_with('L') || cue.starts_with('R')) cue.remove_prefix(1);
+  return !cue.empty() && cue.front() >= '0' && cue.front() <= '9';
+}
+
+std::string bracketed(std::string_view cue) {
+  return "[" + escaped(cue) + "]";
+}
+
+/// The AUs of a cue without its percent. Errors say what is wrong, but not where.
+Result<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
+  const auto wrong = [](std::string text) { return Error{ErrorKind::BadData, std::move(text)}; };
   const std::string word = lowered(name);
   const auto same = std::find_if(expressions.begin(), expressions.end(),
                                  [&](const auto& one) { return lowered(one.first) == word; });
-  if (same != expressions.end()) return same->second;
+  if (same != expressions.end()) {
+    if (!same->second.empty()) return same->second;
+    return wrong(bracketed(name) +
+                 " is made of muscles alone, which no stream carries; take an expression of AUs");
+  }
   if (word == "smile")
     return std::vector<AuTerm>{{kCheekRaiser, Side::Both, 50}, {kLipCornerPuller, Side::Both, 70}};
-  protocol::Keyframe keyframe;
-  const bool is_aus = !protocol::parse_stream_line(name, keyframe) && !keyframe.time_ms;
-  if (!is_aus) return std::nullopt;
-  return keyframe.terms;
+  if (begins_with_au(name)) {
+    const auto aus = protocol::parse_au_set(name);
+    return aus ? Result(canonical_terms(*aus)) : wrong(aus.error().message);
+  }
+  std::vector<std::string> known{"smile"};
+  for (const auto& [other, terms] : expressions) known.push_back(other);
+  const auto near = nearest(word, known);
+  return wrong(bracketed(name) + " is no expression; " +
+               (near ? "did you mean " + bracketed(*near) + "?"
+                     : "[smile], AUs and the names of `face-player pose --list` are"));
 }
 
-std::optional<std::vector<AuTerm>> meaning(const Cue& cue, const Expressions& expressions) {
-  if (auto terms = named(cue.name, expressions)) return terms;
-  const std::size_t blank = cue.name.rfind(' ');
-  if (blank == std::string::npos) return std::nullopt;
-  const auto percent = number_of<int>(std::string_view(cue.name).substr(blank + 1));
-  if (!percent || *percent < 0 || *percent > 100) return std::nullopt;
-  auto terms = named(std::string_view(cue.name).substr(0, blank), expressions);
-  if (terms) {
-    for (AuTerm& term : *terms) {
-      term.percent = static_cast<std::uint8_t>(term.percent * *percent / 100);
-    }
+/// The AUs of a cue, weakened by its percent if it has one; errors as in named().
+Result<std::vector<AuTerm>> meaning(std::string_view cue, const Expressions& expressions) {
+  const std::size_t blank = std::min(cue.rfind(' '), cue.size());
+  const auto percent = number_of<double>(cue.substr(std::min(blank + 1, cue.size())));
+  if (blank == cue.size() || !percent || expressions.contains(cue)) return named(cue, expressions);
+  auto terms = named(trimmed(cue.substr(0, blank), " \t"), expressions);
+  if (!terms) return terms;
+  if (*percent < 0 || *percent > 100 || *percent != std::floor(*percent)) {
+    return Error{ErrorKind::BadData,
+                 bracketed(cue) + " has a percent that is no whole number from 0 to 100"};
+  }
+  for (AuTerm& term : *terms) {
+    term.percent = static_cast<std::uint8_t>(term.percent * static_cast<int>(*percent) / 100);
   }
   return terms;
 }
@@ -87,7 +113,7 @@ void follow_cues(const Speech& speech, const Script& script, const Expressions& 
     std::size_t end = paragraph != script.ends.end() ? *paragraph : characters(script.text);
     if (i + 1 < script.cues.size()) end = std::min(end, script.cues[i + 1].at);
     const auto from = heard_at(speech, cue.at);
-    const auto terms = meaning(cue, expressions);
+    const auto terms = meaning(cue.name, expressions);
     if (from && terms)
       express(*terms, *from, heard_at(speech, end).value_or(speech.length()), curves);
   }
@@ -135,9 +161,8 @@ std::optional<std::size_t> worst_between(const Curves& curves, std::size_t from,
 Expressions sets_of(const std::vector<Expression>& expressions) {
   Expressions sets;
   for (const Expression& expression : expressions) {
-    // A stream carries no muscles.
-    if (expression.aus == AuFrame{} && !expression.muscles.empty()) continue;
-    sets[expression.name] = canonical_terms(expression.aus);
+    const bool of_muscles = expression.aus == AuFrame{} && !expression.muscles.empty();
+    sets[expression.name] = of_muscles ? std::vector<AuTerm>() : canonical_terms(expression.aus);
   }
   return sets;
 }
@@ -145,13 +170,10 @@ Expressions sets_of(const std::vector<Expression>& expressions) {
 Result<void> check_cues(const Script& script, const Expressions& expressions,
                         std::string_view file) {
   for (const Cue& cue : script.cues) {
-    if (meaning(cue, expressions)) continue;
-    std::vector<std::string> known{"smile"};
-    for (const auto& [name, terms] : expressions) known.push_back(name);
-    std::string text = "[" + escaped(cue.name) + "] is no expression";
-    if (const auto near = nearest(lowered(cue.name), known))
-      text += "; did you mean [" + *near + "]?";
-    return Error{ErrorKind::BadData, at_place(file, cue.line, cue.column, text)};
+    const auto terms = meaning(cue.name, expressions);
+    if (terms) continue;
+    const Error& error = terms.error();
+    return Error{error.kind, at_place(file, cue.line, cue.column, error.message)};
   }
   return {};
 }

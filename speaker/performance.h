@@ -16,14 +16,16 @@
 
 namespace aucast::speaker {
 
-/// Sets of AUs by name, as in data/expressions.toml.
+/// Sets of AUs by name, as in data/expressions.toml; an empty one is of muscles alone, which no
+/// stream carries.
 using Expressions = std::map<std::string, std::vector<AuTerm>, std::less<>>;
 
-/// The sets of these expressions. Expressions that have only muscles are left out.
+/// The sets of these expressions.
 [[nodiscard]] Expressions sets_of(const std::vector<Expression>& expressions);
 
 /// Checks that every cue is known: a name of `expressions` or "smile", perhaps with a percent after
-/// it ("smile 60"), or AUs as in a packet ("6,12:60"). Fails with BadData and file:line:column.
+/// it ("smile 60"), or AUs as in a packet ("6,12:60"). Fails with BadData and file:line:column, and
+/// says what to write instead.
 [[nodiscard]] Result<void> check_cues(const Script& script, const Expressions& expressions,
                                       std::string_view file);
 
