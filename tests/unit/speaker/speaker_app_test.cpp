@@ -12,6 +12,7 @@
 #include <iterator>
 #include <random>
 
+#include "common/text.h"
 #include "common/voice/sound_file.h"
 #include "common/voice/voice_encoder.h"
 #include "protocol/stream_file.h"
@@ -251,6 +252,60 @@ TEST(SpeakerApp, NeverWritesOverTheLabels) {
   EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/../out/talk.txt"}), 2);
   EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/talk.wav"}), 2);
   EXPECT_EQ(run_speaker({text, "-o", out, "--labels", out + "/labels.txt"}), 0);
+}
+
+TEST(SpeakerApp, ANameThatLeavesTheFolderIsRefusedBeforeTheWork) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  folder.write("x.txt", "mine");
+  for (const std::string name : {"../x", "a/b", "/x", "x/"}) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_speaker({text, "-o", out, "--name", name}), 2);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "au-speaker: --name '" + name +
+                  "' has a '/', which no file's name has; --output names the folder (try "
+                  "--help)\n");
+  }
+  EXPECT_EQ(folder.read("x.txt"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(SpeakerApp, LabelsThatCannotBeWrittenAreSaidBeforeTheWork) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  for (const std::string& labels : {out + "/../none/labels.txt", folder.path().string()}) {
+    EXPECT_EQ(run_speaker({text, "-o", out, "--labels", labels}), 1);
+    EXPECT_FALSE(std::filesystem::exists(out)) << labels;
+  }
+}
+
+TEST(SpeakerApp, LabelsGoToStandardOutputAlone) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Pea.\n").string();
+  const std::string out = (folder.path() / "out").string();
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_speaker({text, "-o", out, "--labels", "-"}), 0);
+  std::string labels = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(testing::internal::GetCapturedStderr().starts_with(out + "/talk.txt: "));
+  ASSERT_TRUE(labels.ends_with("\n"));
+  labels.pop_back();
+  for (const std::string_view line : split(labels, '\n')) {
+    EXPECT_EQ(split(line, '\t').size(), 3U) << line;
+  }
+  EXPECT_FALSE(std::filesystem::exists("-"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/talk.wav"));
+}
+
+TEST(SpeakerApp, TellsItsVersionProtocolAndLicence) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_speaker({"--version"}), 0);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(said.starts_with("au-speaker ")) << said;
+  EXPECT_TRUE(said.ends_with(" (protocol 2), GPL-3.0-or-later, as it links espeak-ng and FFTW\n"))
+      << said;
 }
 
 TEST(SpeakerApp, ATextWithoutWordsIsRefused) {
