@@ -14,37 +14,37 @@ Drift::Drift(const face::Face& face, const MorphTargets& targets, const FaceRig&
   for (std::size_t i = 0; i < face.mesh.positions.size(); ++i) carried_.push_back(rig.carried(i));
 }
 
-std::vector<glm::vec3> Drift::placed(const pipeline::FaceState& state) const {
-  std::vector<glm::vec3> places = face_.mesh.positions;
+std::vector<glm::vec3> Drift::moved(const pipeline::FaceState& state) const {
+  std::vector<glm::vec3> positions = face_.mesh.positions;
   const std::vector<std::uint8_t> weights = targets_.weights(face_, state);
   for (std::size_t k = 0; k < weights.size(); ++k) {
     if (weights[k] == 0) continue;
     const float weight = static_cast<float>(weights[k]) / 255;
-    for (const Change& change : targets_.all()[k].places) {
-      places[change.vertex] += weight * glm::vec3(change.by);
+    for (const Change& change : targets_.all()[k].positions) {
+      positions[change.vertex] += weight * glm::vec3(change.by);
     }
   }
   const std::vector<glm::mat4> carriers = rig_.carriers(rig_.pose(state.activations));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const glm::vec4 rest(places[i], 1);
-    glm::vec4 place(0);
-    for (std::size_t k = 0; k < 4 && carried_[i].shares[k] > 0; ++k) {
-      place += carried_[i].shares[k] * (carriers[carried_[i].joints[k]] * rest);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::vec4 rest(positions[i], 1);
+    glm::vec4 position(0);
+    for (std::size_t k = 0; k < 4 && carried_[i].weights[k] > 0; ++k) {
+      position += carried_[i].weights[k] * (carriers[carried_[i].joints[k]] * rest);
     }
-    places[i] = glm::vec3(place);
+    positions[i] = glm::vec3(position);
   }
-  return places;
+  return positions;
 }
 
 void Drift::add(const pipeline::FaceState& state) {
   const face::DeformedFace& real = deformer_.deform(state.activations);
-  const std::vector<glm::vec3> places = placed(state);
+  const std::vector<glm::vec3> positions = moved(state);
   float worst = 0;
   std::size_t crease = 0;
   for (const face::MeshPart& part : face_.mesh.parts) {
     if (face::is_crease(part) && real.creases[crease++] == 0) continue;
     for (std::uint32_t i = part.vertex_begin; i < part.vertex_begin + part.vertex_count; ++i) {
-      worst = std::max(worst, glm::distance(places[i], real.positions[i]));
+      worst = std::max(worst, glm::distance(positions[i], real.positions[i]));
     }
   }
   worst_.push_back(worst);

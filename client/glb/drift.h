@@ -12,8 +12,8 @@
 namespace aucast::glb {
 
 /// Measures how far the exported face, which targets and joints move, is from our own. For each
-/// pose that is added, it keeps the largest distance between a drawn vertex and the place where the
-/// deformer puts that vertex.
+/// pose that is added, it keeps the largest distance between a drawn vertex and the position that
+/// the deformer gives that vertex.
 class Drift {
  public:
   /// The arguments must outlive it.
@@ -32,7 +32,7 @@ class Drift {
 
  private:
   /// Where targets and joints put each vertex, mesh units.
-  [[nodiscard]] std::vector<glm::vec3> placed(const pipeline::FaceState& state) const;
+  [[nodiscard]] std::vector<glm::vec3> moved(const pipeline::FaceState& state) const;
 
   const face::Face& face_;
   const MorphTargets& targets_;

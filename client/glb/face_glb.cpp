@@ -112,15 +112,15 @@ std::optional<std::size_t> FaceFile::only_joint(const Surface& surface) const {
 }
 
 Json FaceFile::attributes(const Surface& surface, std::optional<std::size_t> joint) {
-  const glm::vec3 from = joint ? rig_.joints()[*joint].place : glm::vec3(0);
-  std::vector<glm::vec3> places = places_of(face_, surface);
-  for (glm::vec3& place : places) place = kMetresPerUnit * (place - from);
+  const glm::vec3 from = joint ? rig_.joints()[*joint].position : glm::vec3(0);
+  std::vector<glm::vec3> positions = positions_of(face_, surface);
+  for (glm::vec3& position : positions) position = kMetresPerUnit * (position - from);
   std::vector<glm::vec4> colours = colours_of(face_, surface);
   if (surface.hair()) {
     const float gain = strand_picture_gain(surface.look == Look::GreyHair);
     for (glm::vec4& colour : colours) colour *= glm::vec4(gain, gain, gain, 1);
   }
-  Json attributes{{"POSITION", file_.places(places)}};
+  Json attributes{{"POSITION", file_.positions(positions)}};
   if (surface.look != Look::Creases) {
     std::vector<glm::vec3> normals;
     for (const std::uint32_t i : surface.vertices) normals.push_back(normals_[i]);
@@ -128,18 +128,18 @@ Json FaceFile::attributes(const Surface& surface, std::optional<std::size_t> joi
   }
   attributes["COLOR_0"] = file_.colours(colours);
   if (surface.hair()) {
-    attributes["TEXCOORD_0"] = file_.texture_places(strand_places(face_, surface));
+    attributes["TEXCOORD_0"] = file_.texture_coordinates(strand_coordinates(face_, surface));
   }
   if (joint) return attributes;
   std::vector<std::array<std::uint8_t, 4>> joints;
-  std::vector<std::array<float, 4>> shares;
+  std::vector<std::array<float, 4>> weights;
   for (const std::uint32_t i : surface.vertices) {
     const Carried carried = rig_.carried(i);
     joints.push_back(carried.joints);
-    shares.push_back(carried.shares);
+    weights.push_back(carried.weights);
   }
   attributes["JOINTS_0"] = file_.joints(joints);
-  attributes["WEIGHTS_0"] = file_.shares(shares);
+  attributes["WEIGHTS_0"] = file_.joint_weights(weights);
   return attributes;
 }
 
@@ -156,7 +156,7 @@ Json FaceFile::targets(const Surface& surface) {
     }
     return all;
   };
-  std::optional<int> no_places;
+  std::optional<int> no_positions;
   std::optional<int> no_normals;
   std::optional<int> no_colours;
   const auto stored = [&](const std::vector<Change>& changes, std::optional<int>& none,
@@ -169,8 +169,8 @@ Json FaceFile::targets(const Surface& surface) {
       surface.look == Look::Creases ? darkness_of(face_, surface) : std::vector<float>();
   Json all = Json::array();
   for (const Target& target : targets_.all()) {
-    const auto places = here(target.places, kMetresPerUnit);
-    Json one{{"POSITION", stored(places, no_places, &GlbFile::place_changes)}};
+    const auto positions = here(target.positions, kMetresPerUnit);
+    Json one{{"POSITION", stored(positions, no_positions, &GlbFile::position_changes)}};
     if (surface.look == Look::Creases) {
       std::vector<Change> shown;
       for (std::uint32_t i = 0; i < count; ++i) {
@@ -192,10 +192,10 @@ void FaceFile::need_skin() {
   if (inverse_) return;
   std::vector<std::array<float, 16>> matrices;
   for (const Joint& joint : rig_.joints()) {
-    const glm::vec3 back = -kMetresPerUnit * joint.place;
+    const glm::vec3 back = -kMetresPerUnit * joint.position;
     matrices.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, back.x, back.y, back.z, 1});
   }
-  inverse_ = file_.matrices(matrices);
+  inverse_ = file_.inverse_bind_matrices(matrices);
 }
 
 void FaceFile::hang(const Surface& surface, std::optional<std::size_t> joint, std::size_t mesh) {
@@ -243,7 +243,7 @@ Result<void> FaceFile::add(const Surface& surface) {
 }
 
 void FaceFile::add(const Motion& motion) {
-  const int input = file_.samples(motion.seconds);
+  const int input = file_.sample_times(motion.seconds);
   animation_ = {{"name", motion.name}, {"samplers", Json::array()}, {"channels", Json::array()}};
   const auto sampler = [&](int output) {
     animation_["samplers"].push_back({{"input", input}, {"output", output}});
@@ -254,23 +254,23 @@ void FaceFile::add(const Motion& motion) {
         {{"sampler", sampled}, {"target", {{"node", node}, {"path", path}}}});
   };
   if (!morphing_.empty()) {
-    const std::size_t weights = sampler(file_.weights(motion.weights));
+    const std::size_t weights = sampler(file_.morph_weights(motion.weights));
     for (const std::size_t node : morphing_) channel(weights, node, "weights");
   }
   for (std::size_t k = 0; k < rig_.joints().size(); ++k) {
     const glm::vec3 from_parent = rig_.from_parent(k);
-    std::vector<glm::quat> turns;
-    std::vector<glm::vec3> shifts;
-    bool turned = false;
-    bool shifted = false;
+    std::vector<glm::quat> rotations;
+    std::vector<glm::vec3> translations;
+    bool rotates = false;
+    bool translates = false;
     for (const std::vector<JointPose>& poses : motion.joints) {
-      turned = turned || poses[k].turn != JointPose{}.turn;
-      shifted = shifted || poses[k].shift != JointPose{}.shift;
-      turns.push_back(glm::normalize(poses[k].turn));
-      shifts.push_back(kMetresPerUnit * (from_parent + poses[k].shift));
+      rotates = rotates || poses[k].rotation != JointPose{}.rotation;
+      translates = translates || poses[k].translation != JointPose{}.translation;
+      rotations.push_back(glm::normalize(poses[k].rotation));
+      translations.push_back(kMetresPerUnit * (from_parent + poses[k].translation));
     }
-    if (turned) channel(sampler(file_.turns(turns)), k, "rotation");
-    if (shifted) channel(sampler(file_.shifts(shifts)), k, "translation");
+    if (rotates) channel(sampler(file_.rotations(rotations)), k, "rotation");
+    if (translates) channel(sampler(file_.translations(translations)), k, "translation");
   }
 }
 

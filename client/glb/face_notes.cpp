@@ -63,11 +63,11 @@ Json joint_channels(const face::Face& face, const FaceRig& rig) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
       const JointPose& pose = poses[k];
       if (!pose.moved()) continue;
-      const glm::vec3 shift = kMetresPerUnit * pose.shift;
+      const glm::vec3 shift = kMetresPerUnit * pose.translation;
       moved[rig.joints()[k].name] = {
           {"rotation",
-           {rounded(pose.turn.x), rounded(pose.turn.y), rounded(pose.turn.z),
-            rounded(pose.turn.w)}},
+           {rounded(pose.rotation.x), rounded(pose.rotation.y), rounded(pose.rotation.z),
+            rounded(pose.rotation.w)}},
           {"shift", {rounded(shift.x), rounded(shift.y), rounded(shift.z)}}};
     }
     channels[face.channels[i].name] = std::move(moved);

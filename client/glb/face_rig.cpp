@@ -16,8 +16,8 @@ const glm::vec3 kZ(0, 0, 1);
 /// shoulders, which hardly turn, and the neck are both close to where they really go.
 constexpr float kNeckShare = 0.35F;
 
-/// A smaller share would be 0 in 16 bits.
-constexpr float kLeastShare = 1e-4F;
+/// A smaller weight would be 0 in 16 bits.
+constexpr float kLeastWeight = 1e-4F;
 
 /// First tilted to the left, then what is in front goes up, then to the left (face/block_turns.h).
 glm::quat turned(float tilt_rad, float up_rad, float left_rad) {
@@ -27,7 +27,7 @@ glm::quat turned(float tilt_rad, float up_rad, float left_rad) {
 }  // namespace
 
 std::optional<std::size_t> Carried::wholly() const {
-  return shares[1] == 0 ? std::optional<std::size_t>(joints[0]) : std::nullopt;
+  return weights[1] == 0 ? std::optional<std::size_t>(joints[0]) : std::nullopt;
 }
 
 FaceRig::FaceRig(const face::Face& face, bool with_jaw) : face_(face) {
@@ -38,8 +38,8 @@ FaceRig::FaceRig(const face::Face& face, bool with_jaw) : face_(face) {
   for (const face::Eye& eye : face.eyes) add_eye(eye, parent);
 }
 
-std::size_t FaceRig::add(std::string name, std::size_t parent, const glm::vec3& place) {
-  joints_.push_back({std::move(name), parent, place});
+std::size_t FaceRig::add(std::string name, std::size_t parent, const glm::vec3& position) {
+  joints_.push_back({std::move(name), parent, position});
   return joints_.size() - 1;
 }
 
@@ -107,13 +107,13 @@ Carried FaceRig::carried(std::size_t vertex) const {
   Carried carried{{}, {}};
   std::size_t next = 0;
   float left = 1;
-  for (const auto& [joint, share] : all) {
-    if (share < kLeastShare) continue;
+  for (const auto& [joint, weight] : all) {
+    if (weight < kLeastWeight) continue;
     carried.joints[next] = static_cast<std::uint8_t>(joint);
-    carried.shares[next++] = share;
-    left -= share;
+    carried.weights[next++] = weight;
+    left -= weight;
   }
-  carried.shares[0] += left;
+  carried.weights[0] += left;
   return carried;
 }
 
@@ -136,7 +136,7 @@ std::vector<JointPose> FaceRig::pose(std::span<const float> activations) const {
     poses[*jaw_] = {glm::angleAxis(down, kX), face_.jaw->forward_per_rad * down * kZ};
   }
   for (const EyeJoint& eye : eyes_) {
-    poses[eye.joint].turn =
+    poses[eye.joint].rotation =
         turned(0, eye.pitch_rad * eye.pitch.of(activations), eye.yaw_rad * eye.yaw.of(activations));
   }
   return poses;
@@ -144,7 +144,7 @@ std::vector<JointPose> FaceRig::pose(std::span<const float> activations) const {
 
 glm::vec3 FaceRig::from_parent(std::size_t joint) const {
   const Joint& own = joints_[joint];
-  return joint == 0 ? own.place : own.place - joints_[own.parent].place;
+  return joint == 0 ? own.position : own.position - joints_[own.parent].position;
 }
 
 std::vector<glm::mat4> FaceRig::carriers(std::span<const JointPose> poses) const {
@@ -152,10 +152,10 @@ std::vector<glm::mat4> FaceRig::carriers(std::span<const JointPose> poses) const
   std::vector<glm::mat4> carriers;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
-    const glm::mat4 here = glm::translate(glm::mat4(1), from_parent(i) + poses[i].shift) *
-                           glm::mat4_cast(poses[i].turn);
+    const glm::mat4 here = glm::translate(glm::mat4(1), from_parent(i) + poses[i].translation) *
+                           glm::mat4_cast(poses[i].rotation);
     stands.push_back(i == 0 ? here : stands[joint.parent] * here);
-    carriers.push_back(stands.back() * glm::translate(glm::mat4(1), -joint.place));
+    carriers.push_back(stands.back() * glm::translate(glm::mat4(1), -joint.position));
   }
   return carriers;
 }

@@ -21,23 +21,23 @@ namespace aucast::glb {
 struct Joint {
   std::string name;
   std::size_t parent = 0;  ///< index into joints(); the first joint is its own parent
-  glm::vec3 place{0};      ///< in the neutral face, mesh units
+  glm::vec3 position{0};   ///< in the neutral face, mesh units
 };
 
-/// A joint's turn and shift relative to its parent, counted from rest.
+/// A joint's rotation and translation relative to its parent, counted from rest.
 struct JointPose {
-  glm::quat turn = glm::identity<glm::quat>();
-  glm::vec3 shift{0};  ///< mesh units
+  glm::quat rotation = glm::identity<glm::quat>();
+  glm::vec3 translation{0};  ///< mesh units
 
   [[nodiscard]] bool moved() const {
-    return turn != glm::identity<glm::quat>() || shift != glm::vec3(0);
+    return rotation != glm::identity<glm::quat>() || translation != glm::vec3(0);
   }
 };
 
-/// Which joints carry a vertex, and the share of each. Shares sum to 1.
+/// Which joints carry a vertex, and the weight of each. Weights sum to 1.
 struct Carried {
   std::array<std::uint8_t, 4> joints{};
-  std::array<float, 4> shares{1, 0, 0, 0};
+  std::array<float, 4> weights{1, 0, 0, 0};
 
   /// The one joint that carries the whole vertex; nullopt if several carry it.
   [[nodiscard]] std::optional<std::size_t> wholly() const;
@@ -52,7 +52,7 @@ class FaceRig {
   FaceRig(const face::Face& face, bool with_jaw);
 
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
-  /// A joint's place at rest minus its parent's, mesh units.
+  /// A joint's position at rest minus its parent's, mesh units.
   [[nodiscard]] glm::vec3 from_parent(std::size_t joint) const;
   /// Whether a joint follows this channel.
   [[nodiscard]] bool takes(std::size_t channel) const;
@@ -78,7 +78,7 @@ class FaceRig {
     std::uint32_t vertex_end = 0;
   };
 
-  std::size_t add(std::string name, std::size_t parent, const glm::vec3& place);
+  std::size_t add(std::string name, std::size_t parent, const glm::vec3& position);
   face::OpposedChannels take(const face::OpposedNames& names, Side side = Side::Both);
   void add_head();
   void add_jaw(std::size_t parent);

@@ -72,7 +72,7 @@ Json vector_of(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-glm::vec3 stored_place_change(const glm::vec3& metres) {
+glm::vec3 stored_position_change(const glm::vec3& metres) {
   glm::vec3 change = metres;
   for (glm::length_t i = 0; i < change.length(); ++i) {
     change[i] = static_cast<float>(stored<std::int16_t>(metres[i])) /
@@ -105,15 +105,28 @@ int GlbFile::vertices(std::span<const T> values, int component, std::string_view
   return accessor(view(bytes_of(values), kVertexTarget), component, type, values.size());
 }
 
-int GlbFile::places(std::span<const glm::vec3> places) {
-  AUCAST_CHECK(!places.empty());
-  glm::vec3 low = places.front();
-  glm::vec3 high = places.front();
-  for (const glm::vec3& place : places) {
-    low = glm::min(low, place);
-    high = glm::max(high, place);
+/// Whole numbers that stand for shares of their largest one.
+int GlbFile::shares(std::span<const std::array<std::uint16_t, 4>> shorts) {
+  const int index = vertices(shorts, kUnsignedShort, "VEC4");
+  accessors_.back()["normalized"] = true;
+  return index;
+}
+
+/// Numbers that belong to no vertex.
+template <typename T>
+int GlbFile::floats(std::span<const T> values, std::string_view type) {
+  return accessor(view(bytes_of(values), kNoTarget), kFloat, type, values.size());
+}
+
+int GlbFile::positions(std::span<const glm::vec3> positions) {
+  AUCAST_CHECK(!positions.empty());
+  glm::vec3 low = positions.front();
+  glm::vec3 high = positions.front();
+  for (const glm::vec3& position : positions) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
   }
-  const int index = vertices(places, kFloat, "VEC3");
+  const int index = vertices(positions, kFloat, "VEC3");
   set_range(accessors_.back(), low, high);
   return index;
 }
@@ -131,23 +144,20 @@ int GlbFile::colours(std::span<const glm::vec4> colours) {
           static_cast<std::uint16_t>(std::lround(kShortMax * std::clamp(colour[i], 0.0F, 1.0F)));
     }
   }
-  const int index =
-      vertices(std::span<const std::array<std::uint16_t, 4>>(shorts), kUnsignedShort, "VEC4");
-  accessors_.back()["normalized"] = true;
-  return index;
+  return shares(shorts);
 }
 
-int GlbFile::texture_places(std::span<const glm::vec2> places) {
-  return vertices(places, kFloat, "VEC2");
+int GlbFile::texture_coordinates(std::span<const glm::vec2> coordinates) {
+  return vertices(coordinates, kFloat, "VEC2");
 }
 
 int GlbFile::joints(std::span<const std::array<std::uint8_t, 4>> joints) {
   return vertices(joints, kUnsignedByte, "VEC4");
 }
 
-int GlbFile::shares(std::span<const std::array<float, 4>> shares) {
+int GlbFile::joint_weights(std::span<const std::array<float, 4>> weights) {
   std::vector<std::array<std::uint16_t, 4>> shorts;
-  for (const std::array<float, 4>& given : shares) {
+  for (const std::array<float, 4>& given : weights) {
     auto& one = shorts.emplace_back();
     int left = static_cast<int>(kShortMax);
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -157,10 +167,7 @@ int GlbFile::shares(std::span<const std::array<float, 4>> shares) {
     auto& largest = *std::max_element(one.begin(), one.end());
     largest = static_cast<std::uint16_t>(largest + left);
   }
-  const int index =
-      vertices(std::span<const std::array<std::uint16_t, 4>>(shorts), kUnsignedShort, "VEC4");
-  accessors_.back()["normalized"] = true;
-  return index;
+  return shares(shorts);
 }
 
 int GlbFile::triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -177,8 +184,8 @@ int GlbFile::triangles(std::span<const std::array<std::uint32_t, 3>> triangles,
                   kUnsignedShort, "SCALAR", shorts.size());
 }
 
-int GlbFile::matrices(std::span<const std::array<float, 16>> matrices) {
-  return accessor(view(bytes_of(matrices), kNoTarget), kFloat, "MAT4", matrices.size());
+int GlbFile::inverse_bind_matrices(std::span<const std::array<float, 16>> matrices) {
+  return floats(matrices, "MAT4");
 }
 
 /// Without a view the accessor is all zeros, which is what most targets change of most meshes.
@@ -214,7 +221,7 @@ int GlbFile::changes(std::span<const Change> changes, std::size_t vertex_count, 
   return static_cast<int>(accessors_.size()) - 1;
 }
 
-int GlbFile::place_changes(std::span<const Change> changes, std::size_t vertex_count) {
+int GlbFile::position_changes(std::span<const Change> changes, std::size_t vertex_count) {
   const int index = this->changes<std::int16_t>(changes, vertex_count, kShort, 3);
   // Of the numbers as they are stored, and of the zeros between them.
   Json low = Json::array();
@@ -243,30 +250,29 @@ int GlbFile::colour_changes(std::span<const Change> changes, std::size_t vertex_
   return this->changes<float>(changes, vertex_count, kFloat, 4);
 }
 
-int GlbFile::samples(std::span<const float> seconds) {
+int GlbFile::sample_times(std::span<const float> seconds) {
   AUCAST_CHECK(!seconds.empty());
-  const int index = accessor(view(bytes_of(seconds), kNoTarget), kFloat, "SCALAR", seconds.size());
+  const int index = floats(seconds, "SCALAR");
   accessors_.back()["min"] = {seconds.front()};
   accessors_.back()["max"] = {seconds.back()};
   return index;
 }
 
-int GlbFile::weights(std::span<const std::uint8_t> weights) {
+int GlbFile::morph_weights(std::span<const std::uint8_t> weights) {
   const int index =
       accessor(view(bytes_of(weights), kNoTarget), kUnsignedByte, "SCALAR", weights.size());
   accessors_.back()["normalized"] = true;
   return index;
 }
 
-int GlbFile::turns(std::span<const glm::quat> turns) {
+int GlbFile::rotations(std::span<const glm::quat> rotations) {
   std::vector<std::array<float, 4>> xyzw;
-  for (const glm::quat& turn : turns) xyzw.push_back({turn.x, turn.y, turn.z, turn.w});
-  const auto bytes = bytes_of(std::span<const std::array<float, 4>>(xyzw));
-  return accessor(view(bytes, kNoTarget), kFloat, "VEC4", turns.size());
+  for (const glm::quat& q : rotations) xyzw.push_back({q.x, q.y, q.z, q.w});
+  return floats(std::span<const std::array<float, 4>>(xyzw), "VEC4");
 }
 
-int GlbFile::shifts(std::span<const glm::vec3> shifts) {
-  return accessor(view(bytes_of(shifts), kNoTarget), kFloat, "VEC3", shifts.size());
+int GlbFile::translations(std::span<const glm::vec3> translations) {
+  return floats(translations, "VEC3");
 }
 
 int GlbFile::png(std::string_view bytes) {

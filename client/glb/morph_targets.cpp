@@ -75,13 +75,13 @@ std::vector<Change> differences(const std::vector<glm::vec3>& now,
   return changes;
 }
 
-/// The same for places, in the steps that the file has.
-std::vector<Change> place_differences(const std::vector<glm::vec3>& now,
-                                      const std::vector<glm::vec3>& rest,
-                                      const std::vector<bool>& which) {
+/// The same for positions, in the steps that the file has.
+std::vector<Change> position_differences(const std::vector<glm::vec3>& now,
+                                         const std::vector<glm::vec3>& rest,
+                                         const std::vector<bool>& which) {
   std::vector<Change> changes = differences(now, rest, which, kLeastWay);
   for (Change& change : changes) {
-    const glm::vec3 stored = stored_place_change(kMetresPerUnit * glm::vec3(change.by));
+    const glm::vec3 stored = stored_position_change(kMetresPerUnit * glm::vec3(change.by));
     change.by = glm::vec4(stored / kMetresPerUnit, 0);
   }
   return changes;
@@ -106,10 +106,10 @@ class Sculptor {
     target.creases = deformer_.deform(target.pose).creases;
     // What the skin keeps is there without a target.
     for (std::size_t i = 0; i < kept_.size(); ++i) target.creases[i] -= kept_[i];
-    target.places = place_differences(places(target.pose), rest_.positions, which_);
+    target.positions = position_differences(posed(target.pose), rest_.positions, which_);
     target.normals = differences(normals_, rest_.normals, which_, kLeastTurn);
-    return !target.places.empty() || std::any_of(target.creases.begin(), target.creases.end(),
-                                                 [](float depth) { return depth > 0; });
+    return !target.positions.empty() || std::any_of(target.creases.begin(), target.creases.end(),
+                                                    [](float depth) { return depth > 0; });
   }
 
   /// The target for what half the pose does beyond half of the target; nullopt if that is little.
@@ -119,11 +119,11 @@ class Sculptor {
     arc.arc = true;
     for (float& activation : arc.pose) activation /= 2;
     std::vector<glm::vec3> straight = rest_.positions;
-    for (const Change& change : target.places)
+    for (const Change& change : target.positions)
       straight[change.vertex] += 0.5F * glm::vec3(change.by);
-    const std::vector<glm::vec3> half = places(arc.pose);
+    const std::vector<glm::vec3> half = posed(arc.pose);
     if (differences(half, straight, which_, kLeastArc).empty()) return std::nullopt;
-    arc.places = place_differences(half, straight, which_);
+    arc.positions = position_differences(half, straight, which_);
     arc.normals.clear();
     std::fill(arc.creases.begin(), arc.creases.end(), 0.0F);
     return arc;
@@ -131,7 +131,7 @@ class Sculptor {
 
  private:
   /// Where the pose puts the vertices, without what joints do. Keeps the normals of the pose.
-  std::vector<glm::vec3> places(std::vector<float> pose) {
+  std::vector<glm::vec3> posed(std::vector<float> pose) {
     const std::vector<JointPose> joints = rig_.pose(pose);
     // Not asked of the carriers, which at rest are identities but for their last digits.
     const bool carried = std::any_of(joints.begin(), joints.end(),
@@ -139,17 +139,17 @@ class Sculptor {
     const std::vector<glm::mat4> carriers = rig_.carriers(joints);
     for (std::size_t i = 0; i < pose.size(); ++i) pose[i] = std::max(pose[i], drawn_[i]);
     const face::DeformedFace& deformed = deformer_.deform(pose);
-    std::vector<glm::vec3> places = deformed.positions;
+    std::vector<glm::vec3> positions = deformed.positions;
     normals_ = carried ? rest_.normals : deformed.normals;
-    for (std::size_t i = 0; carried && i < places.size(); ++i) {
+    for (std::size_t i = 0; carried && i < positions.size(); ++i) {
       const Carried by = rig_.carried(i);
       glm::mat4 carrier(0);
       for (std::size_t k = 0; k < by.joints.size(); ++k) {
-        carrier += by.shares[k] * carriers[by.joints[k]];
+        carrier += by.weights[k] * carriers[by.joints[k]];
       }
-      places[i] = glm::vec3(glm::inverse(carrier) * glm::vec4(places[i], 1));
+      positions[i] = glm::vec3(glm::inverse(carrier) * glm::vec4(positions[i], 1));
     }
-    return places;
+    return positions;
   }
 
   const FaceRig& rig_;

@@ -26,7 +26,7 @@ struct Target {
   /// of the channel's first target.
   bool arc = false;
   std::vector<float> pose;  ///< activations at weight 1, one per channel of the face
-  std::vector<Change> places;
+  std::vector<Change> positions;
   std::vector<Change> normals;
   std::vector<float> creases;  ///< depths in [0,1], one per part that is a crease
 

@@ -63,18 +63,18 @@ float strand_picture_gain(bool grey) {
   return 1 + contrast(grey);
 }
 
-std::vector<glm::vec2> strand_places(const face::Face& face, const Surface& surface) {
+std::vector<glm::vec2> strand_coordinates(const face::Face& face, const Surface& surface) {
   const auto* const strand = face::find_map(face.mesh, "strand");
-  std::vector<glm::vec2> places;
+  std::vector<glm::vec2> coordinates;
   for (const std::uint32_t i : surface.vertices) {
     const glm::vec3& p = face.mesh.positions[i];
     // Down, and slanting, so that strands that run to the back are no streaks either.
     const float round = 5.0F * std::abs(std::atan2(p.x, p.z - 1.5F)) - 0.6F * p.z;
     const float down = round - (p.y - 0.35F * p.z + 0.25F * p.x);
-    places.emplace_back(face::map_at(strand, i, 0) * kStrandsRound / kWidth,
-                        down * kPiecesPerUnit / kPieces);
+    coordinates.emplace_back(face::map_at(strand, i, 0) * kStrandsRound / kWidth,
+                             down * kPiecesPerUnit / kPieces);
   }
-  return places;
+  return coordinates;
 }
 
 }  // namespace aucast::glb

@@ -19,7 +19,8 @@ namespace aucast::glb {
 /// The factor by which to multiply hair's own colours, because the picture's mean is below 1.
 [[nodiscard]] float strand_picture_gain(bool grey);
 
-/// Where the vertices of hair lie on that picture.
-[[nodiscard]] std::vector<glm::vec2> strand_places(const face::Face& face, const Surface& surface);
+/// The texture coordinates of the vertices of hair on that picture.
+[[nodiscard]] std::vector<glm::vec2> strand_coordinates(const face::Face& face,
+                                                        const Surface& surface);
 
 }  // namespace aucast::glb

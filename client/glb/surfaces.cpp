@@ -122,9 +122,9 @@ std::vector<float> darkness_of(const face::Face& face, const Surface& surface) {
 
 std::vector<glm::vec3> normals_of(const face::Face& face, const Surface& surface) {
   std::vector<glm::vec3> normals(surface.vertices.size(), glm::vec3(0));
-  const auto place = [&](std::uint32_t i) { return face.mesh.positions[surface.vertices[i]]; };
+  const auto at = [&](std::uint32_t i) { return face.mesh.positions[surface.vertices[i]]; };
   for (const auto& [a, b, c] : surface.triangles) {
-    const glm::vec3 normal = glm::cross(place(b) - place(a), place(c) - place(a));
+    const glm::vec3 normal = glm::cross(at(b) - at(a), at(c) - at(a));
     for (const std::uint32_t i : {a, b, c}) normals[i] += normal;
   }
   for (glm::vec3& normal : normals) {
@@ -134,20 +134,20 @@ std::vector<glm::vec3> normals_of(const face::Face& face, const Surface& surface
   return normals;
 }
 
-std::vector<glm::vec3> places_of(const face::Face& face, const Surface& surface) {
-  std::vector<glm::vec3> places;
-  for (const std::uint32_t i : surface.vertices) places.push_back(face.mesh.positions[i]);
+std::vector<glm::vec3> positions_of(const face::Face& face, const Surface& surface) {
+  std::vector<glm::vec3> positions;
+  for (const std::uint32_t i : surface.vertices) positions.push_back(face.mesh.positions[i]);
   const float lift = surface.look == Look::Creases ? kCreaseLift
                      : surface.look == Look::Brows ? kBrowLift
                                                    : 0;
-  if (lift == 0) return places;
+  if (lift == 0) return positions;
   const std::vector<glm::vec3> normals = normals_of(face, surface);
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     // Lines are seen from both sides, and some are wound the other way.
-    const bool outward = normals[i].x * places[i].x + normals[i].z * places[i].z >= 0;
-    places[i] += (outward ? lift : -lift) * normals[i];
+    const bool outward = normals[i].x * positions[i].x + normals[i].z * positions[i].z >= 0;
+    positions[i] += (outward ? lift : -lift) * normals[i];
   }
-  return places;
+  return positions;
 }
 
 }  // namespace aucast::glb

@@ -44,7 +44,7 @@ struct Surface {
 
 /// Where the surface's vertices lie at rest. Brows and creases are lifted a little off the skin,
 /// whose mesh is coarser and would cover them.
-[[nodiscard]] std::vector<glm::vec3> places_of(const face::Face& face, const Surface& surface);
+[[nodiscard]] std::vector<glm::vec3> positions_of(const face::Face& face, const Surface& surface);
 
 /// Vertex normals of unit length: the mean over the vertex's triangles, weighted by area.
 [[nodiscard]] std::vector<glm::vec3> normals_of(const face::Face& face, const Surface& surface);

@@ -1,11 +1,13 @@
 // A face in a file, read back as a viewer reads it.
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -14,6 +16,7 @@
 #include "client/glb/face_glb.h"
 #include "client/glb/units.h"
 #include "tests/unit/face/small_face.h"
+#include "tests/unit/glb/added_parts.h"
 #include "tests/unit/glb/read_glb.h"
 
 namespace aucast::glb {
@@ -21,18 +24,12 @@ namespace {
 
 using face::test::only;
 using face::test::small_face;
+using test::add_crease;
+using test::add_part;
 using test::ReadGlb;
 
 glm::vec3 vec3(const std::vector<float>& row) {
   return {row.at(0), row.at(1), row.at(2)};
-}
-
-/// A part of that material with the skin's own vertices and triangles.
-void add_part(face::Face& face, const std::string& name, face::Material material) {
-  face::MeshPart part = face.mesh.parts.front();
-  part.name = name;
-  part.material = material;
-  face.mesh.parts.push_back(part);
 }
 
 /// The small face with brows, hair of two colours, a shirt and a mouth.
@@ -171,17 +168,17 @@ TEST(ExportedFace, NormalsAreOfUnitLengthAndPointOut) {
 TEST(ExportedFace, SkinStandsWhereTheFaceHasItInMetres) {
   const Exported exported(small_face());
   const ReadGlb& glb = *exported.glb;
-  EXPECT_FALSE(glb.node("skin").contains("translation")) << "its skin places it";
-  const ReadGlb::Rows places = glb.rows(glb.primitive("skin")["attributes"]["POSITION"]);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    EXPECT_EQ(vec3(places[i]), kMetresPerUnit * exported.face.mesh.positions[i]) << i;
+  EXPECT_FALSE(glb.node("skin").contains("translation")) << "its skin says where it is";
+  const ReadGlb::Rows positions = glb.rows(glb.primitive("skin")["attributes"]["POSITION"]);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    EXPECT_EQ(vec3(positions[i]), kMetresPerUnit * exported.face.mesh.positions[i]) << i;
   }
 }
 
 TEST(ExportedFace, AnEyeballHangsOnItsJointAndComesToLieInTheFace) {
   const Exported exported(small_face());
   const ReadGlb& glb = *exported.glb;
-  const ReadGlb::Rows places = glb.rows(glb.primitive("left_eyeball")["attributes"]["POSITION"]);
+  const ReadGlb::Rows positions = glb.rows(glb.primitive("left_eyeball")["attributes"]["POSITION"]);
   // From the scene to the joint: body, neck, head, eye.
   glm::vec3 joint(0);
   for (const char* name : {"body", "neck", "head", "left_eye"}) {
@@ -190,10 +187,10 @@ TEST(ExportedFace, AnEyeballHangsOnItsJointAndComesToLieInTheFace) {
   }
   EXPECT_LT(glm::distance(joint, kMetresPerUnit * exported.face.eyes.front().centre), 1e-6F);
   const face::MeshPart& part = exported.face.mesh.parts.at(1);
-  ASSERT_EQ(places.size(), part.vertex_count);
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  ASSERT_EQ(positions.size(), part.vertex_count);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     const glm::vec3 own = exported.face.mesh.positions[part.vertex_begin + i];
-    EXPECT_LT(glm::distance(joint + vec3(places[i]), kMetresPerUnit * own), 1e-6F);
+    EXPECT_LT(glm::distance(joint + vec3(positions[i]), kMetresPerUnit * own), 1e-6F);
   }
   EXPECT_FALSE(glb.primitive("left_eyeball")["attributes"].contains("JOINTS_0"));
 }
@@ -206,7 +203,7 @@ TEST(ExportedFace, ATargetAddsWhatItsPoseChanges) {
   for (std::size_t k = 0; k < primitive["targets"].size(); ++k) {
     const Target& target = exported.targets.all()[k];
     std::map<std::uint32_t, glm::vec3> wanted;
-    for (const Change& change : target.places) {
+    for (const Change& change : target.positions) {
       wanted[change.vertex] = kMetresPerUnit * glm::vec3(change.by);
     }
     const ReadGlb::Rows changes = glb.rows(primitive["targets"][k]["POSITION"]);
@@ -217,41 +214,49 @@ TEST(ExportedFace, ATargetAddsWhatItsPoseChanges) {
     }
     const ReadGlb::Rows turned = glb.rows(primitive["targets"][k]["NORMAL"]);
     for (const Change& change : target.normals) {
-      EXPECT_LT(glm::distance(vec3(turned[change.vertex]), glm::vec3(change.by)), 0.01F)
+      const glm::vec3 kept = glm::clamp(glm::vec3(change.by), -1.0F, 1.0F);
+      EXPECT_LT(glm::distance(vec3(turned[change.vertex]), kept), 0.01F)
           << "127 steps for each part of a normal";
     }
   }
 }
 
+/// The skin's positions with all targets at the weights of this pose, before joints carry them.
+ReadGlb::Rows morphed_skin(const Exported& exported, const std::vector<float>& pose) {
+  const ReadGlb& glb = *exported.glb;
+  const Json& primitive = glb.primitive("skin");
+  ReadGlb::Rows positions = glb.rows(primitive["attributes"]["POSITION"]);
+  const auto weights = exported.targets.weights(exported.face, {{}, pose});
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const ReadGlb::Rows changes = glb.rows(primitive["targets"][k]["POSITION"]);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        positions[i][c] += changes[i][c] * static_cast<float>(weights[k]) / 255;
+    }
+  }
+  return positions;
+}
+
 TEST(ExportedFace, WithSkinAndTargetsTheFileShowsTheDeformersFace) {
-  // All in one pose: a muscle, a lid, the jaw's joint, head and neck.
+  // All in one pose: a muscle, the jaw's joint, head and neck.
   const face::Face face = small_face();
   std::vector<float> pose = only(face, "left_zygomaticus_major", 2);
   pose[*face.channel_index("head_turn_left")] = 1;
   pose[*face.channel_index("jaw")] = 2;
   const Exported exported(small_face(), Basis::Muscles, {pose, pose});
   const ReadGlb& glb = *exported.glb;
-  const Json& primitive = glb.primitive("skin");
-  const Json& attributes = primitive["attributes"];
-  ReadGlb::Rows places = glb.rows(attributes["POSITION"]);
-  const auto weights = exported.targets.weights(exported.face, {{}, pose});
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const ReadGlb::Rows changes = glb.rows(primitive["targets"][k]["POSITION"]);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::size_t c = 0; c < 3; ++c)
-        places[i][c] += changes[i][c] * static_cast<float>(weights[k]) / 255;
-    }
-  }
+  const Json& attributes = glb.primitive("skin")["attributes"];
+  const ReadGlb::Rows positions = morphed_skin(exported, pose);
   // The joints as the animation's first sample has them.
-  std::map<std::size_t, glm::quat> turns;
-  std::map<std::size_t, glm::vec3> shifts;
+  std::map<std::size_t, glm::quat> rotations;
+  std::map<std::size_t, glm::vec3> translations;
   const Json& animation = glb.document["animations"][0];
   for (const Json& channel : animation["channels"]) {
     const std::size_t node = channel["target"]["node"];
     const Json& sampler = animation["samplers"].at(channel["sampler"].get<std::size_t>());
     const auto row = glb.rows(sampler["output"]).front();
-    if (channel["target"]["path"] == "rotation") turns[node] = {row[3], row[0], row[1], row[2]};
-    if (channel["target"]["path"] == "translation") shifts[node] = vec3(row);
+    if (channel["target"]["path"] == "rotation") rotations[node] = {row[3], row[0], row[1], row[2]};
+    if (channel["target"]["path"] == "translation") translations[node] = vec3(row);
   }
   const Json& nodes = glb.document["nodes"];
   std::map<std::size_t, std::size_t> parents;
@@ -261,9 +266,10 @@ TEST(ExportedFace, WithSkinAndTargetsTheFileShowsTheDeformersFace) {
   const auto stands = [&](auto& self, std::size_t node) -> glm::mat4 {
     const Json& by = nodes[node]["translation"];
     const glm::vec3 rest(by[0].get<float>(), by[1].get<float>(), by[2].get<float>());
-    const glm::vec3 at = shifts.contains(node) ? shifts[node] : rest;
-    const glm::quat turn = turns.contains(node) ? turns[node] : glm::identity<glm::quat>();
-    const glm::mat4 own = glm::translate(glm::mat4(1), at) * glm::mat4_cast(turn);
+    const glm::vec3 at = translations.contains(node) ? translations[node] : rest;
+    const glm::quat rotation =
+        rotations.contains(node) ? rotations[node] : glm::identity<glm::quat>();
+    const glm::mat4 own = glm::translate(glm::mat4(1), at) * glm::mat4_cast(rotation);
     return parents.contains(node) ? self(self, parents[node]) * own : own;
   };
   const Json& skin = glb.document["skins"][0];
@@ -277,17 +283,17 @@ TEST(ExportedFace, WithSkinAndTargetsTheFileShowsTheDeformersFace) {
     carriers.push_back(stands(stands, skin["joints"][k]) * back);
   }
   const ReadGlb::Rows joints = glb.rows(attributes["JOINTS_0"]);
-  const ReadGlb::Rows shares = glb.rows(attributes["WEIGHTS_0"]);
+  const ReadGlb::Rows joint_weights = glb.rows(attributes["WEIGHTS_0"]);
   face::FaceDeformer deformer(exported.face);
   const auto& real = deformer.deform(pose).positions;
   float worst = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     float sum = 0;
     glm::vec4 at(0);
     for (std::size_t k = 0; k < 4; ++k) {
-      sum += shares[i][k];
-      at += shares[i][k] *
-            (carriers.at(static_cast<std::size_t>(joints[i][k])) * glm::vec4(vec3(places[i]), 1));
+      sum += joint_weights[i][k];
+      at += joint_weights[i][k] * (carriers.at(static_cast<std::size_t>(joints[i][k])) *
+                                   glm::vec4(vec3(positions[i]), 1));
     }
     ASSERT_NEAR(sum, 1, 1e-4F);
     worst = std::max(worst, glm::distance(glm::vec3(at), kMetresPerUnit * real[i]));
@@ -314,8 +320,8 @@ TEST(ExportedFace, AnAnimationHasASampleOfEverythingAtEachTime) {
     const ReadGlb::Rows output = glb.rows(sampler["output"]);
     EXPECT_EQ(output.size(), 3 * (path == "weights" ? exported.targets.all().size() : 1));
     if (path != "rotation") continue;
-    for (const auto& turn : output) {
-      EXPECT_NEAR(std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3])), 1, 1e-5F);
+    for (const auto& q : output) {
+      EXPECT_NEAR(std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])), 1, 1e-5F);
     }
   }
   EXPECT_EQ(paths, (std::set<std::string>{"skin.weights", "jaw.rotation", "jaw.translation",
@@ -343,6 +349,74 @@ TEST(ExportedFace, SurfacesLookAsTheirMaterialsDo) {
     EXPECT_FALSE(material.contains("extensions")) << "nothing is unlit but creases";
   }
   EXPECT_EQ(glb.document["extensionsUsed"], Json{"KHR_mesh_quantization"});
+}
+
+TEST(ExportedFace, ACreaseIsBlackAndShownByItsTargetAlone) {
+  face::Face creased = small_face();
+  add_crease(creased, "crease_brow");
+  for (glm::vec4& colour : creased.mesh.colours) colour = {0.25F, 0.5F, 0.75F, 0.5F};
+  const Exported exported(std::move(creased));
+  const ReadGlb& glb = *exported.glb;
+  EXPECT_TRUE(glb.material("creases")["extensions"].contains("KHR_materials_unlit"));
+  EXPECT_EQ(glb.material("creases")["alphaMode"], "BLEND");
+  EXPECT_EQ(glb.document["extensionsUsed"], (Json{"KHR_materials_unlit", "KHR_mesh_quantization"}));
+  const Json& primitive = glb.primitive("creases");
+  EXPECT_FALSE(primitive["attributes"].contains("NORMAL")) << "no light falls on it";
+  const std::vector<float> clear(4);
+  for (const auto& colour : glb.rows(primitive["attributes"]["COLOR_0"])) EXPECT_EQ(colour, clear);
+  std::size_t shown = 0;
+  for (std::size_t k = 0; k < exported.targets.all().size(); ++k) {
+    const bool own = exported.targets.all()[k].name == "crease_brow";
+    for (const auto& change : glb.rows(primitive["targets"][k]["COLOR_0"])) {
+      EXPECT_EQ(change, own ? (std::vector<float>{0, 0, 0, 0.25F}) : clear);
+      shown += own ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(shown, 100U);
+}
+
+TEST(ExportedFace, ACreaseLiesOffTheSkinThatWouldCoverIt) {
+  face::Face creased = small_face();
+  add_crease(creased, "crease_brow");
+  const Exported exported(std::move(creased));
+  const ReadGlb& glb = *exported.glb;
+  const face::MeshPart& part = exported.face.mesh.parts.back();
+  const auto joint = exported.rig.carried(part.vertex_begin).wholly();
+  ASSERT_TRUE(joint) << "the head carries it, from whose joint its positions count";
+  const glm::vec3 from = exported.rig.joints()[*joint].position;
+  const ReadGlb::Rows positions = glb.rows(glb.primitive("creases")["attributes"]["POSITION"]);
+  ASSERT_EQ(positions.size(), part.vertex_count);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::vec3 own =
+        kMetresPerUnit * (exported.face.mesh.positions[part.vertex_begin + i] - from);
+    EXPECT_NEAR(glm::distance(vec3(positions[i]), own), 0.05F * kMetresPerUnit, 1e-5F);
+    EXPECT_GT(positions[i][2], own.z) << "towards the viewer";
+  }
+}
+
+TEST(ExportedFace, SparseIndicesAscendAndLieInTheMesh) {
+  const Exported exported(dressed_face());
+  const ReadGlb& glb = *exported.glb;
+  std::size_t sparse_ones = 0;
+  for (const Json& accessor : glb.document["accessors"]) {
+    if (!accessor.contains("sparse")) continue;
+    ++sparse_ones;
+    const Json& sparse = accessor["sparse"];
+    const Json& view =
+        glb.document["bufferViews"].at(sparse["indices"]["bufferView"].get<std::size_t>());
+    const std::size_t begin =
+        view["byteOffset"].get<std::size_t>() + sparse["indices"]["byteOffset"].get<std::size_t>();
+    int last = -1;
+    for (std::size_t k = 0; k < sparse["count"].get<std::size_t>(); ++k) {
+      std::uint16_t index = 0;
+      ASSERT_EQ(sparse["indices"]["componentType"], 5123);
+      std::memcpy(&index, glb.binary.data() + begin + 2 * k, sizeof index);
+      ASSERT_GT(index, last);
+      last = index;
+    }
+    EXPECT_LT(last, accessor["count"].get<int>());
+  }
+  EXPECT_GT(sparse_ones, exported.targets.all().size());
 }
 
 TEST(ExportedFace, HairOfEachColourHasItsOwnPictureOfStrands) {

@@ -89,8 +89,9 @@ TEST(FaceNotes, ACurveOfARKitIsOneSideOfAnActionUnit) {
   const Json& curves = noted.notes["arkit52"];
   EXPECT_EQ(curves["mouthSmileLeft"]["au"], 12);
   EXPECT_EQ(curves["mouthSmileLeft"]["side"], "left");
-  EXPECT_EQ(curves["mouthSmileLeft"]["targets"],
-            (Json{{"left_zygomaticus_major", 0.75}, {"left_depressor", 0.125}}));
+  EXPECT_EQ(curves["mouthSmileLeft"]["targets"], (Json{{"left_zygomaticus_major", 0.75},
+                                                       {"left_depressor", 0.125},
+                                                       {"left_depressor_arc", 0.4375}}));
   EXPECT_EQ(curves["jawOpen"]["joints"], (Json{{"jaw", 0.55}}));
   EXPECT_FALSE(curves.contains("cheekPuff")) << "this face cannot puff its cheeks";
 }

@@ -31,8 +31,8 @@ float worst_carried(const face::Face& face, std::vector<float> activations) {
                         face::map_at(face::find_map(face.mesh, "head"), i, 0) < 1;
     if (!joint || throat) continue;
     if (*joint != 0) ++wholly;
-    const glm::vec3 place(carriers[*joint] * glm::vec4(face.mesh.positions[i], 1));
-    worst = std::max(worst, glm::distance(place, real[i]));
+    const glm::vec3 position(carriers[*joint] * glm::vec4(face.mesh.positions[i], 1));
+    worst = std::max(worst, glm::distance(position, real[i]));
   }
   EXPECT_GT(wholly, 0U);
   return worst;
@@ -62,7 +62,7 @@ TEST(FaceRig, SharesSumToOneAndNameJointsThatAreThere) {
       const Carried carried = rig.carried(i);
       float sum = 0;
       for (std::size_t k = 0; k < 4; ++k) {
-        sum += carried.shares[k];
+        sum += carried.weights[k];
         EXPECT_LT(carried.joints[k], rig.joints().size());
       }
       EXPECT_NEAR(sum, 1, 1e-5F);
@@ -98,16 +98,16 @@ std::size_t joint_named(const FaceRig& rig, std::string_view name) {
   return 0;
 }
 
-TEST(FaceRig, AJointsPlaceIsItsParentsAndTheWayFromThere) {
+TEST(FaceRig, AJointsPositionIsItsParentsAndTheWayFromThere) {
   const face::Face face = small_face();
   const FaceRig rig(face, true);
   for (std::size_t i = 0; i < rig.joints().size(); ++i) {
-    glm::vec3 place(0);
-    for (std::size_t at = i; at != 0; at = rig.joints()[at].parent) place += rig.from_parent(at);
-    EXPECT_LT(glm::distance(place, rig.joints()[i].place), 1e-6F) << rig.joints()[i].name;
+    glm::vec3 position(0);
+    for (std::size_t at = i; at != 0; at = rig.joints()[at].parent) position += rig.from_parent(at);
+    EXPECT_LT(glm::distance(position, rig.joints()[i].position), 1e-6F) << rig.joints()[i].name;
     EXPECT_LE(rig.joints()[i].parent, i) << "a parent comes first";
   }
-  EXPECT_EQ(rig.joints()[joint_named(rig, "jaw")].place, face.jaw->hinge);
+  EXPECT_EQ(rig.joints()[joint_named(rig, "jaw")].position, face.jaw->hinge);
   EXPECT_EQ(rig.joints()[joint_named(rig, "head")].parent, joint_named(rig, "neck"));
   for (const char* part : {"jaw", "left_eye", "right_eye"}) {
     EXPECT_EQ(rig.joints()[joint_named(rig, part)].parent, joint_named(rig, "head")) << part;
@@ -123,8 +123,8 @@ TEST(FaceRig, WithoutAHeadTheRestHangsOnTheBody) {
   EXPECT_FALSE(rig.takes(*face.channel_index("head_up")));
   for (std::size_t i = 0; i < face.mesh.positions.size(); i += 100) {
     const Carried carried = rig.carried(i);
-    EXPECT_FLOAT_EQ(carried.shares[0] + carried.shares[1], 1) << "of the jaw and the body";
-    EXPECT_EQ(carried.shares[2], 0);
+    EXPECT_FLOAT_EQ(carried.weights[0] + carried.weights[1], 1) << "of the jaw and the body";
+    EXPECT_EQ(carried.weights[2], 0);
   }
 }
 
@@ -135,7 +135,7 @@ TEST(FaceRig, NeckAndHeadTogetherTurnAsTheHeadIsAsked) {
   activations[*face.channel_index("head_up")] = 0.5F;
   const auto poses = rig.pose(activations);
   const glm::quat whole =
-      poses[joint_named(rig, "neck")].turn * poses[joint_named(rig, "head")].turn;
+      poses[joint_named(rig, "neck")].rotation * poses[joint_named(rig, "head")].rotation;
   // What is in front goes up first, then to the left.
   const glm::vec3 ahead = whole * glm::vec3(0, 0, 1);
   const float up = glm::radians(face.head->pitch_deg / 2);
@@ -155,7 +155,7 @@ TEST(FaceRig, EachEyeFollowsItsOwnChannelsAndOppositesCancel) {
   const auto poses = rig.pose(activations);
   EXPECT_TRUE(poses[joint_named(rig, "left_eye")].moved());
   EXPECT_FALSE(poses[joint_named(rig, "right_eye")].moved());
-  const glm::vec3 ahead = poses[joint_named(rig, "left_eye")].turn * glm::vec3(0, 0, 1);
+  const glm::vec3 ahead = poses[joint_named(rig, "left_eye")].rotation * glm::vec3(0, 0, 1);
   EXPECT_NEAR(ahead.x, std::sin(glm::radians(face.eyes.front().yaw_deg)), 1e-5F);
 }
 

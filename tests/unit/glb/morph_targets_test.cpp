@@ -29,13 +29,13 @@ TEST(MorphTargets, AtWeightOneAMuscleIsAtItsLargestContraction) {
   face::FaceDeformer deformer(face);
   for (const Target& target : targets.all()) {
     if (target.arc || target.name == "jaw") continue;
-    std::vector<glm::vec3> places = face.mesh.positions;
-    for (const Change& change : target.places) places[change.vertex] += glm::vec3(change.by);
+    std::vector<glm::vec3> positions = face.mesh.positions;
+    for (const Change& change : target.positions) positions[change.vertex] += glm::vec3(change.by);
     const auto& real = deformer.deform(target.pose).positions;
     for (const face::MeshPart& part : face.mesh.parts) {
       if (part.material != face::Material::Skin) continue;
       for (std::uint32_t i = part.vertex_begin; i < part.vertex_begin + part.vertex_count; ++i) {
-        ASSERT_LT(glm::distance(places[i], real[i]), 0.004F) << target.name;
+        ASSERT_LT(glm::distance(positions[i], real[i]), 0.004F) << target.name;
       }
     }
     EXPECT_EQ(target.pose[target.channel], face.channels[target.channel].activation_max);
@@ -81,7 +81,7 @@ TEST(MorphTargets, ALidsArcIsNothingAtItsEndsAndWholeHalfWay) {
   const MorphTargets targets(face, Basis::Muscles, rig);
   const Target* const arc = named(targets, "left_lid_close_arc");
   ASSERT_NE(arc, nullptr);
-  EXPECT_FALSE(arc->places.empty());
+  EXPECT_FALSE(arc->positions.empty());
   EXPECT_EQ(arc->weight(0), 0);
   EXPECT_EQ(arc->weight(0.5F), 1);
   EXPECT_EQ(arc->weight(1), 0);
@@ -127,15 +127,15 @@ TEST(MorphTargets, VerticesAscendAndMoveByWholeStepsOfTheFile) {
   for (const Basis basis : {Basis::Muscles, Basis::Aus}) {
     const MorphTargets targets(face, basis, rig);
     for (const Target& target : targets.all()) {
-      for (const auto& changes : {target.places, target.normals}) {
+      for (const auto& changes : {target.positions, target.normals}) {
         EXPECT_TRUE(
             std::is_sorted(changes.begin(), changes.end(),
                            [](const Change& a, const Change& b) { return a.vertex < b.vertex; }))
             << target.name;
       }
-      for (const Change& change : target.places) {
+      for (const Change& change : target.positions) {
         const glm::vec3 metres = kMetresPerUnit * glm::vec3(change.by);
-        ASSERT_LT(glm::distance(stored_place_change(metres), metres), 1e-6F) << target.name;
+        ASSERT_LT(glm::distance(stored_position_change(metres), metres), 1e-6F) << target.name;
       }
     }
   }
@@ -151,7 +151,7 @@ TEST(MorphTargets, HairClothesAndEyeballsNeverMove) {
   const MorphTargets targets(face, Basis::Muscles, FaceRig(face, true));
   EXPECT_FALSE(targets.all().empty());
   for (const Target& target : targets.all()) {
-    for (const Change& change : target.places) {
+    for (const Change& change : target.positions) {
       ASSERT_GE(change.vertex, beard.vertex_count) << target.name;
       ASSERT_LT(change.vertex, face.mesh.parts[1].vertex_begin) << target.name;
     }
@@ -174,10 +174,10 @@ TEST(MorphTargets, OnesideOfASmileMovesThatSideAndTheWinkItsLid) {
        {std::pair{"AU12_L", 1.0F}, {"AU46_L", 1.0F}, {"AU12_R", -1.0F}, {"AU46_R", -1.0F}}) {
     const Target* const target = named(aus, name);
     ASSERT_NE(target, nullptr) << name;
-    ASSERT_FALSE(target->places.empty()) << name;
+    ASSERT_FALSE(target->positions.empty()) << name;
     float most = 0;
     float there = 0;
-    for (const Change& change : target->places) {
+    for (const Change& change : target->positions) {
       const float way = glm::length(glm::vec3(change.by));
       if (way > most) there = face.mesh.positions[change.vertex].x;
       most = std::max(most, way);
@@ -188,17 +188,20 @@ TEST(MorphTargets, OnesideOfASmileMovesThatSideAndTheWinkItsLid) {
 
 TEST(MorphTargets, WhereItIsAJointTheJawHasLittleLeftToDo) {
   const face::Face face = small_face();
-  const auto moved_by_jaw = [&face](bool joint) {
+  const std::vector<float>& head = *face::find_map(face.mesh, "head");
+  const auto moved_by_jaw = [&](bool joint) {
     const MorphTargets targets(face, Basis::Muscles, FaceRig(face, joint));
     const Target* const jaw = named(targets, "jaw");
     float most = 0;
-    for (const Change& change : jaw == nullptr ? std::vector<Change>() : jaw->places) {
+    for (const Change& change : jaw == nullptr ? std::vector<Change>() : jaw->positions) {
+      // Where the neck bends as well, the target has more to do.
+      if (head[change.vertex] < 1) continue;
       most = std::max(most, glm::length(glm::vec3(change.by)));
     }
     return most;
   };
-  EXPECT_GT(moved_by_jaw(false), 1);
-  EXPECT_LT(moved_by_jaw(true), 0.5F * moved_by_jaw(false));
+  EXPECT_GT(moved_by_jaw(false), 0.5F);
+  EXPECT_LT(moved_by_jaw(true), 0.1F * moved_by_jaw(false));
 }
 
 TEST(MorphTargets, HalfWayATargetAndItsArcAreTheLidHalfClosed) {
@@ -210,12 +213,13 @@ TEST(MorphTargets, HalfWayATargetAndItsArcAreTheLidHalfClosed) {
   ASSERT_NE(arc, nullptr);
   face::FaceDeformer deformer(face);
   const auto& real = deformer.deform(face::test::only(face, "left_lid_close", 0.5F)).positions;
-  std::vector<glm::vec3> places = face.mesh.positions;
-  for (const Change& change : lid->places) places[change.vertex] += 0.5F * glm::vec3(change.by);
-  for (const Change& change : arc->places) places[change.vertex] += glm::vec3(change.by);
+  std::vector<glm::vec3> positions = face.mesh.positions;
+  for (const Change& change : lid->positions)
+    positions[change.vertex] += 0.5F * glm::vec3(change.by);
+  for (const Change& change : arc->positions) positions[change.vertex] += glm::vec3(change.by);
   float worst = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    worst = std::max(worst, glm::distance(places[i], real[i]));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    worst = std::max(worst, glm::distance(positions[i], real[i]));
   }
   EXPECT_LT(worst, 0.01F) << "mesh units";
 }

@@ -10,19 +10,18 @@
 #include <glm/geometric.hpp>
 
 #include "tests/unit/face/small_face.h"
+#include "tests/unit/glb/added_parts.h"
 
 namespace aucast::glb {
 namespace {
 
+using test::add_part;
+
 TEST(SurfacesOf, AFaceWithHairOfBothColoursHasASurfaceOfEach) {
   face::Face face = face::test::small_face();
   const face::MeshPart skin = face.mesh.parts.front();
-  for (const face::Material hair : {face::Material::Hair, face::Material::GreyHair}) {
-    face::MeshPart part = skin;
-    part.name = hair == face::Material::Hair ? "hair" : "temples";
-    part.material = hair;
-    face.mesh.parts.push_back(part);
-  }
+  add_part(face, "hair", face::Material::Hair);
+  add_part(face, "temples", face::Material::GreyHair);
   const std::vector<Surface> surfaces = surfaces_of(face);
   for (const Look look : {Look::Hair, Look::GreyHair}) {
     const auto found = std::find_if(surfaces.begin(), surfaces.end(),
@@ -34,11 +33,8 @@ TEST(SurfacesOf, AFaceWithHairOfBothColoursHasASurfaceOfEach) {
 
 TEST(ColoursOf, ACreaseIsSeenAsFarAsTheSkinKeepsIt) {
   face::Face face = face::test::small_face();
-  face::MeshPart part = face.mesh.parts.front();
-  part.name = "crease_brow";
-  part.material = face::Material::Crease;
-  face.mesh.parts.push_back(part);
-  face.channels.push_back({part.name, Side::Both, 1});
+  add_part(face, "crease_brow", face::Material::Crease);
+  face.channels.push_back({"crease_brow", Side::Both, 1});
   for (glm::vec4& colour : face.mesh.colours) colour = {0.25F, 0.5F, 0.75F, 0.5F};
   for (const float kept : {0.0F, 0.4F}) {
     face.channels.back().kept = kept;
@@ -46,19 +42,11 @@ TEST(ColoursOf, ACreaseIsSeenAsFarAsTheSkinKeepsIt) {
     const auto creases = std::find_if(surfaces.begin(), surfaces.end(),
                                       [](const Surface& one) { return one.look == Look::Creases; });
     ASSERT_NE(creases, surfaces.end());
-    ASSERT_EQ(creases->vertices.size(), part.vertex_count);
+    ASSERT_EQ(creases->vertices.size(), face.mesh.parts.back().vertex_count);
     for (const glm::vec4& colour : colours_of(face, *creases)) {
       EXPECT_EQ(colour, glm::vec4(0, 0, 0, kept * 0.25F));
     }
   }
-}
-
-/// A part of that material with the skin's vertices and triangles.
-void add_part(face::Face& face, const std::string& name, face::Material material) {
-  face::MeshPart part = face.mesh.parts.front();
-  part.name = name;
-  part.material = material;
-  face.mesh.parts.push_back(part);
 }
 
 const Surface& named(const std::vector<Surface>& surfaces, std::string_view name) {
@@ -142,17 +130,17 @@ TEST(PlacesOf, LinesLieABitOffTheSkinWhicheverWayTheyAreWound) {
   face::Face face = face::test::small_face();
   add_part(face, "brows", face::Material::Brow);
   std::vector<Surface> surfaces = surfaces_of(face);
-  EXPECT_EQ(places_of(face, named(surfaces, "skin"))[5], face.mesh.positions[5]);
+  EXPECT_EQ(positions_of(face, named(surfaces, "skin"))[5], face.mesh.positions[5]);
   Surface brows = named(surfaces, "brows");
   for (const bool turned : {false, true}) {
     if (turned) {
       for (auto& triangle : brows.triangles) std::swap(triangle[0], triangle[1]);
     }
-    const auto places = places_of(face, brows);
-    for (std::size_t i = 0; i < places.size(); i += 50) {
+    const auto positions = positions_of(face, brows);
+    for (std::size_t i = 0; i < positions.size(); i += 50) {
       const glm::vec3 own = face.mesh.positions[brows.vertices[i]];
-      EXPECT_NEAR(glm::distance(places[i], own), 0.035F, 1e-4F);
-      EXPECT_GT(places[i].z, own.z) << "out of the face, which looks along +z";
+      EXPECT_NEAR(glm::distance(positions[i], own), 0.035F, 1e-4F);
+      EXPECT_GT(positions[i].z, own.z) << "out of the face, which looks along +z";
     }
   }
 }
