@@ -131,11 +131,14 @@ struct Band {
   std::size_t last = 0;
 };
 
-/// Dynamic time warping within a band for each frame of a.
+/// Where the cheapest way to a pair of frames comes from.
+enum class Step : std::uint8_t { None, Both, OfA, OfB };
+
+/// Dynamic time warping within a band for each frame of a. No path is found through sounds whose
+/// samples are no numbers: none of their distances is less than another.
 AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>& bands) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
-  enum Step : std::uint8_t { Both, OfA, OfB };
-  std::vector<std::vector<std::uint8_t>> steps(a.frames());
+  std::vector<std::vector<Step>> steps(a.frames());
   std::vector<float> before;
   Band band_before{};
   for (std::size_t i = 0; i < a.frames(); ++i) {
@@ -150,30 +153,29 @@ AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>
       const std::size_t at = j - band.first;
       float cheapest = i == 0 && j == 0 ? 0 : kNever;
       const auto take = [&](float cost, Step step) {
-        if (cost >= cheapest) return;
+        if (!(cost < cheapest)) return;
         cheapest = cost;
         steps[i][at] = step;
       };
-      if (j > 0) take(above(j - 1), Both);
-      take(above(j), OfA);
-      if (at > 0) take(costs[at - 1], OfB);
+      if (j > 0) take(above(j - 1), Step::Both);
+      take(above(j), Step::OfA);
+      if (at > 0) take(costs[at - 1], Step::OfB);
       costs[at] = cheapest + distance(a, i, b, j);
     }
     before = std::move(costs);
     band_before = band;
   }
-  AlignmentPath path;
-  std::size_t i = a.frames() - 1;
-  std::size_t j = b.frames() - 1;
+  // Back from the end. Each step leads to a pair that has a cost, so it stays within the bands.
+  AlignmentPath path{{a.frames() - 1, b.frames() - 1}};
   while (true) {
+    auto [i, j] = path.back();
+    const Step step = steps[i][j - bands[i].first];
+    if (step == Step::None) break;
+    if (step != Step::OfB) --i;
+    if (step != Step::OfA) --j;
     path.emplace_back(i, j);
-    if (i == 0 && j == 0) break;
-    const auto step = steps[i][j - bands[i].first];
-    if (i > 0 && step != OfB) --i;
-    if (j > 0 && step != OfA) --j;
-    if (j < bands[i].first || j >= bands[i].last)
-      j = std::clamp(j, bands[i].first, bands[i].last - 1);
   }
+  if (path.back() != std::pair<std::size_t, std::size_t>()) return {};
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -192,8 +194,10 @@ Cepstrum coarser(const Cepstrum& fine, std::size_t by) {
   return coarse;
 }
 
-/// Bands around the diagonal, of `reach` frames to either side.
+/// Bands around the diagonal, of `reach` frames to either side, or of more where b is so much
+/// longer that neighbouring bands would not touch.
 std::vector<Band> diagonal(std::size_t a, std::size_t b, std::size_t reach) {
+  reach = std::max(reach, b / a + 1);
   std::vector<Band> bands(a);
   for (std::size_t i = 0; i < a; ++i) {
     const std::size_t centre = i * b / a;
@@ -275,11 +279,12 @@ AlignmentPath align(const Cepstrum& a, const Cepstrum& b) {
   const Cepstrum coarse_b = coarser(b, kCoarser);
   const AlignmentPath coarse =
       warp(coarse_a, coarse_b, diagonal(coarse_a.frames(), coarse_b.frames(), kCoarseReach));
+  if (coarse.empty()) return {};
   return warp(a, b, around(coarse, kCoarser, a.frames(), b.frames(), kReach));
 }
 
-CarriedOver carried_over(const Speech& spoken, std::vector<float> narration, int rate) {
-  const Cepstrum made = cepstrum_of(spoken.samples, spoken.rate);
+CarriedOver carried_over(const Speech& synthesised, std::vector<float> narration, int rate) {
+  const Cepstrum made = cepstrum_of(synthesised.samples, synthesised.rate);
   const Cepstrum read = cepstrum_of(narration, rate);
   const AlignmentPath path = align(made, read);
   const auto moved = [&path](Milliseconds time) {
@@ -301,16 +306,16 @@ CarriedOver carried_over(const Speech& spoken, std::vector<float> narration, int
     return last = std::max(last, std::min(moved(time), length));
   };
   Milliseconds last{0};
-  for (const Phoneme& phoneme : spoken.phonemes) {
+  for (const Phoneme& phoneme : synthesised.phonemes) {
     speech.phonemes.push_back({phoneme.ipa, carried(phoneme.begin, last)});
   }
   last = Milliseconds::zero();
-  for (const Word& word : spoken.words) {
+  for (const Word& word : synthesised.words) {
     speech.words.push_back({carried(word.begin, last), word.at, word.length});
   }
   last = Milliseconds::zero();
-  for (const Milliseconds end : spoken.sentence_ends) {
-    speech.sentence_ends.push_back(carried(end, last));
+  for (const Milliseconds end : synthesised.clause_ends) {
+    speech.clause_ends.push_back(carried(end, last));
   }
   return {std::move(speech), likeness(made, read, path)};
 }

@@ -34,18 +34,18 @@ struct Cepstrum {
 /// not with its square.
 [[nodiscard]] AlignmentPath align(const Cepstrum& a, const Cepstrum& b);
 
-/// A narration in the form of a synthesised speech.
+/// A narration in the form of a synthesiser's speech.
 struct CarriedOver {
   Speech speech;
-  /// The correlation of both sounds' loudness where they belong together: 1 for the same sound,
-  /// above 0.3 if it is a reading of the text, near 0 if it is not.
+  /// The correlation of both sounds' loudness along the path: 1 for the same sound, above 0.3 for a
+  /// reading of the text, near 0 for what is none.
   float likeness = 0;
 };
 
 /// Moves a synthesiser's speech onto a narration of the same words; the narration is mono, at
-/// `rate`. Returns the phonemes, words and sentence ends of `spoken` at the times at which they
+/// `rate`. Returns the phonemes, words and clause ends of `synthesised` at the times at which they
 /// come in the narration, and the narration as the samples.
-[[nodiscard]] CarriedOver carried_over(const Speech& spoken, std::vector<float> narration,
+[[nodiscard]] CarriedOver carried_over(const Speech& synthesised, std::vector<float> narration,
                                        int rate);
 
 }  // namespace aucast::speaker

@@ -41,9 +41,6 @@ std::vector<Piece> pieces_of(const Speech& speech, const Script& script) {
   std::vector<Piece> pieces;
   bool blank = true;
   std::size_t next = 0;
-  const auto heard = [&](std::size_t word) {
-    return word < speech.words.size() ? speech.words[word].begin : speech.length();
-  };
   for (std::size_t i = 0; i < text.count(); ++i) {
     const std::string_view character = text.part(i, 1);
     if (kWhiteSpace.find(character) != std::string_view::npos) {
@@ -52,15 +49,15 @@ std::vector<Piece> pieces_of(const Speech& speech, const Script& script) {
     }
     const bool word = next < speech.words.size() && speech.words[next].at <= i;
     if (blank || (word && written_without_blanks(character))) {
-      pieces.push_back({{}, blank, false, heard(next), heard(next)});
+      pieces.push_back({{}, blank, false, speech.word_begin(next), speech.word_begin(next)});
     }
     blank = false;
     Piece& piece = pieces.back();
     piece.text += character;
-    if (word && !piece.spoken) piece.begin = heard(next);
+    if (word && !piece.spoken) piece.begin = speech.word_begin(next);
     for (; next < speech.words.size() && speech.words[next].at <= i; ++next) {
       piece.spoken = true;
-      piece.end = std::min(heard(next + 1), heard(next) + kWordMax);
+      piece.end = std::min(speech.word_begin(next + 1), speech.word_begin(next) + kWordMax);
     }
   }
   return pieces;

@@ -44,7 +44,7 @@ void take_event(const espeak_EVENT& event, Speech& speech) {
       }
       break;
     case espeakEVENT_END:
-      speech.sentence_ends.push_back(at(event));
+      speech.clause_ends.push_back(at(event));
       break;
     default:
       break;

@@ -15,10 +15,9 @@ struct VoiceOptions {
   int pitch = 50;               ///< 0-99
 };
 
-/// Speaks the text with espeak-ng. Fails with a Usage error if there is no such voice, with BadData
-/// if the text has no words or takes longer than `longest`, with ErrorKind::Failed if espeak-ng's
-/// data is missing. Do not call it from two threads at once: the library keeps its state in
-/// globals.
+/// Speaks the text with espeak-ng. Fails with Usage if there is no such voice, with BadData if the
+/// text has no words or takes longer than `longest`, with Failed if espeak-ng's data is missing. Do
+/// not call it from two threads at once: the library keeps its state in globals.
 [[nodiscard]] Result<Speech> speak(const std::string& text, const VoiceOptions& options,
                                    Milliseconds longest = kSpeechMax);
 

@@ -69,12 +69,9 @@ std::vector<Pause> pauses_of(const Speech& speech) {
   constexpr Milliseconds kPauseMin{220};
   std::vector<Pause> pauses;
   for (std::size_t i = 0; i < speech.phonemes.size(); ++i) {
-    if (!speech.phonemes[i].ipa.empty()) continue;
-    const Milliseconds begin = speech.phonemes[i].begin;
-    while (i + 1 < speech.phonemes.size() && speech.phonemes[i + 1].ipa.empty()) ++i;
-    const Milliseconds end =
-        i + 1 < speech.phonemes.size() ? speech.phonemes[i + 1].begin : speech.length();
-    if (end - begin >= kPauseMin) pauses.push_back({begin, end});
+    const Pause pause{speech.phonemes[i].begin, speech.phoneme_end(i)};
+    const bool silent = speech.phonemes[i].ipa.empty();
+    if (silent && pause.end - pause.begin >= kPauseMin) pauses.push_back(pause);
   }
   return pauses;
 }
@@ -89,12 +86,11 @@ void blink(const Speech& speech, Dice& dice, Curves& curves) {
     moments.push_back(at);
     last = at;
   };
-  std::size_t sentence = 0;
+  std::size_t clause = 0;
   for (Milliseconds at = dice.between(Milliseconds(600), Milliseconds(2500)); at < speech.length();
        at += dice.between(Milliseconds(2200), kRareMax)) {
-    for (; sentence < speech.sentence_ends.size() && speech.sentence_ends[sentence] < at;
-         ++sentence) {
-      if (dice.roll() < 0.7F) add(speech.sentence_ends[sentence] + Milliseconds(60));
+    for (; clause < speech.clause_ends.size() && speech.clause_ends[clause] < at; ++clause) {
+      if (dice.roll() < 0.7F) add(speech.clause_ends[clause] + Milliseconds(60));
     }
     add(at);
   }
@@ -140,11 +136,11 @@ char sentence_mark(const Characters& script, const Word& word) {
   return at == std::string_view::npos ? '.' : rest[at];
 }
 
-void end_sentences(const Speech& speech, const Script& script, const GestureOptions& options,
-                   Dice& dice, Curves& curves) {
+void end_clauses(const Speech& speech, const Script& script, const GestureOptions& options,
+                 Dice& dice, Curves& curves) {
   const Characters characters_of_script(script.text);
   std::size_t next = 0;
-  for (const Milliseconds end : speech.sentence_ends) {
+  for (const Milliseconds end : speech.clause_ends) {
     while (next < speech.words.size() && speech.words[next].begin < end) ++next;
     if (next == 0) continue;
     const Word& last = speech.words[next - 1];
@@ -269,10 +265,9 @@ std::vector<bool> stressed_words(const Speech& speech) {
   };
   std::vector<float> loudness;
   for (std::size_t i = 0; i < speech.words.size(); ++i) {
-    const Milliseconds end =
-        i + 1 < speech.words.size() ? speech.words[i + 1].begin : speech.length();
     float loudest = 0;
-    for (std::size_t k = sample_at(speech.words[i].begin); k < sample_at(end); ++k) {
+    for (std::size_t k = sample_at(speech.words[i].begin); k < sample_at(speech.word_begin(i + 1));
+         ++k) {
       loudest = std::max(loudest, std::abs(speech.samples[k]));
     }
     loudness.push_back(loudest);
@@ -294,7 +289,7 @@ void add_gestures(const Speech& speech, const Script& script, const GestureOptio
   Dice dice(options.seed);
   wander(speech, options, dice, curves);
   stress(speech, options, dice, curves);
-  end_sentences(speech, script, options, dice, curves);
+  end_clauses(speech, script, options, dice, curves);
   blink(speech, dice, curves);
   bear(speech, options, dice, curves);
 }

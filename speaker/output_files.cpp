@@ -94,10 +94,9 @@ std::string labels_of(const Speech& speech) {
   for (std::size_t i = 0; i < speech.phonemes.size(); ++i) {
     const Phoneme& phoneme = speech.phonemes[i];
     if (phoneme.ipa.empty()) continue;
-    const Milliseconds end =
-        i + 1 < speech.phonemes.size() ? speech.phonemes[i + 1].begin : speech.length();
     std::array<char, 48> times{};
-    std::snprintf(times.data(), times.size(), "%.3f\t%.3f\t", seconds(phoneme.begin), seconds(end));
+    std::snprintf(times.data(), times.size(), "%.3f\t%.3f\t", seconds(phoneme.begin),
+                  seconds(speech.phoneme_end(i)));
     text += times.data() + phoneme.ipa + "\n";
   }
   return text;

@@ -28,14 +28,22 @@ struct Word {
 
 /// A text that was spoken.
 struct Speech {
-  int rate = 22050;            ///< samples a second
-  std::vector<float> samples;  ///< mono, in [-1,1]
-  std::vector<Phoneme> phonemes;
+  int rate = 22050;               ///< samples a second
+  std::vector<float> samples;     ///< mono, in [-1,1]
+  std::vector<Phoneme> phonemes;  ///< no two pauses in a row
   std::vector<Word> words;
-  std::vector<Milliseconds> sentence_ends;
+  std::vector<Milliseconds> clause_ends;  ///< of sentences, and before commas and the like
 
   [[nodiscard]] Milliseconds length() const {
     return Milliseconds(samples.size() * 1000 / static_cast<std::size_t>(rate));
+  }
+  /// When the next phoneme begins; after the last one, the end of the speech.
+  [[nodiscard]] Milliseconds phoneme_end(std::size_t i) const {
+    return i + 1 < phonemes.size() ? phonemes[i + 1].begin : length();
+  }
+  /// When word `i` begins; beyond the last one, the end of the speech.
+  [[nodiscard]] Milliseconds word_begin(std::size_t i) const {
+    return i < words.size() ? words[i].begin : length();
   }
 };
 

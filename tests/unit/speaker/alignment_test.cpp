@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace aucast::speaker {
@@ -55,14 +56,14 @@ TEST(CarriedOver, SkippedWordsKeepTheirOrder) {
   for (int at = 0; at < spoken.length().count(); at += 7) {
     const auto order = spoken.words.size();
     spoken.words.push_back({Milliseconds(at), 2 * order, 1});
-    spoken.sentence_ends.emplace_back(at);
+    spoken.clause_ends.emplace_back(at);
   }
   // The reader leaves out the middle.
   const Speech read = carried_over(spoken, tones({200, 250}, {200, 300}, 16000), 16000).speech;
   ASSERT_EQ(read.words.size(), spoken.words.size());
   for (std::size_t i = 1; i < read.words.size(); ++i) {
     EXPECT_GE(read.words[i].begin, read.words[i - 1].begin) << i;
-    EXPECT_GE(read.sentence_ends[i], read.sentence_ends[i - 1]) << i;
+    EXPECT_GE(read.clause_ends[i], read.clause_ends[i - 1]) << i;
   }
   EXPECT_LE(read.words.back().begin, read.length());
 }
@@ -86,6 +87,112 @@ TEST(CarriedOver, TellsHowAlikeBothAre) {
 TEST(Align, ASoundWithItselfIsTheDiagonal) {
   const auto sound = cepstrum_of(tones({200, 900, 400}, {300, 300, 300}, 16000), 16000);
   for (const auto& [a, b] : align(sound, sound)) EXPECT_EQ(a, b);
+}
+
+/// Frames of which each differs from its neighbours.
+Cepstrum frames(std::size_t count) {
+  Cepstrum cepstrum;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) {
+      cepstrum.rows.push_back(std::sin(0.37F * static_cast<float>(i * (k + 1))));
+    }
+  }
+  return cepstrum;
+}
+
+TEST(Align, APathGoesFromBothBeginningsToBothEndsWithoutALeap) {
+  // Up to four times as long is what a narration may be; beyond it no memory may be touched.
+  for (const auto& [a, b] : std::vector<std::pair<std::size_t, std::size_t>>{{1, 1},
+                                                                             {1, 3000},
+                                                                             {3000, 1},
+                                                                             {2, 2000},
+                                                                             {40, 30'000},
+                                                                             {500, 2000},
+                                                                             {2000, 500},
+                                                                             {3000, 2999},
+                                                                             {30'000, 41}}) {
+    const AlignmentPath path = align(frames(a), frames(b));
+    ASSERT_FALSE(path.empty()) << a << " and " << b;
+    EXPECT_EQ(path.front(), (std::pair<std::size_t, std::size_t>(0, 0)));
+    EXPECT_EQ(path.back(), (std::pair<std::size_t, std::size_t>(a - 1, b - 1)));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const std::size_t of_a = path[i].first - path[i - 1].first;
+      const std::size_t of_b = path[i].second - path[i - 1].second;
+      ASSERT_TRUE(of_a <= 1 && of_b <= 1 && of_a + of_b >= 1) << a << " and " << b << " at " << i;
+    }
+  }
+}
+
+TEST(Align, SamplesThatAreNoNumbersHaveNoPath) {
+  const auto sound = cepstrum_of(tones({200, 900, 400}, {300, 300, 300}, 16000), 16000);
+  for (const float odd :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30F}) {
+    std::vector<float> samples = tones({200, 900, 400}, {300, 300, 300}, 16000);
+    samples[samples.size() / 2] = odd;
+    const auto broken = cepstrum_of(samples, 16000);
+    EXPECT_TRUE(align(sound, broken).empty()) << odd;
+    EXPECT_TRUE(align(broken, sound).empty()) << odd;
+    Speech spoken;
+    spoken.samples.resize(22050);
+    spoken.words = {{Milliseconds(100), 0, 1}, {Milliseconds(5000), 2, 1}};
+    const CarriedOver carried = carried_over(spoken, samples, 16000);
+    EXPECT_EQ(carried.likeness, 0) << odd;
+    EXPECT_LE(carried.speech.words.back().begin, carried.speech.length()) << odd;
+  }
+}
+
+TEST(CepstrumOf, HasAFrameEachHundredthOfASecondThatFitsWhole) {
+  for (const int rate : {16000, 22050, 48000}) {
+    const auto ms = [rate](int time) { return static_cast<std::size_t>(time * rate / 1000); };
+    const auto count = [rate](std::size_t samples) {
+      return cepstrum_of(std::vector<float>(samples, 0.1F), rate).frames();
+    };
+    EXPECT_EQ(count(ms(32) - 1), 0U) << rate;
+    EXPECT_EQ(count(ms(32)), 1U) << rate;
+    EXPECT_EQ(count(ms(32) + ms(10)), 2U) << rate;
+    EXPECT_EQ(count(ms(1000)), 97U) << rate;
+  }
+}
+
+TEST(CepstrumOf, EachCoefficientHasMeanZeroAndDeviationOne) {
+  const auto sound = cepstrum_of(tones({200, 900, 400, 1500}, {300, 200, 400, 300}, 16000), 16000);
+  for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) {
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = k; i < sound.rows.size(); i += Cepstrum::kCoefficients) {
+      sum += static_cast<double>(sound.rows[i]);
+      squares += std::pow(static_cast<double>(sound.rows[i]), 2);
+    }
+    const auto n = static_cast<double>(sound.frames());
+    EXPECT_NEAR(sum / n, 0, 1e-4) << k;
+    EXPECT_NEAR(squares / n, 1, 1e-3) << k;
+  }
+}
+
+TEST(CepstrumOf, ALouderRecordingIsTheSameSound) {
+  const std::vector<float> quiet = tones({200, 900, 400}, {300, 300, 300}, 16000);
+  std::vector<float> loud = quiet;
+  for (float& sample : loud) sample *= 2;
+  const Cepstrum a = cepstrum_of(quiet, 16000);
+  const Cepstrum b = cepstrum_of(loud, 16000);
+  ASSERT_EQ(a.rows.size(), b.rows.size());
+  for (std::size_t i = 0; i < a.rows.size(); ++i) EXPECT_NEAR(a.rows[i], b.rows[i], 0.15F) << i;
+}
+
+TEST(CarriedOver, WordsKeepTheirPlaceInTheTextAndSoundsTheirLetters) {
+  Speech spoken;
+  spoken.samples = tones({200, 900}, {400, 400}, spoken.rate);
+  spoken.phonemes = {{"a", Milliseconds(0)}, {"", Milliseconds(380)}, {"i", Milliseconds(400)}};
+  spoken.words = {{Milliseconds(0), 3, 5}, {Milliseconds(400), 9, 2}};
+  const Speech read = carried_over(spoken, tones({200, 900}, {400, 400}, 16000), 16000).speech;
+  EXPECT_EQ(read.rate, 16000);
+  ASSERT_EQ(read.phonemes.size(), 3U);
+  EXPECT_EQ(read.phonemes[1].ipa, "");
+  EXPECT_EQ(read.phonemes[2].ipa, "i");
+  ASSERT_EQ(read.words.size(), 2U);
+  EXPECT_EQ(read.words[1].at, 9U);
+  EXPECT_EQ(read.words[1].length, 2U);
+  EXPECT_NEAR(static_cast<double>(read.words[1].begin.count()), 400, 30);
 }
 
 TEST(Align, ASoundTooShortForAFrameHasNoPath) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "common/text.h"
 #include "common/voice/webvtt.h"
 #include "speaker/espeak_voice.h"
@@ -127,6 +130,69 @@ TEST(Captions, AWordThatIsTooLongIsCutBetweenCharacters) {
   EXPECT_EQ(captions[1].text, word.substr(0, 752));
   EXPECT_EQ(captions[2].text, "more.");
   EXPECT_TRUE(voice::parse_webvtt(format_webvtt(captions), "t.vtt"));
+}
+
+TEST(Captions, ASilenceParts) {
+  const auto script = parse_script("one two three", "t");
+  ASSERT_TRUE(script);
+  Speech speech;
+  speech.samples.resize(std::size_t{22050} * 8);
+  speech.words = {{Milliseconds(0), 0, 3}, {Milliseconds(500), 4, 3}, {Milliseconds(4000), 8, 5}};
+  const auto captions = captions_of(speech, *script);
+  ASSERT_EQ(captions.size(), 2U);
+  EXPECT_EQ(captions[0].text, "one two");
+  EXPECT_EQ(captions[0].end, Milliseconds(2000))
+      << "no longer than 1.5 s after its last word began";
+  EXPECT_EQ(captions[1].begin, Milliseconds(4000));
+  EXPECT_EQ(captions[1].end, Milliseconds(5500));
+}
+
+TEST(Captions, NoneBeginsBeforeTheOneBeforeItEnds) {
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += "Some words, and then more of them. Again! ";
+  const auto script = parse_script(text, "t");
+  ASSERT_TRUE(script);
+  const auto captions = captions_of(words_every(90, *script), *script);
+  ASSERT_GT(captions.size(), 40U);
+  Milliseconds end{0};
+  for (const TimedCaption& caption : captions) {
+    EXPECT_GE(caption.begin, end) << caption.text;
+    EXPECT_LT(caption.begin, caption.end) << caption.text;
+    end = caption.end;
+  }
+}
+
+TEST(Captions, AScriptWithoutBlanksIsBrokenBetweenCharacters) {
+  std::string written;
+  for (int i = 0; i < 120; ++i) written += "人";
+  const auto script = parse_script(written, "t");
+  ASSERT_TRUE(script);
+  Speech speech;
+  for (std::size_t i = 0; i < 120; ++i) {
+    speech.words.push_back({Milliseconds(200 * static_cast<int>(i)), i, 1});
+  }
+  speech.samples.resize(std::size_t{22050} * 24);
+  std::string all;
+  for (const TimedCaption& caption : captions_of(speech, *script)) {
+    expect_short_lines(caption.text);
+    for (const std::string_view line : split(caption.text, '\n')) all += line;
+  }
+  EXPECT_EQ(all, written) << "nothing is lost where a line ends";
+}
+
+TEST(Captions, LinesAreOfTheMostEqualLengths) {
+  const auto script = parse_script("It is never clear where a line of such a length ends", "t");
+  ASSERT_TRUE(script);
+  const auto captions = captions_of(words_every(200, *script), *script);
+  ASSERT_EQ(captions.size(), 1U);
+  EXPECT_EQ(captions[0].text, "It is never clear where a\nline of such a length ends");
+}
+
+TEST(Captions, ATextWithoutWordsHasNone) {
+  const auto script = parse_script("\n\n", "t");
+  ASSERT_TRUE(script);
+  EXPECT_TRUE(captions_of({}, *script).empty());
+  EXPECT_EQ(format_webvtt({}), "WEBVTT\n");
 }
 
 TEST(WebVtt, OddTextComesBackAsItWas) {

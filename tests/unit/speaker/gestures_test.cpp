@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "common/au_numbers.h"
@@ -67,12 +68,12 @@ TEST(AddGestures, TheEyesBlinkEveryFewSecondsWhateverTheAmount) {
 
 TEST(AddGestures, MostSentencesEndWithABlink) {
   Speech speech = minute();
-  for (int s = 5; s < 60; s += 5) speech.sentence_ends.emplace_back(1000 * s);
+  for (int s = 5; s < 60; s += 5) speech.clause_ends.emplace_back(1000 * s);
   int with_blink = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Curves curves(speech.length());
     add_gestures(speech, {}, {seed, 1}, curves);
-    for (const Milliseconds end : speech.sentence_ends) {
+    for (const Milliseconds end : speech.clause_ends) {
       if (strongest(curves, kBlink, end + Milliseconds(150), end + Milliseconds(230)) > 0.9F) {
         ++with_blink;
       }
@@ -84,7 +85,7 @@ TEST(AddGestures, MostSentencesEndWithABlink) {
 TEST(AddGestures, AQuestionEndsWithRaisedBrowsAndHead) {
   Speech speech = minute();
   speech.words = {{Milliseconds(1000), 0, 3}, {Milliseconds(10'000), 5, 3}};
-  speech.sentence_ends = {Milliseconds(1500), Milliseconds(10'500)};
+  speech.clause_ends = {Milliseconds(1500), Milliseconds(10'500)};
   Script script;
   script.text = "Why? Now.\n\n";
   Curves curves(speech.length());
@@ -96,6 +97,62 @@ TEST(AddGestures, AQuestionEndsWithRaisedBrowsAndHead) {
   EXPECT_GT(during(kHeadUp, 1000), 0.15F);
   EXPECT_EQ(during(kHeadUp, 10'000), 0);
   EXPECT_GT(during(kHeadDown, 10'000), 0.1F);
+}
+
+TEST(StressedWords, ThereAreNoneWithoutWordsOrSound) {
+  EXPECT_TRUE(stressed_words(minute()).empty());
+  Speech silent;
+  silent.words = {{Milliseconds(0), 0, 6}, {Milliseconds(900), 7, 6}};
+  EXPECT_EQ(stressed_words(silent), (std::vector<bool>{false, false})) << "no samples at all";
+}
+
+/// A minute of words and phrases, as a lecture has them.
+Speech lecture() {
+  Speech speech = minute();
+  speech.phonemes.clear();
+  for (int s = 0; s < 60; s += 3) {
+    speech.phonemes.push_back({"a", Milliseconds(1000 * s)});
+    speech.phonemes.push_back({"", Milliseconds(1000 * s + 2400)});
+    for (int w = 0; w < 4; ++w) {
+      speech.words.push_back({Milliseconds(1000 * s + 600 * w), speech.words.size() * 6, 5});
+    }
+    speech.clause_ends.emplace_back(1000 * s + 2400);
+    std::fill_n(speech.samples.begin() + 22050 * s + 15'000, 1000, 0.4F);
+  }
+  return speech;
+}
+
+TEST(AddGestures, LeaveTheMouthToItsSoundsButForASmile) {
+  const Speech speech = lecture();
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {1, 2}, curves);
+  for (const auto& [key, samples] : curves.samples) {
+    EXPECT_FALSE(key.first >= kLipPucker && key.first < kHeadLeft && key.first != kBlink)
+        << "AU " << key.first;
+    for (const float sample : samples) ASSERT_GE(sample, 0) << "AU " << key.first;
+  }
+}
+
+TEST(AddGestures, NeverTurnTheHeadBothWaysAtOnce) {
+  const Speech speech = lecture();
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {}, curves);
+  for (const auto& [plus, minus] :
+       {std::pair{kHeadLeft, kHeadRight}, std::pair{kHeadTiltLeft, kHeadTiltRight}}) {
+    for (std::size_t i = 0; i < curves.steps; ++i) {
+      EXPECT_EQ(std::min(curves.of(plus)[i], curves.of(minus)[i]), 0) << 20 * i << " ms";
+    }
+  }
+}
+
+TEST(AddGestures, WithoutAnAmountOnlyLidsAndEyesMove) {
+  const Speech speech = lecture();
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {1, 0}, curves);
+  for (const auto& [key, samples] : curves.samples) {
+    if (key.first == kBlink) continue;
+    EXPECT_EQ(*std::max_element(samples.begin(), samples.end()), 0) << "AU " << key.first;
+  }
 }
 
 TEST(AddGestures, TheEyesGlanceAsideOnlyInAPause) {

@@ -56,6 +56,62 @@ TEST(ParseScript, RefusesControlCharacters) {
   EXPECT_TRUE(parse_script("one\ttwo\r\n\r\nthree\r\n", "t"));
 }
 
+TEST(ParseScript, EndsOfLinesAndTheMarkOfUtf8AreNoWords) {
+  const auto unix_lines = parse_script("one\ntwo\n\nthree\n", "t");
+  ASSERT_TRUE(unix_lines);
+  EXPECT_EQ(unix_lines->text, "one two\n\nthree\n\n");
+  EXPECT_EQ(unix_lines->ends, (std::vector<std::size_t>{9, 16}));
+  for (const char* text : {"one\r\ntwo\r\n\r\nthree\r\n", "\xEF\xBB\xBFone\ntwo\n\nthree",
+                           "one\ntwo\n \t\n\n\nthree\n\n\n"}) {
+    const auto script = parse_script(text, "t");
+    ASSERT_TRUE(script) << text;
+    EXPECT_EQ(script->text, unix_lines->text) << text;
+    EXPECT_EQ(script->ends, unix_lines->ends) << text;
+  }
+}
+
+TEST(ParseScript, ACommentPartsNothingAndATitleIsOne) {
+  const auto script = parse_script("one\n  # aside [no cue\ntwo\n#  TITLE:  Faces: a talk \n", "t");
+  ASSERT_TRUE(script);
+  EXPECT_EQ(script->text, "one two\n\n");
+  EXPECT_TRUE(script->cues.empty());
+  EXPECT_EQ(script->title, "Faces: a talk");
+  EXPECT_EQ(script->title_line, 4U);
+  const auto none = parse_script("# subtitle: no\none # two", "t");
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->title, "");
+  EXPECT_EQ(none->text, "one # two\n\n") << "a # within a line is a word";
+}
+
+TEST(ParseScript, CuesAreTrimmedAndTheirColumnsCountBytes) {
+  const auto script = parse_script("Grüße [ smile  50 ] und[]\n[fear]", "t");
+  ASSERT_TRUE(script);
+  ASSERT_EQ(script->cues.size(), 3U);
+  EXPECT_EQ(script->cues[0].name, "smile  50");
+  EXPECT_EQ(script->cues[0].column, 9U);
+  EXPECT_EQ(script->cues[1].name, "");
+  EXPECT_EQ(script->cues[2].line, 2U);
+  EXPECT_EQ(script->cues[2].column, 1U);
+  EXPECT_EQ(script->cues[2].at, characters(script->text.substr(0, script->text.find("\n"))));
+}
+
+TEST(ParseScript, ATextWithoutWordsIsEmpty) {
+  for (const char* text : {"", "\n\n", "# title: only\n", "[smile]\n\n[fear]"}) {
+    const auto script = parse_script(text, "t");
+    ASSERT_TRUE(script) << text;
+    EXPECT_EQ(script->text, "") << text;
+    EXPECT_TRUE(script->ends.empty()) << text;
+  }
+}
+
+TEST(ParseScript, BytesThatNoCharacterHasAreRefused) {
+  for (const char* bytes : {"one \xff", "\xc0\x80", "\xed\xa0\x80", "two\xe2\x82"}) {
+    const auto script = parse_script(bytes, "t");
+    ASSERT_FALSE(script);
+    EXPECT_NE(script.error().message.find("no UTF-8"), std::string::npos);
+  }
+}
+
 TEST(ParseScript, SaysWhereATextIsWrong) {
   const auto open = parse_script("one\ntwo [smile\n", "t.txt");
   ASSERT_FALSE(open);

@@ -163,6 +163,53 @@ TEST(SpeakerApp, ANarrationThatCannotBeTheTextIsRefused) {
   EXPECT_EQ(run_speaker({all, "-o", out, "--voice", out + "/talk.wav"}), 3);
 }
 
+TEST(SpeakerApp, TheSameTextAndSeedGiveTheSameFiles) {
+  const TempFolder folder;
+  const std::string text = folder.write("talk.txt", "Good morning. [smile] Hello?\n").string();
+  const auto speak_into = [&](const std::string& out, const std::string& seed) {
+    const auto done = test::run(
+        {test::program("au-speaker"), text, "-o", (folder.path() / out).string(), "--seed", seed});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+  };
+  speak_into("one", "1");
+  speak_into("same", "1");
+  speak_into("other", "2");
+  for (const char* file : {"/talk.txt", "/talk.vtt", "/talk.wav"}) {
+    EXPECT_EQ(folder.read("one" + std::string(file)), folder.read("same" + std::string(file)));
+  }
+  EXPECT_EQ(folder.read("one/talk.wav"), folder.read("other/talk.wav"));
+  EXPECT_NE(folder.read("one/talk.txt"), folder.read("other/talk.txt"));
+}
+
+TEST(SpeakerApp, RefusesNumbersOutOfRange) {
+  for (const auto& [option, number] :
+       std::vector<std::pair<std::string, std::string>>{{"--speed", "79"},
+                                                        {"--speed", "451"},
+                                                        {"--pitch", "100"},
+                                                        {"--gestures", "201"},
+                                                        {"--gestures", "-1"},
+                                                        {"--seed", "-1"},
+                                                        {"--seed", "x"}}) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_speaker({option, number, "talk.txt"}), 2);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(
+        said.starts_with("au-speaker: " + option + " '" + number + "' is not a whole number from "))
+        << said;
+  }
+}
+
+TEST(SpeakerApp, PrintsItsManualAndTheVoices) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_speaker({"--help-man"}), 0);
+  const std::string manual = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(manual.starts_with(".TH")) << manual.substr(0, 80);
+  EXPECT_NE(manual.find("labels"), std::string::npos);
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_speaker({"--list-voices"}), 0);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("de\tGerman\n"), std::string::npos);
+}
+
 TEST(SpeakerApp, ReadsStandardInput) {
   const TempFolder folder;
   const std::string text = folder.write("talk.txt", "Good morning.\n").string();
