@@ -31,7 +31,8 @@ CommandPage speaker_page() {
               "In TEXT an empty line ends a paragraph, '# title: ...' names the lecture, other\n"
               "lines that begin with # are not spoken, and a word in brackets sets the\n"
               "expression until the next bracket or the end of the paragraph: [smile],\n"
-              "[surprise 60] (percent), or AUs, [1,2:40]. Names are those of expressions.toml.\n",
+              "[surprise 60] (percent), or AUs, [1,2:40]. Names are [smile] and those of\n"
+              "expressions.toml.\n",
           .examples = {"au-speaker lecture.txt -o lecture        # lecture/lecture.txt, .wav, .vtt",
                        "au-speaker lecture.txt --voice talk.wav  # the face for a recorded voice",
                        "au-transmitter lecture                   # serves it"}};
@@ -66,13 +67,14 @@ std::vector<OptionRow> option_rows(Options& options) {
        .text = "name of the files (that of TEXT; stdin: \"speech\")",
        .value = parsed(OptionValue::Kind::Word, read_name, options.name)},
       {.option = {"voice", "FILE"},
-       .text = "a narration: TEXT read aloud (WAV, FLAC, Ogg, MP3)",
-       .more = "A narration, which is somebody reading TEXT (WAV, FLAC, Ogg, MP3), of at most "
-               "three hours. It becomes the voice of the stream.",
+       .text = "TEXT as somebody reads it aloud (WAV, FLAC, Ogg, MP3)",
+       .more = "A narration in place of espeak-ng's voice: a recording of somebody who reads TEXT "
+               "(WAV, FLAC, Ogg, MP3), of at most three hours. It becomes the voice of the stream.",
        .value = word(options.narration)},
       {.option = {"labels", "FILE"},
-       .text = "write the times of the sounds (IPA); - for stdout",
-       .more = "Writes when each sound is heard (IPA), as labels for Audacity, with - to stdout.",
+       .text = "write the times of phonemes (Audacity); - for stdout",
+       .more = "Writes when each phoneme is heard, in IPA letters, as labels for Audacity, with - "
+               "to stdout.",
        .value = parsed(OptionValue::Kind::Word, read_output_path, options.labels)},
       {.option = {"data", "DIR"},
        .text = "folder with expressions.toml (the installed one)",
@@ -89,7 +91,7 @@ std::vector<OptionRow> option_rows(Options& options) {
        .text = "pitch of the voice, 0 to 99 (50)",
        .value = whole(options.voice.pitch, 0, 99)},
       {.option = {"list-voices"},
-       .text = "print languages and voices",
+       .text = "print what --language takes",
        .value = flag(options.list_voices)},
       {.option = {"gestures", "N", "100"},
        .text = "how much brows and head move, 0 to 200 % (100)",
