@@ -156,31 +156,21 @@ Json FaceFile::targets(const Surface& surface) {
     }
     return all;
   };
-  std::optional<int> no_positions;
-  std::optional<int> no_normals;
-  std::optional<int> no_colours;
-  const auto stored = [&](const std::vector<Change>& changes, std::optional<int>& none,
-                          int (GlbFile::*store)(std::span<const Change>, std::size_t)) {
-    if (!changes.empty()) return (file_.*store)(changes, count);
-    if (!none) none = (file_.*store)(changes, count);
-    return *none;
-  };
   const std::vector<float> darkness =
       surface.look == Look::Creases ? darkness_of(face_, surface) : std::vector<float>();
   Json all = Json::array();
   for (const Target& target : targets_.all()) {
     const auto positions = here(target.positions, kMetresPerUnit);
-    Json one{{"POSITION", stored(positions, no_positions, &GlbFile::position_changes)}};
+    Json one{{"POSITION", file_.position_changes(positions, count)}};
     if (surface.look == Look::Creases) {
       std::vector<Change> shown;
       for (std::uint32_t i = 0; i < count; ++i) {
         const float dark = target.creases[surface.creases[i]] * darkness[i];
         if (dark > 0) shown.push_back({i, {0, 0, 0, dark}});
       }
-      one["COLOR_0"] = stored(shown, no_colours, &GlbFile::colour_changes);
+      one["COLOR_0"] = file_.colour_changes(shown, count);
     } else if (surface.look != Look::Brows) {  // hairs too thin for their light to tell
-      const auto normals = here(target.normals, 1);
-      one["NORMAL"] = stored(normals, no_normals, &GlbFile::normal_changes);
+      one["NORMAL"] = file_.normal_changes(here(target.normals, 1), count);
     }
     all.push_back(std::move(one));
   }

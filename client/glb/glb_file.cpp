@@ -188,10 +188,16 @@ int GlbFile::inverse_bind_matrices(std::span<const std::array<float, 16>> matric
   return floats(matrices, "MAT4");
 }
 
-/// Without a view the accessor is all zeros, which is what most targets change of most meshes.
+/// Without a view the accessor is all zeros, which is what most targets change of most meshes:
+/// there is one for all of them.
 template <typename T>
 int GlbFile::changes(std::span<const Change> changes, std::size_t vertex_count, int component,
                      int width) {
+  const int index = static_cast<int>(accessors_.size());
+  if (changes.empty()) {
+    const auto [known, first] = zeros_.try_emplace({component, vertex_count}, index);
+    if (!first) return known->second;
+  }
   Json accessor{{"componentType", component},
                 {"count", vertex_count},
                 {"type", width == 4 ? "VEC4" : "VEC3"}};
@@ -218,7 +224,7 @@ int GlbFile::changes(std::span<const Change> changes, std::size_t vertex_count, 
     for (glm::length_t i = 0; i < width; ++i) append(change_values_, stored<T>(change.by[i]));
   }
   accessors_.push_back(std::move(accessor));
-  return static_cast<int>(accessors_.size()) - 1;
+  return index;
 }
 
 int GlbFile::position_changes(std::span<const Change> changes, std::size_t vertex_count) {
@@ -237,8 +243,9 @@ int GlbFile::position_changes(std::span<const Change> changes, std::size_t verte
     low.push_back(least);
     high.push_back(most);
   }
-  accessors_.back()["min"] = std::move(low);
-  accessors_.back()["max"] = std::move(high);
+  Json& accessor = accessors_[static_cast<std::size_t>(index)];
+  accessor["min"] = std::move(low);
+  accessor["max"] = std::move(high);
   return index;
 }
 

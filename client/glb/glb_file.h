@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
@@ -93,6 +96,7 @@ class GlbFile {
   // The changes of all morph targets, which get two views of their own.
   std::string change_vertices_;
   std::string change_values_;
+  std::map<std::pair<int, std::size_t>, int> zeros_;  ///< accessors, by component type and vertices
 };
 
 }  // namespace aucast::glb

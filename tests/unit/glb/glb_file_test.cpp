@@ -80,6 +80,20 @@ TEST(GlbFile, NoChangesAreAnAccessorOfZerosWithoutBytes) {
   EXPECT_EQ(parts.document["accessors"][0]["max"], (Json{0, 0, 0}));
 }
 
+TEST(GlbFile, AllThatChangeNothingShareTheirZeros) {
+  GlbFile file;
+  EXPECT_EQ(file.position_changes({}, 5), 0);
+  EXPECT_EQ(file.position_changes(std::vector<Change>{{1, {1, 0, 0, 0}}}, 5), 1);
+  EXPECT_EQ(file.position_changes({}, 5), 0);
+  EXPECT_EQ(file.normal_changes({}, 5), 2) << "of another type";
+  EXPECT_EQ(file.position_changes({}, 6), 3) << "of another mesh";
+  EXPECT_EQ(file.normal_changes({}, 5), 2);
+  const ReadGlb read(file.bytes());
+  ASSERT_EQ(read.document["accessors"].size(), 4U);
+  EXPECT_EQ(read.document["accessors"][1]["max"], (Json{32'767, 0, 0}));
+  EXPECT_EQ(read.rows(std::size_t{3}), ReadGlb::Rows(6, {0, 0, 0}));
+}
+
 TEST(GlbFile, IndicesOfManyVerticesAreWide) {
   GlbFile file;
   const std::vector<std::array<std::uint32_t, 3>> triangle{{0, 1, 2}};
