@@ -59,6 +59,11 @@ void put(Curves& curves, int au, const Beat& beat, float intensity) {
   }
 }
 
+void raise_brows(Curves& curves, const Beat& beat, float intensity) {
+  put(curves, kInnerBrowRaiser, beat, kInnerShare * intensity);
+  put(curves, kOuterBrowRaiser, beat, intensity);
+}
+
 /// Pauses that separate phrases.
 struct Pause {
   Milliseconds begin;
@@ -113,8 +118,7 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     if (what < 0.65F) {
       const Beat beat{at - Milliseconds(140), Milliseconds(200),
                       dice.between(Milliseconds(60), Milliseconds(260)), Milliseconds(380)};
-      put(curves, kInnerBrowRaiser, beat, kInnerShare * brows);
-      put(curves, kOuterBrowRaiser, beat, brows);
+      raise_brows(curves, beat, brows);
     } else {
       // Weight without raised brows: eyes and forehead gather a little.
       const Beat beat{at - Milliseconds(140), Milliseconds(220), Milliseconds(200),
@@ -148,8 +152,7 @@ void end_clauses(const Speech& speech, const Script& script, const GestureOption
       const Beat beat{last.begin - Milliseconds(150), Milliseconds(250), Milliseconds(450),
                       Milliseconds(500)};
       const float brows = dice.between(0.4F, 0.6F) * options.amount;
-      put(curves, kInnerBrowRaiser, beat, kInnerShare * brows);
-      put(curves, kOuterBrowRaiser, beat, brows);
+      raise_brows(curves, beat, brows);
       put(curves, kHeadUp, beat, 0.2F * options.amount);
     } else {
       put(curves, kHeadDown,

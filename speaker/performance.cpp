@@ -7,10 +7,6 @@
 #include <utility>
 
 #include "common/au_numbers.h"
-#include "common/number_of.h"
-#include "common/text.h"
-#include "common/text_file.h"
-#include "protocol/codec.h"
 #include "speaker/lips.h"
 
 namespace aucast::speaker {
@@ -23,59 +19,6 @@ const std::set<int> kMouth{kUpperLipRaiser,     kLipCornerPuller,   kSharpLipPul
                            kLipTightener,       kLipPresser};
 const std::set<int> kLipsOnly{kLipPucker, kTongueShow,   kLipFunneler, kLipsPart,
                               kJawDrop,   kMouthStretch, kLipsSuck,    kBite};
-
-/// Whether a cue is meant as AUs: 6,12 or R14:50, perhaps in braces.
-bool begins_with_au(std::string_view cue) {
-  if (cue.starts_with('{')) cue.remove_prefix(1);
-  if (cue.starts_with('L') || cue.starts_with('R')) cue.remove_prefix(1);
-  return !cue.empty() && cue.front() >= '0' && cue.front() <= '9';
-}
-
-std::string bracketed(std::string_view cue) {
-  return "[" + escaped(cue) + "]";
-}
-
-/// The AUs of a cue without its percent. Errors say what is wrong, but not where.
-Result<std::vector<AuTerm>> named(std::string_view name, const Expressions& expressions) {
-  const auto wrong = [](std::string text) { return Error{ErrorKind::BadData, std::move(text)}; };
-  const std::string word = lowered(name);
-  const auto same = std::find_if(expressions.begin(), expressions.end(),
-                                 [&](const auto& one) { return lowered(one.first) == word; });
-  if (same != expressions.end()) {
-    if (!same->second.empty()) return same->second;
-    return wrong(bracketed(name) +
-                 " is made of muscles alone, which no stream carries; take an expression of AUs");
-  }
-  if (word == "smile")
-    return std::vector<AuTerm>{{kCheekRaiser, Side::Both, 50}, {kLipCornerPuller, Side::Both, 70}};
-  if (begins_with_au(name)) {
-    const auto aus = protocol::parse_au_set(name);
-    return aus ? Result(canonical_terms(*aus)) : wrong(aus.error().message);
-  }
-  std::vector<std::string> known{"smile"};
-  for (const auto& [other, terms] : expressions) known.push_back(other);
-  const auto near = nearest(word, known);
-  return wrong(bracketed(name) + " is no expression; " +
-               (near ? "did you mean " + bracketed(*near) + "?"
-                     : "[smile], AUs and the names of `face-player pose --list` are"));
-}
-
-/// The AUs of a cue, weakened by its percent if it has one; errors as in named().
-Result<std::vector<AuTerm>> meaning(std::string_view cue, const Expressions& expressions) {
-  const std::size_t blank = std::min(cue.rfind(' '), cue.size());
-  const auto percent = number_of<double>(cue.substr(std::min(blank + 1, cue.size())));
-  if (blank == cue.size() || !percent || expressions.contains(cue)) return named(cue, expressions);
-  auto terms = named(trimmed(cue.substr(0, blank), " \t"), expressions);
-  if (!terms) return terms;
-  if (*percent < 0 || *percent > 100 || *percent != std::floor(*percent)) {
-    return Error{ErrorKind::BadData,
-                 bracketed(cue) + " has a percent that is no whole number from 0 to 100"};
-  }
-  for (AuTerm& term : *terms) {
-    term.percent = static_cast<std::uint8_t>(term.percent * static_cast<int>(*percent) / 100);
-  }
-  return terms;
-}
 
 /// When the word that follows character `at` is heard; nullopt: none follows.
 std::optional<Milliseconds> heard_at(const Speech& speech, std::size_t at) {
@@ -113,7 +56,7 @@ void follow_cues(const Speech& speech, const Script& script, const Expressions& 
     std::size_t end = paragraph != script.ends.end() ? *paragraph : characters(script.text);
     if (i + 1 < script.cues.size()) end = std::min(end, script.cues[i + 1].at);
     const auto from = heard_at(speech, cue.at);
-    const auto terms = meaning(cue.name, expressions);
+    const auto terms = terms_of(cue.name, expressions);
     if (from && terms)
       express(*terms, *from, heard_at(speech, end).value_or(speech.length()), curves);
   }
@@ -157,26 +100,6 @@ std::optional<std::size_t> worst_between(const Curves& curves, std::size_t from,
 }
 
 }  // namespace
-
-Expressions sets_of(const std::vector<Expression>& expressions) {
-  Expressions sets;
-  for (const Expression& expression : expressions) {
-    const bool of_muscles = expression.aus == AuFrame{} && !expression.muscles.empty();
-    sets[expression.name] = of_muscles ? std::vector<AuTerm>() : canonical_terms(expression.aus);
-  }
-  return sets;
-}
-
-Result<void> check_cues(const Script& script, const Expressions& expressions,
-                        std::string_view file) {
-  for (const Cue& cue : script.cues) {
-    const auto terms = meaning(cue.name, expressions);
-    if (terms) continue;
-    const Error& error = terms.error();
-    return Error{error.kind, at_place(file, cue.line, cue.column, error.message)};
-  }
-  return {};
-}
 
 protocol::StreamFile perform(const Speech& speech, const Script& script,
                              const Expressions& expressions, const GestureOptions& options) {

@@ -15,6 +15,7 @@
 #include "protocol/stream_file.h"
 #include "speaker/alignment.h"
 #include "speaker/captions.h"
+#include "speaker/cues.h"
 #include "speaker/narration.h"
 #include "speaker/output_files.h"
 #include "speaker/performance.h"

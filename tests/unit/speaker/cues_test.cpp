@@ -1,4 +1,5 @@
-// Expressions that cues ask for, over a speech whose times are known.
+#include "speaker/cues.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,78 @@
 
 namespace aucast::speaker {
 namespace {
+
+TEST(SetsOf, HasNoAusForWhatIsMadeOfMusclesAlone) {
+  std::vector<Expression> read(3);
+  read[0].name = "neutral";
+  read[1].name = "joy";
+  set_intensity(read[1].aus, 12, Side::Both, 0.6F);
+  read[1].muscles = read[2].muscles = {{"zygomaticus_major", {}, 1, 1}};
+  read[2].name = "pull";
+  EXPECT_EQ(sets_of(read), (Expressions{{"neutral", {{0, Side::Both, 100}}},
+                                        {"joy", {{12, Side::Both, 60}}},
+                                        {"pull", {}}}));
+}
+
+/// What is said of a text with cues; empty: they are right.
+std::string complaint(const std::string& text) {
+  const Expressions expressions{{"happiness-12C", {{12, Side::Both, 50}}},
+                                {"surprise", {{1, Side::Both, 100}}},
+                                {"mild 50", {{1, Side::Both, 20}}},
+                                {"waters-fear", {}}};
+  const auto script = parse_script(text, "t.txt");
+  EXPECT_TRUE(script);
+  const auto checked = check_cues(*script, expressions, "t.txt");
+  if (checked) return "";
+  EXPECT_EQ(checked.error().kind, ErrorKind::BadData);
+  return checked.error().message;
+}
+
+TEST(CheckCues, TakeExpressionsPercentAndAus) {
+  for (const char* cue :
+       {"L12:40", "12C,R2:10", "6,12:60", "{6+12}", "R14", "0", "Surprise 40", "surprise",
+        "happiness-12C", "Happiness-12c", "happiness-12C 50", "smile", "SMILE 100", "smile 0",
+        "mild 50", "Mild 50", "mild 50 50", "6,12:60 50"}) {
+    EXPECT_EQ(complaint("[" + std::string(cue) + "] a"), "") << cue;
+  }
+}
+
+TEST(CheckCues, NameTheNearestExpressionOrWhereTheyAreListed) {
+  EXPECT_EQ(complaint("hello [suprise] a"),
+            "t.txt:1:7: [suprise] is no expression; did you mean [surprise]?");
+  EXPECT_EQ(complaint("hello\n\n[suprise 40] a"),
+            "t.txt:3:1: [suprise] is no expression; did you mean [surprise]?");
+  EXPECT_EQ(complaint("[see page] a"),
+            "t.txt:1:1: [see page] is no expression; [smile], AUs and the names of `face-player "
+            "pose --list` are");
+  EXPECT_NE(complaint("[] a"), "");
+}
+
+TEST(CheckCues, TellOfAWrongPercent) {
+  for (const char* percent : {"500", "101", "-1", "50.5"}) {
+    const std::string cue = "[smile " + std::string(percent) + "]";
+    EXPECT_EQ(complaint(cue + " a"),
+              "t.txt:1:1: " + cue + " has a percent that is no whole number from 0 to 100");
+  }
+}
+
+TEST(CheckCues, TellWhatIsWrongWithAus) {
+  EXPECT_EQ(complaint("[6,12:900] a"),
+            "t.txt:1:1: AU set '6,12:900', column 8: an intensity is 0-100 percent");
+  EXPECT_NE(complaint("[6;400] a").find("a time (';') has a meaning in a stream"),
+            std::string::npos);
+  EXPECT_NE(complaint("[R12Z] a").find("AU set 'R12Z', column 4"), std::string::npos);
+}
+
+TEST(CheckCues, TellThatMusclesAreNotCarried) {
+  for (const char* cue : {"[waters-fear]", "[Waters-Fear 40]"}) {
+    EXPECT_NE(complaint(cue + std::string(" a")).find("is made of muscles alone, which no stream"),
+              std::string::npos)
+        << cue;
+  }
+  EXPECT_EQ(complaint("[waters-fer] a").find("waters-fear"), std::string::npos)
+      << "nor is it proposed";
+}
 
 /// Says the script's words one second apart, from 2 s on, without a sound that moves the lips.
 Speech a_word_each_second(const Script& script) {
