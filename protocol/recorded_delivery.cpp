@@ -79,7 +79,7 @@ void RecordedDelivery::pump(std::string& out) {
     writer_.write_keyframe(packets[next_packet_++], out);
     if (window_.count_sent()) on_answered();
   }
-  // What sounds on after the last keyframe, while the face holds.
+  // Before {-2}: what sounds on after the last keyframe, while the face holds.
   if (sends_spoken() && complete()) {
     static_cast<void>(send_spoken(Milliseconds::max(), Milliseconds::max(), out));
   }

@@ -66,7 +66,11 @@ void add_plain_streams(ServerCatalogue& catalogue) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Script script(fuzz::text_of(data, size));
   ServerCatalogue catalogue;
-  EncodedStream a{{"{1}", "{2}", "{3}"}, {"{1:30}", "{2;40}", "{3}"}, {}, {}, 120};
+  EncodedStream a{test::packets({"{1}", "{2}", "{3}"}),
+                  test::packets({"{1:30}", "{2;40}", "{3}"}),
+                  {},
+                  {},
+                  120};
   const auto kind = script.byte();
   catalogue.loop = (kind & 1U) != 0;
   const auto spoken = (kind & 4U) != 0 ? spoken_words() : nullptr;

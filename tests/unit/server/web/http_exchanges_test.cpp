@@ -43,7 +43,7 @@ TEST_F(HttpExchangesTest, WhoTakesSomeOfAFileNowAndThenGetsAllOfIt) {
     heard += link->heard();
   }
   EXPECT_TRUE(link->finished());
-  EXPECT_EQ(std::count(heard.begin(), heard.end(), 'x'), 100'000);
+  EXPECT_TRUE(heard.ends_with("\r\n\r\n" + *file_));
 }
 
 TEST_F(HttpExchangesTest, WhoTakesNothingOfAFileIsLeft) {
