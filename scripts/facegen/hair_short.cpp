@@ -11,9 +11,9 @@ namespace {
 /// How wide the edge of the hair is in which it gets thinner, by the place on the hairline: shaved
 /// shorter and shorter over the ear and in the neck.
 constexpr std::array<Key<double>, 9> kTaper{{{0, 0.8},
-                                             {2.4, 1.2},
-                                             {3.4, 1.8},
-                                             {5.0, 1.7},
+                                             {2.4, 1.6},
+                                             {3.4, 2.7},
+                                             {5.0, 2.2},
                                              {5.9, 1.1},
                                              {6.9, 1.1},
                                              {8.0, 2.0},
@@ -66,16 +66,16 @@ class Sides {
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.02 + 0.32 * temple + 0.05 * tuft + 0.05 * (1 - grown);
+    const double light = 0.03 + 0.50 * temple + 0.05 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (mix(0.012, 0.03, grown) + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.
-    const double astray = 0.8 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
+    const double astray = 1.2 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
     point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.25 * low);
     // In front the top's own line is the hairline: here strands fork, and would be a notch in it.
     // Over the temples it must not thin so far back, or one looks through under it from below.
     const double front = smooth_step(4.2, 2.6, std::abs(round));
-    point.alpha *= 1 - forehead * smooth_step(mix(0.9, 2.0, front), mix(0.3, 0.9, front),
+    point.alpha *= 1 - forehead * smooth_step(mix(0.9, 1.3, front), mix(0.3, 0.4, front),
                                               from_edge + front * astray);
     point.strand = number(direction, s, t);
     point.gloss = mix(0.2, 0.6, grown);
@@ -124,20 +124,20 @@ class Top {
     const double whole = length(u);
     const double way = v * whole;
     // It springs from the hairline and bends back: a round outline from the side.
-    const double front = power(saturate(way / 2.8), 0.95);
-    const double quiff = 0.22 * bell(way - 2.0, 1.7) * smooth_step(0, 1.8, way);
-    const double tuft = value_noise({u * 6 + 0.7 * v, 1.6 * v, 7.5});
-    const double lock = value_noise({u * 15 + 0.9 * v, 2.5 * v, 9.5});
+    const double front = power(saturate((way - 0.30) / 2.7), 0.85);
+    const double quiff = 0.24 * bell(way - 2.2, 1.7) * smooth_step(0.3, 2.0, way);
+    const double tuft = value_noise({u * 7 + 0.9 * v, 2.6 * v, 7.5});
+    const double lock = value_noise({u * 17 + 1.2 * v, 4.5 * v, 9.5});
     const double height =
         0.03 + front * (1.18 * thickness(cut_, root) +
-                        (quiff + 0.34 * (tuft - 0.5) + 0.26 * (lock - 0.5)) * sides);
+                        (quiff + 0.46 * (tuft - 0.5) + 0.34 * (lock - 0.5)) * sides);
     const double light = 0.02 + 0.03 * front + 0.06 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.20 - 0.30 * value_noise({u * 48, 0.5, 4.5}) -
-                         0.55 * value_noise({u * 13, 0.5, 8.5});
+    const double begin = way + 0.25 - 0.40 * value_noise({u * 48, 0.5, 4.5}) -
+                         0.75 * value_noise({u * 13, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 1.25, ends / 3, u / 0.12, (1 - u) / 0.22}));
+    point.alpha = thinned(std::min({begin / 0.7, ends / 3, u / 0.12, (1 - u) / 0.22}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.05 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
@@ -161,15 +161,24 @@ class Top {
   Distance head_;
 };
 
-/// A fine lock on top, `u` from one side to the other.
-void add_lock(Part& hair, const Identity& who, const Top& top, double u0) {
+/// A tuft on top, numbered `number`, that ends where the cut left it and stands off a little.
+void add_lock(Part& hair, const Identity& who, const Top& top, std::size_t number) {
+  const auto chance = [&](int of) { return hash(static_cast<int>(number) * 43 + of * 6007); };
+  const double u0 = mix(0.10, 0.88, static_cast<double>(number) / (kLocks - 1));
+  const double begin = mix(0.04, 0.34, chance(1));
+  const double length = mix(0.26, 0.44, chance(2));
+  const double drift = 0.14 * (chance(3) - 0.35);
+  const double lift = mix(0.02, 0.16, chance(4));
+  const double half_width = mix(0.022, 0.042, chance(5));
   add_sheet(hair, kLock, [&](double u, double v) {
     const double c = 2 * u - 1;
-    const double width = 0.025 * mix(1, 0.5, v);
-    HairPoint point = top.at(who, u0 + c * width + 0.03 * v * v, mix(0.12, 0.97, v));
-    point.place += glm::normalize(point.place - kInsideHead) * (0.01 + 0.04 * (1 - c * c));
+    const double width = half_width * mix(1, 0.35, v);
+    HairPoint point = top.at(who, u0 + c * width + drift * v * v, begin + length * v);
+    point.place +=
+        glm::normalize(point.place - kInsideHead) * (0.02 + 0.05 * (1 - c * c) + lift * v * v);
     point.alpha = std::min(point.alpha, 0.9 * smooth_step(1, 0.4, std::abs(c)) *
-                                            smooth_step(0, 0.25, v) * smooth_step(1, 0.7, v));
+                                            smooth_step(0, 0.25, v) * smooth_step(1, 0.6, v));
+    point.strand = 0.30 * saturate(u0 + c * half_width);
     return point;
   });
 }
@@ -221,7 +230,7 @@ Part make_short_hair(const Identity& who) {
   // Its rows are denser where it rises over the forehead.
   add_sheet(hair, kOuterSheet, [&](double u, double v) { return top.at(who, u, power(v, 1.35)); });
   for (std::size_t i = 0; i < kLocks; ++i) {
-    add_lock(hair, who, top, mix(0.12, 0.85, static_cast<double>(i) / (kLocks - 1)));
+    add_lock(hair, who, top, i);
   }
   for (std::size_t i = 0; i < kStrays; ++i) add_loose(hair, who, top, i);
   for (std::size_t i = 0; i < kWisps; ++i) add_first(hair, who, top, i);
