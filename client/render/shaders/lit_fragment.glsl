@@ -99,7 +99,7 @@ float strand_here(inout vec3 colour, out float cover, float facing) {
   float at = v_strand.w * kStrands;
   // One colour shows in longer pieces than white hairs among dark ones.
   float grey = at > 0.0 ? u_grey : 0.0;  // bare clay has neither
-  float pieces = mix(0.3, 0.6, grey) * kPieces;
+  float pieces = mix(0.3, 1.0, grey) * kPieces;
   float along = at > 0.0 ? (v_grain.y - v_grain.x) * pieces : 0.0;
   float visible = fineness(at);
   float fine = piece_noise(at, along) * visible;
