@@ -39,10 +39,12 @@ void add_lash_line(Part& part, const Identity& who, const Skin& skin, int side, 
     const Vertex& inner = on_lid(skin, kLidInnerRing, side, upper, k);
     const Vertex& above = on_lid(skin, kLidMarginRing - 1, side, upper, k);
     const double dark = (upper ? mix(0.70, 0.95, who.form.lash) * smooth_step(0.0, 0.35, t)
-                               : 0.30 * smooth_step(0.35, 0.80, t)) *
+                               : 0.34 * smooth_step(0.15, 0.75, t)) *
                         smooth_step(1.03, 0.90, t);
-    const std::array<Vertex, 3> across{between(edge, inner, upper ? 0.7 : 0.2), edge,
-                                       between(edge, above, 0.55)};
+    // The lower lashes stand on the outer edge of their lid: its rim shows between them and the ball.
+    const std::array<Vertex, 3> across{upper ? between(edge, inner, 0.7) : edge,
+                                       upper ? edge : between(edge, above, 0.35),
+                                       between(edge, above, upper ? 0.55 : 1.0)};
     const std::array<double, 3> alphas{upper ? 0.7 * dark : 0.0, dark, 0.0};
     for (std::size_t j = 0; j < across.size(); ++j) {
       rows[j].push_back(part.add(across[j].position, kLash, alphas[j]));
@@ -103,13 +105,13 @@ void add_lid_band(Part& part, const Identity& who, const Skin& skin, int side) {
     double alpha;
     double dark;  ///< 1: as dark as the fold
   };
-  static constexpr std::array<Row, 7> kBand{{{-1.1, 0.62, 0.85},
-                                             {-0.80, 0.40, 0.55},
-                                             {-0.45, 0.30, 0.40},
-                                             {-0.15, 0.48, 0.75},
-                                             {0.0, 0.62, 0.9},
-                                             {0.045, 0.34, 0.75},
-                                             {0.16, 0.0, 0.30}}};
+  static constexpr std::array<Row, 7> kBand{{{-1.1, 0.66, 0.85},
+                                             {-0.80, 0.46, 0.55},
+                                             {-0.45, 0.34, 0.40},
+                                             {-0.12, 0.66, 0.90},
+                                             {0.03, 0.84, 1.0},
+                                             {0.085, 0.46, 0.85},
+                                             {0.26, 0.0, 0.40}}};
   const Vec3 deep = who.colours.lid_skin * Vec3{0.36, 0.27, 0.25};
   std::vector<std::vector<std::uint32_t>> rows(kBand.size());
   for (int k = 1; k < kLidSteps; ++k) {
@@ -149,7 +151,7 @@ LashGrowth lash_growth(const Identity& who, const Skin& skin, int side, bool upp
   const Vec3 fan{side * (1.0 * (std::min(t, 0.80) - 0.36)), 0, 0};
   growth.direction = glm::normalize(out + fan + Vec3{0, upper ? -0.26 : -0.40, 0});
   const double ends = smooth_step(0.0, 0.25, t) * (1 - 0.74 * smooth_step(0.66, 0.98, t));
-  growth.length = who.form.lash * ends * (upper ? mix(0.24, 0.47, smooth_step(0.1, 0.9, t)) : 0.04);
+  growth.length = who.form.lash * ends * (upper ? mix(0.24, 0.47, smooth_step(0.1, 0.9, t)) : 0.09);
   growth.curl = upper ? 0.40 : -0.10;
   return growth;
 }
@@ -181,7 +183,7 @@ void add_lash_fringe(Part& part, const Identity& who, const Skin& skin, int side
   for (int i = 1; i <= kColumns; ++i) {
     const double t = static_cast<double>(i) / kColumns;
     const LashGrowth growth = lash_growth(who, skin, side, upper, t);
-    const double dark = (upper ? smooth_step(0.02, 0.4, t) : 0.5 * smooth_step(0.35, 0.75, t)) *
+    const double dark = (upper ? smooth_step(0.02, 0.4, t) : 0.6 * smooth_step(0.15, 0.70, t)) *
                         lash_strength(who) * (1 - 0.6 * smooth_step(0.80, 1.0, t));
     for (std::size_t j = 0; j < kSteps.size(); ++j) {
       rows[j].push_back(part.add(along_lash(growth, 0.85 * kSteps[j]), kLash, kAlphas[j] * dark));

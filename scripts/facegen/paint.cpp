@@ -84,7 +84,7 @@ void paint_eye(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   }
   vertex.colour = c;
   // The edge of the lower lid is moist; in the corner it would be a spark on a shut eye.
-  const bool edge = v.ring == kLidMarginRing || v.ring == kLidInnerRing;
+  const bool edge = v.ring == kLidInnerRing;
   vertex.gloss = edge && !upper ? mix(0.4, 4.5, smooth_step(0.2, 0.6, from_corner)) : 1.2;
 }
 
