@@ -36,7 +36,7 @@ void add_sheet(Part& hair, const SheetSize& size,
 void add_stray(Part& hair, const Identity& who, std::size_t number,
                const std::function<Vec3(double)>& at, const std::function<Vec3(double)>& up) {
   // A ribbon on edge, so that it shows on the outline.
-  constexpr double kHalfWidth = 0.011;
+  constexpr double kHalfWidth = 0.013;
   const double strand = hash(static_cast<int>(number) * 37 + 11);
   const double front = glm::cross(up(0.5), at(0.4) - at(0.6)).z < 0 ? -1 : 1;
   add_sheet(hair, kStray, [&](double u, double v) {

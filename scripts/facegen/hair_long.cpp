@@ -124,13 +124,17 @@ Outside outside_at(double u) {
 double waves(double s, double t) {
   const double free = smooth_step(0.1, 0.5, t);
   const double astray = value_noise({s * 17, 2.2 * t, 11.5}) - 0.5;
-  return free * (0.10 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
-                 0.09 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) + 0.20 * astray +
+  return free * (0.13 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
+                 0.13 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) + 0.30 * astray +
                  0.035 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
 }
 
 /// The outside with its waves and with tips that turn in.
-Vec3 outer_place(const Sheet& sheet, double s, double t) {
+Vec3 outer_place(const Sheet& sheet, double across, double t) {
+  // It bends to the sides, too, its front edges as well: straight, they are a curtain's.
+  const double s = across + smooth_step(0.30, 0.85, t) *
+                                (0.013 * std::sin(2 * kPi * (1.9 * t + 2.3 * across)) +
+                                 0.007 * std::sin(2 * kPi * (3.4 * t - 7.1 * across) + 1));
   const double tip = smooth_step(0.70, 1, t);
   // The front edges lie on the cheeks already.
   const double free = smooth_step(0, 0.07, std::min(s, 1 - s));
@@ -185,12 +189,12 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double parting =
         mix(1, smooth_step(-0.004, 0.040, t), 0.45 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
-    const double whole = 0.7 * smooth_step(0.22, 0.10, from_edge);
+    const double whole = 0.70 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =
         0.5 * value_noise({s * 38, 0.5, 3.5}) + 0.5 * value_noise({s * 11, 0.5, 6.5});
     const double full =
-        0.84 + 0.11 * mix(ragged, 1, whole) - 0.03 * smooth_step(0.06, 0, from_edge);
-    const double ends = smooth_step(full + 0.075, full, t) * smooth_step(1, 0.95, t);
+        0.75 + 0.22 * mix(ragged, 1, whole) - 0.03 * smooth_step(0.06, 0, from_edge);
+    const double ends = smooth_step(full + 0.10, full - 0.01, t) * smooth_step(1, 0.95, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
     return HairPoint{p, deep * shade_of(who, light), edge * hairline * parting * ends,
@@ -207,7 +211,7 @@ void add_lining(Part& hair, const Identity& who, const Sheet& sheet) {
     const Vec3 p = sheet.off_head(outer_place(sheet, s, t) - sheet.up(s, t) * thick, 0.04);
     // From the front its edge is seen beside the cheek: dark and straight, it is a slit.
     const double front = std::min(u, 1 - u);
-    const double light = 0.16 * smooth_step(0.10, 0.0, front);
+    const double light = 0.10 + 0.12 * smooth_step(0.10, 0.0, front);
     const double ragged = 0.3 * value_noise({s * 60, 0.5, 2.5});
     // Behind the neck it reaches as far down as the outside: else one looks through below the jaw.
     const double behind = smooth_step(0.08, 0.22, front);
