@@ -29,7 +29,7 @@ struct Palette {
 // Colours that are the same for everybody.
 
 /// A factor on the skin's colour where a beard was shaven: as hair shines through, a little bluish.
-inline constexpr Vec3 kBeardShade{0.45, 0.485, 0.535};
+inline constexpr Vec3 kBeardShade{0.44, 0.52, 0.60};
 /// A factor on the skin's colour under hair or right beside it.
 inline constexpr Vec3 kUnderHair{0.66, 0.57, 0.53};
 inline constexpr Vec3 kLidInside{0.62, 0.30, 0.28};
