@@ -17,7 +17,7 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position, double mottled)
              mix(0.10, 0.34, mottled) * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
-    f += 0.62 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
+    f += 0.30 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
     f += 0.16 * bell(Vec3{(p.x - 0.95) / 0.5, (p.y + 0.25) / 0.5, 0});
     f += 0.10 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
@@ -96,7 +96,7 @@ double corner_shade(const Identity& who, const Vec3& p) {
 }
 
 void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
-  vertex.colour *= Vec3{1} - Vec3{0.25, 0.35, 0.36} * corner_shade(who, v.position);
+  vertex.colour *= Vec3{1} - Vec3{0.13, 0.19, 0.20} * corner_shade(who, v.position);
   if (v.ring == kLipBorderRing - 1) {
     // A pale line goes round the red of the lips.
     vertex.colour *= mix(1.06, 1.0, smooth_step(0.5, 1.0, v.position.x / kMouthCorner));
@@ -218,6 +218,17 @@ double under_nose(const Identity& who, const Vec3& p) {
   return near * std::min(1.0, 0.25 + away);
 }
 
+/// The planes of the cheek: light on the bone below the eye, shade from the ear to beside the corner
+/// of the mouth. Of one colour, a cheek is a large ball however it is formed. 1 is shade, -1 light.
+double cheek_planes(const Vec3& p) {
+  if (p.z < 2) return 0;
+  static constexpr std::array<Vec3, 4> kBelowBone{
+      {{4.5, .30, .6}, {3.75, -.55, 1.0}, {3.05, -1.45, .9}, {2.75, -2.30, .3}}};
+  static constexpr std::array<Vec3, 3> kOnBone{{{3.95, 1.75, .7}, {3.15, 1.05, 1.0}, {2.2, .85, .5}}};
+  return Polyline(kBelowBone).strength({p.x, p.y}, 0.62) -
+         Polyline(kOnBone).strength({p.x, p.y}, 0.45);
+}
+
 /// The groove from nose to lip and the shade of its nearer edges.
 double philtrum(const Identity& who, const Vec3& p) {
   if (p.z < 7) return 0;
@@ -234,7 +245,7 @@ double shine(const Vec3& p) {
   if (p.z > 8) s += 0.75 * bell(Vec3{p.x / 0.5, (p.y - 0.22) / 0.40, 0});
   if (p.z > 7.5) s -= 0.25 * bell(Vec3{p.x / 0.8, (p.y - 1.7) / 0.9, 0});
   if (p.z > 5) s -= 0.32 * bell(Vec3{p.x / 2.5, (p.y - 5.8) / 1.3, 0});
-  if (p.z > 5) s -= 0.32 * bell(Vec3{p.x / 1.2, (p.y + 4.5) / 1.0, 0});
+  if (p.z > 5) s -= 0.50 * bell(Vec3{p.x / 1.3, (p.y + 4.4) / 1.1, 0});
   if (p.z > 5) s -= 0.30 * bell(Vec3{(p.x - 1.8) / 1.0, (p.y - 1.4) / 0.8, 0});
   return p.y < -5 || p.z < 0 ? 0.6 * s : s;
 }
@@ -258,6 +269,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
+    c *= Vec3{1} - Vec3{0.10, 0.13, 0.13} * cheek_planes(p);
     c *= Vec3{1} - Vec3{-0.20, -0.13, -0.10} * inner_socket(p);
     c *= Vec3{1} + Vec3{0.17, 0.22, 0.25} * under_brow(p);
     c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);

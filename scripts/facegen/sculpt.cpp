@@ -202,7 +202,7 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   if (down > -0.5) depth -= 0.30 * who.form.lip_bulge * fullness * bell(down - 0.45, 0.55);
   const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
   depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
-  depth += 0.035 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
+  depth += 0.020 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
   const double philtrum = who.form.philtrum * smooth_step(kPhiltrumFoot, kPhiltrumFoot + 0.40, y) *
                           smooth_step(kPhiltrumTop, kPhiltrumTop - 0.30, y);
   depth += philtrum * (0.055 * bell(x, 0.22) - 0.030 * bell(x - kPhiltrumRidge, 0.16));
