@@ -17,18 +17,18 @@ layout(std140) uniform Lights {
   vec3 u_key_direction;
   float u_key_strength;  // 1 is the studio's
 };
-const vec3 kKeyColour = vec3(1.56, 1.42, 1.28);
+const vec3 kKeyColour = vec3(1.64, 1.495, 1.35);
 const float kFillWrap = 0.35;  // how far the fill reaches round into the shade
 const vec3 kFillDirection = vec3(0.835504472, 0.0982946381, 0.540620506);
-const vec3 kFillColour = vec3(0.172, 0.158, 0.160);
+const vec3 kFillColour = vec3(0.158, 0.147, 0.152);
 const float kRimStrength = 0.52;
 const vec3 kRimDirection = vec3(0.596480846, 0.41294831, -0.688247204);
 const vec3 kRimColour = vec3(0.75, 0.80, 0.95);
 const float kSecondRimStrength = 0.28;
 const vec3 kSecondRimDirection = vec3(-0.766261041, 0.287347883, -0.574695766);
 const vec3 kSecondRimColour = vec3(0.90, 0.75, 0.60);
-const vec3 kSky = vec3(0.195, 0.192, 0.205);
-const vec3 kGround = vec3(0.150, 0.108, 0.094);
+const vec3 kSky = vec3(0.182, 0.181, 0.196);
+const vec3 kGround = vec3(0.126, 0.101, 0.094);
 
 layout(std140) uniform Material {
   vec3 u_wrap;         // how far the key reaches round into the shade, per colour
