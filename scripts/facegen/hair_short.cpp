@@ -124,8 +124,11 @@ class Top {
     const double whole = length(u);
     const double way = v * whole;
     // It springs from the hairline and bends back: a round outline from the side.
-    const double front = power(saturate((way - 0.30) / 2.7), 0.85);
-    const double quiff = 0.24 * bell(way - 2.2, 1.7) * smooth_step(0.3, 2.0, way);
+    // No two of its tufts stand up alike, or the front is a brim.
+    const double stands = value_noise({u * 11, 0.6 * v, 5.5});
+    const double front = power(saturate((way - 0.30) / mix(3.6, 1.9, stands)), 0.85);
+    const double quiff =
+        mix(0.02, 0.50, stands) * bell(way - 2.2, 1.7) * smooth_step(0.3, 2.0, way);
     const double tuft = value_noise({u * 7 + 0.9 * v, 2.6 * v, 7.5});
     const double lock = value_noise({u * 17 + 1.2 * v, 4.5 * v, 9.5});
     const double height =
