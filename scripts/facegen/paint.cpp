@@ -129,8 +129,8 @@ void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
   }
   vertex.colour = c;
   // The lower lip is the fuller one and catches most light in its middle.
-  const double full = (v.spoke > kMouthCornerSpoke ? 1.7 : 0.5) * bell(v.position.x, 0.9);
-  vertex.gloss = (border ? 1.0 : 2.0 + full) * (1 - 0.85 * smooth_step(0.55, 0.95, to_corner));
+  const double full = (v.spoke > kMouthCornerSpoke ? 1.3 : 0.3) * bell(v.position.x, 0.9);
+  vertex.gloss = (border ? 0.9 : 1.6 + full) * (1 - 0.85 * smooth_step(0.55, 0.95, to_corner));
 }
 
 void paint_nostril(Vertex& vertex, const HalfVertex& v) {
