@@ -62,11 +62,11 @@ class Sides {
     const double grown = smooth_step(0, 1.8 * taper, from_edge);
     const double forehead = smooth_step(6.2, 2.0, std::abs(round));
     const double thick =
-        thickness(cut_, root) * grown * (0.85 + 0.3 * tuft) * (1 - 0.8 * forehead) *
+        thickness(cut_, root) * grown * (0.75 + 0.5 * tuft) * (1 - 0.8 * forehead) *
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
     const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.03 + 0.50 * temple + 0.05 * tuft + 0.05 * (1 - grown);
+    const double light = 0.06 + 0.46 * temple + 0.12 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (mix(0.012, 0.03, grown) + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.
