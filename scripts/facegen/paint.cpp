@@ -172,6 +172,13 @@ double below_jaw(const Vec3& p) {
          smooth_step(0.0, 2.2, p.z) * bell(p.x, 2.6);
 }
 
+/// The underside of the chin, which takes light from the chest that is not baked: without it the
+/// chin is a bulb with a dark end.
+double below_chin(const Identity& who, const Vec3& p) {
+  if (p.z < 5) return 0;
+  return bell(Vec3{p.x / 1.7, (p.y + 5.10 + who.form.chin_drop) / 0.50, 0});
+}
+
 /// Beside the ropes that run from behind the ears to the pit of the throat the neck falls back.
 double beside_rope(const Identity& who, const Vec3& p) {
   if (p.z < 0 || p.y > -5.5) return 0;
@@ -265,6 +272,7 @@ void paint_skin(const Identity& who, Skin& skin) {
     c = cooled(c, p) * (Vec3{1} - Vec3{0.22, 0.29, 0.31} * under_chin(p));
     c *= Vec3{1} - Vec3{0.30, 0.37, 0.39} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.11, 0.13, 0.13} * under_jaw(who, p);
+    c *= Vec3{1} + Vec3{0.14, 0.21, 0.23} * below_chin(who, p);
     c *= Vec3{1} - Vec3{0.15, 0.20, 0.21} * beside_rope(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
     c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
