@@ -41,7 +41,8 @@ void add_lash_line(Part& part, const Identity& who, const Skin& skin, int side, 
     const double dark = (upper ? mix(0.70, 0.95, who.form.lash) * smooth_step(0.0, 0.35, t)
                                : 0.34 * smooth_step(0.15, 0.75, t)) *
                         smooth_step(1.03, 0.90, t);
-    // The lower lashes stand on the outer edge of their lid: its rim shows between them and the ball.
+    // The lower lashes stand on the outer edge of their lid: its rim shows between them and the
+    // ball.
     const std::array<Vertex, 3> across{upper ? between(edge, inner, 0.7) : edge,
                                        upper ? edge : between(edge, above, 0.35),
                                        between(edge, above, upper ? 0.55 : 1.0)};

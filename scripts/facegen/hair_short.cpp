@@ -133,7 +133,7 @@ class Top {
     const double lock = value_noise({u * 17 + 1.2 * v, 4.5 * v, 9.5});
     const double height =
         0.03 + front * (1.18 * thickness(cut_, root) +
-                        (quiff + 0.46 * (tuft - 0.5) + 0.34 * (lock - 0.5)) * sides);
+                        (quiff + 0.46 * (tuft - 0.5) + 0.25 * (lock - 0.5)) * sides);
     const double light = 0.02 + 0.03 * front + 0.06 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
