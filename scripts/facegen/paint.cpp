@@ -277,12 +277,12 @@ void paint_skin(const Identity& who, Skin& skin) {
     c *= Vec3{1} + Vec3{0.14, 0.21, 0.23} * below_chin(who, p);
     c *= Vec3{1} - Vec3{0.15, 0.20, 0.21} * beside_rope(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
-    c *= Vec3{1} - Vec3{0.13, 0.20, 0.20} * beside_nose(who, p);
+    c *= Vec3{1} - Vec3{0.10, 0.145, 0.145} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
     c *= Vec3{1} - Vec3{0.10, 0.13, 0.13} * cheek_planes(p);
     c *= Vec3{1} - Vec3{-0.20, -0.13, -0.10} * inner_socket(p);
     c *= Vec3{1} + Vec3{0.17, 0.22, 0.25} * under_brow(p);
-    c *= Vec3{1} - Vec3{0.02, 0.14, 0.18} * under_nose(who, p);
+    c *= Vec3{1} - Vec3{0.02, 0.09, 0.115} * under_nose(who, p);
     c *= Vec3{1} - Vec3{0.03, 0.055, 0.055} * philtrum(who, p);
     const double stubble = who.colours.beard * beard_field(v);
     vertex.colour = mix(c, c * kBeardShade, stubble);
