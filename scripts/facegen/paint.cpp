@@ -96,7 +96,7 @@ double corner_shade(const Identity& who, const Vec3& p) {
 }
 
 void paint_mouth(const Identity& who, Vertex& vertex, const HalfVertex& v) {
-  vertex.colour *= Vec3{1} - Vec3{0.13, 0.19, 0.20} * corner_shade(who, v.position);
+  vertex.colour *= Vec3{1} - Vec3{0.10, 0.15, 0.16} * corner_shade(who, v.position);
   if (v.ring == kLipBorderRing - 1) {
     // A pale line goes round the red of the lips.
     vertex.colour *= mix(1.06, 1.0, smooth_step(0.5, 1.0, v.position.x / kMouthCorner));

@@ -200,7 +200,7 @@ double mouth_relief(const Identity& who, const Vec3& p) {
   if (up > -0.5) depth -= 0.25 * who.form.lip_bulge * fullness * bell(up - 0.42, 0.60);
   const double down = (contact - y) / lower_height;
   if (down > -0.5) depth -= 0.30 * who.form.lip_bulge * fullness * bell(down - 0.45, 0.55);
-  const double past_corner = smooth_step(kMouthCorner - 0.05, kMouthCorner + 0.25, x);
+  const double past_corner = smooth_step(kMouthCorner - 0.06, kMouthCorner + 0.20, x);
   depth += 0.14 * bell(y - contact, 0.085) * (1 - past_corner);
   depth += 0.020 * bell(Vec3{x - kMouthCorner - 0.02, y - contact, 0} / 0.30);  // dimple
   const double philtrum = who.form.philtrum * smooth_step(kPhiltrumFoot, kPhiltrumFoot + 0.40, y) *
