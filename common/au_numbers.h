@@ -8,6 +8,7 @@ namespace aucast {
 inline constexpr std::uint8_t kInnerBrowRaiser = 1;
 inline constexpr std::uint8_t kOuterBrowRaiser = 2;
 inline constexpr std::uint8_t kBrowLowerer = 4;
+inline constexpr std::uint8_t kUpperLidRaiser = 5;
 inline constexpr std::uint8_t kCheekRaiser = 6;
 inline constexpr std::uint8_t kLidTightener = 7;
 inline constexpr std::uint8_t kUpperLipRaiser = 10;

@@ -31,6 +31,9 @@ class Dice {
 /// How far the inner ends of raised brows go, of the outer ends: as far, and the face pleads.
 constexpr float kInnerShare = 0.45F;
 
+/// Brows and head begin to move before the word that they stress is heard.
+constexpr Milliseconds kBeforeWord{140};
+
 /// A movement: rises, stays, falls.
 struct Beat {
   Milliseconds begin;
@@ -112,17 +115,18 @@ void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
     const Milliseconds at = speech.words[i].begin;
     if (!stressed[i] || at - last < kApart) continue;
     last = at;
-    const float brows = dice.between(0.35F, 0.7F) * options.amount;
+    const float brows = dice.between(0.4F, 0.8F) * options.amount;
     const float nod = dice.between(0.12F, 0.28F) * options.amount;
     const float what = dice.roll();
-    if (what < 0.65F) {
-      const Beat beat{at - Milliseconds(140), Milliseconds(200),
+    if (what < 0.75F) {
+      const Beat beat{at - kBeforeWord, Milliseconds(200),
                       dice.between(Milliseconds(60), Milliseconds(260)), Milliseconds(380)};
       raise_brows(curves, beat, brows);
+      // Brows that rise over lids that stay are drawn on.
+      put(curves, kUpperLidRaiser, beat, 0.35F * brows);
     } else {
       // Weight without raised brows: eyes and forehead gather a little.
-      const Beat beat{at - Milliseconds(140), Milliseconds(220), Milliseconds(200),
-                      Milliseconds(420)};
+      const Beat beat{at - kBeforeWord, Milliseconds(220), Milliseconds(200), Milliseconds(420)};
       put(curves, kBrowLowerer, beat, 0.4F * brows);
       put(curves, kLidTightener, beat, 0.6F * brows);
     }
@@ -162,15 +166,15 @@ void end_clauses(const Speech& speech, const Script& script, const GestureOption
   }
 }
 
-/// Turns the head a little from one phrase to the next. Its curves are written once, from the
-/// beginning to the end.
+/// Turns the head a little from one phrase to the next, and less on words within it. Its curves are
+/// written once, from the beginning to the end.
 class Drift {
  public:
   Drift(int plus, int minus, float reach) : plus_(plus), minus_(minus), reach_(reach) {}
 
-  /// Call it in the order of time.
-  void move(Milliseconds at, Dice& dice, Curves& curves) {
-    const float next = dice.between(-reach_, reach_);
+  /// By `part` of the way to anywhere within its reach. Call it in the order of time.
+  void move(Milliseconds at, float part, Dice& dice, Curves& curves) {
+    const float next = value_ + part * (dice.between(-reach_, reach_) - value_);
     // A head that is still turning goes on.
     if (at < since_ + kTurnTime) return;
     write(curves.index(at), curves);
@@ -206,11 +210,22 @@ class Drift {
 };
 
 void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
+  constexpr float kOnWords = 0.5F;
   Drift turn(kHeadLeft, kHeadRight, 0.24F * options.amount);
   Drift tilt(kHeadTiltLeft, kHeadTiltRight, 0.2F * options.amount);
+  const std::vector<bool> stressed = stressed_words(speech);
+  std::size_t word = 0;
+  const auto move_on_words_until = [&](Milliseconds end) {
+    for (; word < speech.words.size() && speech.words[word].begin < end; ++word) {
+      if (!stressed[word]) continue;
+      turn.move(speech.words[word].begin - kBeforeWord, kOnWords, dice, curves);
+      tilt.move(speech.words[word].begin, kOnWords, dice, curves);
+    }
+  };
   for (const Pause& pause : pauses_of(speech)) {
-    turn.move(pause.begin, dice, curves);
-    tilt.move(pause.begin + Milliseconds(80), dice, curves);
+    move_on_words_until(pause.begin);
+    turn.move(pause.begin, 1, dice, curves);
+    tilt.move(pause.begin + Milliseconds(80), 1, dice, curves);
     const bool long_enough = pause.end - pause.begin > Milliseconds(350);
     if (long_enough && dice.roll() < 0.4F * options.amount) {
       const int side = dice.roll() < 0.5F ? kEyesLeft : kEyesRight;
@@ -220,8 +235,36 @@ void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
       put(curves, kEyesDown, glance, dice.between(0.04F, 0.16F));
     }
   }
+  move_on_words_until(speech.length());
   turn.finish(curves);
   tilt.finish(curves);
+}
+
+/// The difference of two opposite AUs grows by `change`, step by step.
+template <typename Change>
+void add(Curves& curves, int plus, int minus, const Change& change) {
+  std::vector<float>& to_plus = curves.of(plus);
+  std::vector<float>& to_minus = curves.of(minus);
+  for (std::size_t i = 0; i < curves.steps; ++i) {
+    const float value = std::clamp(to_plus[i] - to_minus[i] + change(i), -1.0F, 1.0F);
+    to_plus[i] = std::max(0.0F, value);
+    to_minus[i] = std::max(0.0F, -value);
+  }
+}
+
+/// Eyes go the other way by as much as the head turns and nods: who speaks looks at the listeners,
+/// whatever the head does. Eyes that go with it look past them.
+void look_at_listeners(Curves& curves) {
+  // On the project's faces a turn is 35 degrees, a nod 22, and the eyes go 28 and 22.
+  constexpr float kAsideByTurn = 35.0F / 28;
+  constexpr float kUpByNod = 1;
+  const std::vector<float>& left = curves.of(kHeadLeft);
+  const std::vector<float>& right = curves.of(kHeadRight);
+  add(curves, kEyesRight, kEyesLeft,
+      [&](std::size_t i) { return kAsideByTurn * (left[i] - right[i]); });
+  const std::vector<float>& down = curves.of(kHeadDown);
+  const std::vector<float>& up = curves.of(kHeadUp);
+  add(curves, kEyesUp, kEyesDown, [&](std::size_t i) { return kUpByNod * (down[i] - up[i]); });
 }
 
 /// A way to look at the listeners: AUs at their full share.
@@ -295,6 +338,7 @@ void add_gestures(const Speech& speech, const Script& script, const GestureOptio
   end_clauses(speech, script, options, dice, curves);
   blink(speech, dice, curves);
   bear(speech, options, dice, curves);
+  look_at_listeners(curves);
 }
 
 }  // namespace aucast::speaker

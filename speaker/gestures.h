@@ -17,8 +17,8 @@ struct GestureOptions {
 /// Adds to the curves what a speaker does besides moving the lips: blinks (after sentences, and
 /// every few seconds), nods and raised or gathered brows on stressed words, raised brows at the end
 /// of a question, small turns of the head and another bearing from phrase to phrase (raised brows,
-/// a smile, gathered brows), a glance aside in a pause. The same speech, script and options give
-/// the same movements.
+/// a smile, gathered brows), a glance aside in a pause. Otherwise the eyes stay on the listeners
+/// while the head moves. The same speech, script and options give the same movements.
 void add_gestures(const Speech& speech, const Script& script, const GestureOptions& options,
                   Curves& curves);
 

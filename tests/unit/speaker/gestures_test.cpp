@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -155,7 +156,7 @@ TEST(AddGestures, WithoutAnAmountOnlyLidsAndEyesMove) {
   }
 }
 
-TEST(AddGestures, TheEyesGlanceAsideOnlyInAPause) {
+TEST(AddGestures, TheEyesGoAsideFromTheListenersOnlyInAPause) {
   Speech speech = minute();
   speech.phonemes.clear();
   for (int s = 0; s < 60; s += 3) {
@@ -164,16 +165,50 @@ TEST(AddGestures, TheEyesGlanceAsideOnlyInAPause) {
   }
   Curves curves(speech.length());
   add_gestures(speech, {}, {}, curves);
+  // Of the eyes on the head that they sit in: a whole turn of the head is 35 degrees, of the
+  // eyes 28.
+  const auto aside = [&curves](Milliseconds from, Milliseconds to) {
+    float most = 0;
+    for (std::size_t i = curves.index(from); i <= curves.index(to); ++i) {
+      const float eyes = curves.of(kEyesLeft)[i] - curves.of(kEyesRight)[i];
+      const float head = curves.of(kHeadLeft)[i] - curves.of(kHeadRight)[i];
+      most = std::max(most, std::abs(28 * eyes + 35 * head) / 28);
+    }
+    return most;
+  };
   float in_pauses = 0;
   for (int s = 0; s < 60; s += 3) {
     const Milliseconds begin(1000 * s);
     const Milliseconds pause = begin + Milliseconds(2000);
-    for (const int au : {kEyesLeft, kEyesRight}) {
-      EXPECT_EQ(strongest(curves, au, begin, pause - Milliseconds(20)), 0) << s;
-      in_pauses = std::max(in_pauses, strongest(curves, au, pause, begin + Milliseconds(2980)));
-    }
+    EXPECT_LT(aside(begin, pause - Milliseconds(20)), 0.001F) << s;
+    in_pauses = std::max(in_pauses, aside(pause, begin + Milliseconds(2980)));
   }
   EXPECT_GT(in_pauses, 0.14F);
+  EXPECT_GT(strongest(curves, kHeadLeft, Milliseconds(0), speech.length()), 0.1F);
+}
+
+TEST(AddGestures, TheEyesStayOnTheListenersInANod) {
+  Speech speech = minute();
+  speech.words.push_back({Milliseconds(9500), 0, 4});
+  speech.clause_ends.emplace_back(10'000);
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {}, curves);
+  const std::size_t nod = curves.index(Milliseconds(9860));
+  EXPECT_GT(curves.of(kHeadDown)[nod], 0.1F);
+  EXPECT_FLOAT_EQ(curves.of(kEyesUp)[nod], curves.of(kHeadDown)[nod]);
+}
+
+TEST(AddGestures, TheHeadMovesOnStressedWordsToo) {
+  Speech speech = minute();
+  for (int s = 0; s < 60; ++s) {
+    speech.words.push_back({Milliseconds(1000 * s), static_cast<std::size_t>(5 * s), 4});
+    if (s % 3 != 1) continue;
+    std::fill_n(speech.samples.begin() + s * 22050 + 5000, 1000, 0.3F);
+  }
+  Curves curves(speech.length());
+  add_gestures(speech, {}, {}, curves);
+  EXPECT_GT(strongest(curves, kHeadLeft, Milliseconds(0), speech.length()), 0.05F);
+  EXPECT_GT(strongest(curves, kHeadRight, Milliseconds(0), speech.length()), 0.05F);
 }
 
 }  // namespace
