@@ -12,7 +12,7 @@ namespace {
 // (SIGGRAPH 2016): rounded and hushing sounds begin early and take over their neighbours.
 constexpr Viseme kPause{"pause", {}, 0.6F, 0};
 constexpr Viseme kClosed{"closed", {{{kLipPresser, 0.25F}}}, 1.0F, 60, true};
-constexpr Viseme kTeeth{"teeth", {{{kBite, 0.6F}, {kLipsPart, 0.2F}}}, 1.0F, 60, false, true};
+constexpr Viseme kTeeth{"teeth", {{{kBite, 0.85F}}}, 1.0F, 60, false, true};
 constexpr Viseme kRound{"round", {{{kLipPucker, 0.8F}, {kLipFunneler, 0.8F}}}, 0.9F, 150};
 constexpr Viseme kRoundOpen{
     "round open", {{{kLipFunneler, 0.75F}, {kLipsPart, 0.35F}, {kJawDrop, 0.45F}}}, 0.8F, 130};
@@ -26,7 +26,7 @@ constexpr Viseme kWide{
     "wide", {{{kLipStretcher, 0.6F}, {kLipsPart, 0.5F}, {kJawDrop, 0.15F}}}, 0.7F, 100};
 constexpr Viseme kMidFront{
     "mid front", {{{kLipStretcher, 0.25F}, {kLipsPart, 0.55F}, {kJawDrop, 0.5F}}}, 0.7F, 110};
-constexpr Viseme kOpen{"open", {{{kLipsPart, 0.6F}, {kJawDrop, 0.8F}}}, 0.75F, 120};
+constexpr Viseme kOpen{"open", {{{kLipsPart, 0.6F}, {kJawDrop, 0.66F}}}, 0.75F, 120};
 constexpr Viseme kMid{"mid", {{{kLipsPart, 0.5F}, {kJawDrop, 0.4F}}}, 0.4F, 100};
 constexpr Viseme kR{
     "r", {{{kLipFunneler, 0.25F}, {kLipsPart, 0.35F}, {kJawDrop, 0.15F}}}, 0.5F, 100};
