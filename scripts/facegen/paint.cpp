@@ -225,13 +225,13 @@ double under_nose(const Identity& who, const Vec3& p) {
   return near * std::min(1.0, 0.25 + away);
 }
 
-/// The planes of the cheek: light on the bone below the eye, shade from the ear to beside the
+/// The planes of the cheek: light on the bone below the eye, shade below it to beside the
 /// corner of the mouth. Of one colour, a cheek is a large ball however it is formed. 1 is shade, -1
 /// light.
 double cheek_planes(const Vec3& p) {
   if (p.z < 2) return 0;
   static constexpr std::array<Vec3, 4> kBelowBone{
-      {{4.5, .30, .6}, {3.75, -.55, 1.0}, {3.05, -1.45, .9}, {2.75, -2.30, .3}}};
+      {{4.5, .30, .0}, {3.75, -.55, .5}, {3.05, -1.45, .9}, {2.75, -2.30, .4}}};
   static constexpr std::array<Vec3, 3> kOnBone{
       {{3.95, 1.75, .7}, {3.15, 1.05, 1.0}, {2.2, .85, .5}}};
   return Polyline(kBelowBone).strength({p.x, p.y}, 0.62) -
