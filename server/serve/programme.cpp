@@ -205,13 +205,13 @@ bool Programme::is_misplaced(const protocol::ServedStream& read) const {
 /// The streams with their voices, which grow from now on.
 Programme::Streams Programme::accompanied(Repertoire repertoire) {
   Streams streams;
-  for (auto& [offered, voice] : repertoire) {
-    protocol::ServedStream& stream = streams.emplace_back(std::move(offered));
+  for (OfferedStream& offered : repertoire) {
+    protocol::ServedStream& stream = streams.emplace_back(std::move(offered.stream));
     auto* const recorded = std::get_if<protocol::RecordedStream>(&stream.kind);
-    if (recorded == nullptr || !voice) continue;
+    if (recorded == nullptr || !offered.voice) continue;
     protocol::SpokenTrack spoken;
     if (recorded->spoken) spoken = *recorded->spoken;
-    spoken.voice = voices_.track_of(*voice);
+    spoken.voice = voices_.track_of(*offered.voice);
     recorded->spoken = std::make_shared<const protocol::SpokenTrack>(std::move(spoken));
   }
   return streams;

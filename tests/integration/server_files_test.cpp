@@ -122,7 +122,7 @@ TEST_F(ServerFiles, SecretsThatAreNoneAreWarnedOfAtTheStartAndOnReload) {
                              token.string(), folder_.write("a.txt", kStream)});
   server.process().signal(SIGHUP);
   const std::string key_is_open = "other users have access to the private key (chmod 600)";
-  const std::string token_is_short = "the token has fewer than 16 characters";
+  const std::string token_is_short = "1 token of fewer than 16 characters";
   EXPECT_TRUE(logs(server, key_is_open, 2)) << server.log();
   EXPECT_TRUE(logs(server, token_is_short, 2)) << server.log();
   EXPECT_EQ(server.terminate(), 0);
