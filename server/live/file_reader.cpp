@@ -17,7 +17,6 @@
 namespace aucast::server {
 namespace {
 
-constexpr std::size_t kFileChunkBytes = 16384;
 /// How often a file is checked even without a report of a change: not every file system reports
 /// them.
 constexpr std::chrono::milliseconds kLookEvery{100};
@@ -28,14 +27,12 @@ constexpr std::size_t kTailBytes = 256;
 
 FileReader::FileReader(asio::io_context& io, std::filesystem::path path, Descriptor file,
                        bool follow, const Events& events)
-    : io_(io),
-      path_(std::move(path)),
+    : InputReader(std::move(path), events),
+      io_(io),
       file_(std::move(file)),
       follow_(follow),
-      events_(events),
       notify_(io),
-      timer_(io),
-      chunk_(kFileChunkBytes) {}
+      timer_(io) {}
 
 void FileReader::start() {
   find_place();
@@ -66,10 +63,6 @@ void FileReader::watch_file() {
   watch_ = ::inotify_add_watch(notify_.native_handle(), path_.c_str(), IN_MODIFY);
 }
 
-void FileReader::set_reading(bool reading) {
-  if (!std::exchange(reading_, reading) && reading) await();
-}
-
 void FileReader::stop() {
   stopped_ = true;
   waits_.cancel();
@@ -80,8 +73,7 @@ void FileReader::stop() {
 
 /// Reads on as soon as the event loop has time.
 void FileReader::await() {
-  if (!reading_ || stopped_ || waiting_) return;
-  waiting_ = true;
+  if (!begins_waiting()) return;
   asio::post(io_, [this, wait = waits_.begin()] {
     if (!wait.current()) return;
     waiting_ = false;

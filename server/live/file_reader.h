@@ -4,14 +4,12 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/posix/stream_descriptor.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "common/descriptor.h"
-#include "common/waits.h"
 #include "server/live/input_reader.h"
 
 namespace aucast::server {
@@ -23,13 +21,12 @@ namespace aucast::server {
 class FileReader final : public InputReader {
  public:
   /// `file` is read from its present position on. `path`: where to look for one that replaces it;
-  /// "-" for stdin, which is never replaced. `follow`: the file may grow. `events` must outlive it.
+  /// "-" for stdin, which is never replaced. `follow`: the file may grow.
   FileReader(asio::io_context& io, std::filesystem::path path, Descriptor file, bool follow,
              const Events& events);
 
   /// Begins to read; watches the file with inotify if possible.
   void start() override;
-  void set_reading(bool reading) override;
   void stop() override;
   [[nodiscard]] bool has_past() const override { return true; }
 
@@ -38,7 +35,7 @@ class FileReader final : public InputReader {
   void find_place();
   void watch();
   void watch_file();
-  void await();
+  void await() override;
   void read();
   void look_again();
   void on_look();
@@ -48,20 +45,13 @@ class FileReader final : public InputReader {
   void pass_on(std::string_view bytes);
 
   asio::io_context& io_;
-  std::filesystem::path path_;
   Descriptor file_;
   bool follow_;
-  const Events& events_;
   asio::posix::stream_descriptor notify_;  ///< inotify
   int watch_ = -1;                         ///< the file's watch in notify_; negative: none
   asio::steady_timer timer_;
   std::int64_t position_ = 0;
   std::string tail_;  ///< the last bytes that were read, to notice if they change
-  std::vector<char> chunk_;
-  bool reading_ = true;
-  bool stopped_ = false;  ///< by stop(), or since the input has ended
-  bool waiting_ = false;
-  Waits waits_;
 };
 
 }  // namespace aucast::server

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "common/result.h"
 #include "common/text.h"
+#include "common/waits.h"
 
 namespace aucast::server {
 
@@ -31,7 +35,9 @@ class InputReader {
     std::function<void(const std::string& why)> on_anew;  ///< the file is read from its start again
   };
 
-  InputReader() = default;
+  /// `events` must outlive it.
+  InputReader(std::filesystem::path path, const Events& events)
+      : path_(std::move(path)), events_(events), chunk_(kChunkBytes) {}
   virtual ~InputReader() = default;
   InputReader(const InputReader&) = delete;
   InputReader& operator=(const InputReader&) = delete;
@@ -39,12 +45,32 @@ class InputReader {
   /// Begins to read.
   virtual void start() = 0;
   /// With false, stops reading for now; with true, goes on.
-  virtual void set_reading(bool reading) = 0;
+  void set_reading(bool reading) {
+    if (!std::exchange(reading_, reading) && reading) await();
+  }
   /// Reads no more, and calls no more callbacks.
   virtual void stop() = 0;
   /// Whether the input may hold bytes from before it was opened, as a file does and a pipe does
   /// not.
   [[nodiscard]] virtual bool has_past() const = 0;
+
+ protected:
+  /// Waits until there is something to read, if begins_waiting().
+  virtual void await() = 0;
+  [[nodiscard]] bool begins_waiting() {
+    return reading_ && !stopped_ && !std::exchange(waiting_, true);
+  }
+
+  const std::filesystem::path path_;
+  const Events& events_;
+  std::vector<char> chunk_;
+  bool reading_ = true;
+  bool stopped_ = false;  ///< by stop(), or since the input has ended
+  bool waiting_ = false;
+  Waits waits_;
+
+ private:
+  static constexpr std::size_t kChunkBytes = 16384;
 };
 
 }  // namespace aucast::server

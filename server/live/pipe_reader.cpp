@@ -10,11 +10,6 @@
 #include <utility>
 
 namespace aucast::server {
-namespace {
-
-constexpr std::size_t kPipeChunkBytes = 16384;
-
-}  // namespace
 
 std::optional<asio::posix::stream_descriptor> PipeReader::take(asio::io_context& io,
                                                                Descriptor& descriptor) {
@@ -30,11 +25,7 @@ std::optional<asio::posix::stream_descriptor> PipeReader::take(asio::io_context&
 
 PipeReader::PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path,
                        const Events& events)
-    : pipe_(std::move(pipe)), path_(std::move(path)), events_(events), chunk_(kPipeChunkBytes) {}
-
-void PipeReader::set_reading(bool reading) {
-  if (!std::exchange(reading_, reading) && reading) await();
-}
+    : InputReader(std::move(path), events), pipe_(std::move(pipe)) {}
 
 void PipeReader::stop() {
   stopped_ = true;
@@ -44,8 +35,7 @@ void PipeReader::stop() {
 }
 
 void PipeReader::await() {
-  if (!reading_ || stopped_ || waiting_) return;
-  waiting_ = true;
+  if (!begins_waiting()) return;
   pipe_.async_wait(asio::posix::stream_descriptor::wait_read,
                    [this, wait = waits_.begin()](const std::error_code& error) {
                      if (!wait.current()) return;

@@ -2,13 +2,11 @@
 
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/posix/stream_descriptor.hpp>
 
 #include "common/descriptor.h"
-#include "common/waits.h"
 #include "server/live/input_reader.h"
 
 namespace aucast::server {
@@ -23,27 +21,19 @@ class PipeReader final : public InputReader {
   [[nodiscard]] static std::optional<asio::posix::stream_descriptor> take(asio::io_context& io,
                                                                           Descriptor& descriptor);
 
-  /// `path`: for messages. `events` must outlive it.
+  /// `path`: for messages.
   PipeReader(asio::posix::stream_descriptor pipe, std::filesystem::path path, const Events& events);
 
   void start() override { await(); }
-  void set_reading(bool reading) override;
   void stop() override;
   [[nodiscard]] bool has_past() const override { return false; }
 
  private:
-  void await();
+  void await() override;
   void read();
   void fail(int error_number);
 
   asio::posix::stream_descriptor pipe_;
-  std::filesystem::path path_;
-  const Events& events_;
-  std::vector<char> chunk_;
-  bool reading_ = true;
-  bool stopped_ = false;
-  bool waiting_ = false;
-  Waits waits_;
 };
 
 }  // namespace aucast::server
