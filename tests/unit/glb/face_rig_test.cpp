@@ -54,7 +54,7 @@ TEST(FaceRig, CarriesWhatTurnsWhollyAsTheDeformerDoes) {
   EXPECT_LT(worst_carried(face, all), 1e-4F);
 }
 
-TEST(FaceRig, SharesSumToOneAndNameJointsThatAreThere) {
+TEST(FaceRig, WeightsSumToOneAndNameJointsThatAreThere) {
   const face::Face face = small_face();
   for (const bool with_jaw : {true, false}) {
     const FaceRig rig(face, with_jaw);

@@ -120,7 +120,7 @@ TEST(GlbFile, WeightsOfSixteenBitsStillSumToOne) {
   EXPECT_EQ(sum, 65'535);
 }
 
-TEST(GlbFile, ColoursAreClampedWeightsOfSixteenBits) {
+TEST(GlbFile, ColoursAreClampedAndOfSixteenBits) {
   GlbFile file;
   EXPECT_EQ(file.colours(std::vector<glm::vec4>{{-1, 0.5F, 2, 1}}), 0);
   const ReadGlb read(file.bytes());

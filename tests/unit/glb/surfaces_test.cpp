@@ -126,7 +126,7 @@ TEST(ColoursOf, ShadeIsPartOfTheColourAndAlphaIsNot) {
   EXPECT_EQ(colours.front().a, 0.8F);
 }
 
-TEST(PlacesOf, LinesLieABitOffTheSkinWhicheverWayTheyAreWound) {
+TEST(PositionsOf, LinesLieABitOffTheSkinWhicheverWayTheyAreWound) {
   face::Face face = face::test::small_face();
   add_part(face, "brows", face::Material::Brow);
   std::vector<Surface> surfaces = surfaces_of(face);
