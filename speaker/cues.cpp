@@ -74,6 +74,10 @@ Expressions sets_of(const std::vector<Expression>& expressions) {
 }
 
 Result<std::vector<AuTerm>> terms_of(std::string_view cue, const Expressions& expressions) {
+  // AUs may have blanks between them, which a percent after them needs.
+  if (begins_with_au(cue)) {
+    if (auto whole = named(cue, expressions)) return whole;
+  }
   const std::size_t blank = cue.rfind(' ');
   const bool one_word = blank == std::string_view::npos;
   const auto percent = one_word ? std::nullopt : number_of<double>(cue.substr(blank + 1));

@@ -21,8 +21,8 @@ using Expressions = std::map<std::string, std::vector<AuTerm>, std::less<>>;
 [[nodiscard]] Expressions sets_of(const std::vector<Expression>& expressions);
 
 /// The AUs that a cue asks for, which is a name of `expressions` or "smile", perhaps with a percent
-/// after it ("smile 60"), or AUs as on a command line ("6,12:60"). Fails with BadData, and says
-/// what is wrong or what to write instead, but not where.
+/// after it ("smile 60"), or AUs, of which the first is a number ("6,12:60"). Fails with BadData,
+/// and says what is wrong or what to write instead, but not where.
 [[nodiscard]] Result<std::vector<AuTerm>> terms_of(std::string_view cue,
                                                    const Expressions& expressions);
 

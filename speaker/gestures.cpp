@@ -170,6 +170,8 @@ void end_clauses(const Speech& speech, const Script& script, const GestureOption
 /// written once, from the beginning to the end.
 class Drift {
  public:
+  static constexpr Milliseconds kTurnTime{650};
+
   Drift(int plus, int minus, float reach) : plus_(plus), minus_(minus), reach_(reach) {}
 
   /// By `part` of the way to anywhere within its reach. Call it in the order of time.
@@ -187,8 +189,6 @@ class Drift {
   void finish(Curves& curves) { write(curves.steps, curves); }
 
  private:
-  static constexpr Milliseconds kTurnTime{650};
-
   void write(std::size_t end, Curves& curves) {
     std::vector<float>& plus = curves.of(plus_);
     std::vector<float>& minus = curves.of(minus_);
@@ -217,7 +217,8 @@ void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Cur
   std::size_t word = 0;
   const auto move_on_words_until = [&](Milliseconds end) {
     for (; word < speech.words.size() && speech.words[word].begin < end; ++word) {
-      if (!stressed[word]) continue;
+      // A turn on the last word would take the place of the one to the next phrase.
+      if (!stressed[word] || speech.words[word].begin + Drift::kTurnTime > end) continue;
       turn.move(speech.words[word].begin - kBeforeWord, kOnWords, dice, curves);
       tilt.move(speech.words[word].begin, kOnWords, dice, curves);
     }

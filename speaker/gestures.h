@@ -14,7 +14,7 @@ struct GestureOptions {
   float amount = 1;  ///< factor on the movements of brows and head, 0-2; not on blinks
 };
 
-/// Adds to the curves what a speaker does besides moving the lips: blinks (after sentences, and
+/// Adds to the curves what a speaker does besides moving the lips: blinks (after clauses, and
 /// every few seconds), nods and raised or gathered brows on stressed words, raised brows at the end
 /// of a question, small turns of the head and another bearing from phrase to phrase (raised brows,
 /// a smile, gathered brows), a glance aside in a pause. Otherwise the eyes stay on the listeners

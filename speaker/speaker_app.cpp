@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "common/expressions/expressions.h"
