@@ -13,8 +13,9 @@
 namespace aucast {
 
 /// Files that belong together: each gets its name when all of them have been written, and if one
-/// cannot be written, none does. Only a rename that fails, after all has been written, can leave
-/// some of them old and some new.
+/// cannot be written, none does. Only a failure after all has been written, of a rename or of the
+/// disk behind it, can leave some of them old and some new; what is a device or a FIFO has been
+/// written by then.
 class FilesTogether {
  public:
   /// Adds bytes to the end of the file that is being written.

@@ -19,7 +19,7 @@ class WrongTokens {
   /// it.
   [[nodiscard]] bool may_try(std::uint64_t address, Instant now);
   void add(std::uint64_t address, Instant now);
-  /// How many wrong tokens have come so far.
+  /// How many tokens have been compared and found wrong so far.
   [[nodiscard]] std::uint64_t shown() const { return shown_; }
 
  private:

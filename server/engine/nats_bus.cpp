@@ -55,8 +55,6 @@ void warn_of_full() {
 
 class NatsBus final : public Bus {
  public:
-  class Poster;
-
   NatsBus(asio::io_context& io, const NatsModule& module, NatsServers servers, Events events,
           std::chrono::milliseconds refused_pause)
       : module_(&module),
@@ -75,6 +73,8 @@ class NatsBus final : public Bus {
   [[nodiscard]] std::uint64_t left_out() const override { return gate_->left_out(); }
 
  private:
+  class Poster;
+
   using Made = Result<std::unique_ptr<NatsConnection>>;
 
   [[nodiscard]] std::shared_ptr<NatsListener> new_listener();

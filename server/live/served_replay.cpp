@@ -72,8 +72,9 @@ void ServedReplay::take_moments() {
     const auto waiting = thinning_.take_last();
     // After more than an hour, as when the process stood still, one keyframe is not enough.
     if (waiting && behind() > kLongest) feed_->add(*waiting);
-    for (; behind() > kLongest; feed_->add(keyframe)) {
+    while (behind() > kLongest) {
       keyframe.time_ms = static_cast<std::uint32_t>(kLongest.count());
+      feed_->add(keyframe);
     }
     keyframe.time_ms = static_cast<std::uint32_t>(behind().count());
     thinning_.push(std::move(keyframe));

@@ -167,7 +167,7 @@ void Programme::stop() {
 bool Programme::take_over(Repertoire repertoire) {
   std::erase_if(repertoire,
                 [this](const OfferedStream& offered) { return is_misplaced(offered.stream); });
-  if (repertoire.empty() && !takes_streams()) return false;
+  if (repertoire.empty() && sources_.streams().empty() && !takes_streams()) return false;
   const int held_back_max = held_back_for(repertoire, options_.voice);
   Streams read = accompanied(std::move(repertoire));
   play_live(read);

@@ -85,7 +85,7 @@ std::vector<Number> numbers_of(const Status& status) {
       {"accept_failures", "aucast_accept_failures_total", Type::Counter,
        "Times that accepting had to pause.", status.accept_failures},
       {"wrong_tokens", "aucast_wrong_tokens_total", Type::Counter,
-       "Wrong tokens of viewers and publishers.", status.wrong_tokens},
+       "Tokens of viewers and publishers that were compared and found wrong.", status.wrong_tokens},
       {"packets", "aucast_packets_total", Type::Counter, "Keyframes handed out.", sent.keyframes},
       {"packets_merged", "aucast_packets_merged_total", Type::Counter,
        "Live keyframes dropped for a newer one because a client was slow.", sent.keyframes_merged},

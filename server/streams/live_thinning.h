@@ -37,8 +37,7 @@ class LiveThinning {
   void spend(std::size_t bytes, SteadyTime now);
   /// The keyframe that waits, when its time has come; nullopt otherwise.
   [[nodiscard]] std::optional<protocol::Keyframe> pop(SteadyTime now);
-  /// The keyframe that waits, whether or not its time has come, since no more will follow; nullopt:
-  /// none waits.
+  /// Takes out the keyframe that waits, whether or not its time has come; nullopt: none waits.
   [[nodiscard]] std::optional<protocol::Keyframe> take_last();
   /// When pop() will return a keyframe, as far as is known; nullopt while none waits.
   [[nodiscard]] std::optional<SteadyTime> due() const;

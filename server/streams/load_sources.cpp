@@ -262,7 +262,8 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
   const char* const remedy = !is_address(source.path) ? "; leave one out or rename a file"
                              : !is_address(other->path)
                                  ? "; rename the file"
-                                 : "; name both hosts in one address, HOST,HOST/NAME";
+                                 : "; leave one out, or name two hosts of one "
+                                   "stream in one address, HOST,HOST/NAME";
   return Error{
       ErrorKind::Usage,
       at_place(source.path.string(), "a stream named '" + source.name + "' comes from " +

@@ -14,8 +14,8 @@ namespace aucast::server {
 /// A stream that is to be served.
 struct OfferedStream {
   protocol::ServedStream stream;  ///< absent() if it is live: only its name is known yet
-  std::optional<VoiceFile>
-      voice{};  ///< the sound file of its voice, not encoded yet; nullopt: none
+  /// The sound file of its voice, not encoded yet; nullopt: none.
+  std::optional<VoiceFile> voice{};
 };
 using Repertoire = std::vector<OfferedStream>;
 

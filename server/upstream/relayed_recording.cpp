@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/limits.h"
 #include "server/settings/limits.h"
 
 namespace aucast::server {

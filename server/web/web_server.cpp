@@ -22,9 +22,9 @@ namespace {
 
 constexpr std::string_view kWebSocketPath = "/aucast";
 
-/// Of a file. The system tells of room when half of this is gone: if it held megabytes, a slow
-/// client would seem to take nothing (kWebStallTimeMax).
-constexpr int kHeldBackMax = 65536;
+/// Of a file, and of a WebSocket whose stream is recorded. The system tells of room when half of
+/// this is gone: if it held megabytes, a slow client would seem to take nothing (kWebStallTimeMax).
+constexpr int kHeldBackOfFiles = 65536;
 
 }  // namespace
 
@@ -113,7 +113,7 @@ void WebServer::start() {
 std::shared_ptr<link::Link> WebServer::link_of(tcp::socket socket) const {
   const int held_back = hooks_.held_back_max();
   auto link = link::tcp_link(std::move(socket), protocol::kLinkLimits,
-                             held_back == 0 ? kHeldBackMax : held_back);
+                             held_back == 0 ? kHeldBackOfFiles : held_back);
   if (!hooks_.tls()) return link;
   return link::tls_link(
       std::move(link), tls::Layer(*hooks_.tls()), protocol::kLinkLimits,

@@ -93,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::vector<Publisher>{{"word", {}}, {"bound", {"talk"}}});
     catalogue.publish_refused = [](const HelloAsked& hello) -> std::optional<ErrorReply> {
       if (hello.publish != "a") return std::nullopt;
-      return ErrorReply{409, "it is one of this server's own"};
+      return ErrorReply{kNameTaken, "it is one of this server's own"};
     };
     catalogue.patience = Milliseconds(100);
   }

@@ -261,7 +261,7 @@ TEST_F(RecordedChanges, AreSentWhenAskedFor) {
 }
 
 TEST_F(RecordedChanges, AreNotGrantedWhereThereAreNone) {
-  stream_.changes = test::packets({});
+  stream_.changes = {};
   start_recorded();
   EXPECT_EQ(get("{hello v=2 window=1 delta=1}"),
             "send {hello v=2 window=1 stream=talk keyframe=250}{1:30}");

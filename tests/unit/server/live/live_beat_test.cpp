@@ -1,5 +1,4 @@
 #include "server/live/live_beat.h"
-#include "tests/unit/protocol/packets.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 
 #include "tests/support/raw_client.h"
 #include "tests/support/run_until.h"
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 namespace {

@@ -41,7 +41,7 @@ TEST(PushChecks, AnAddressOrATokenThatWillNotDoIsAnError) {
   EXPECT_FALSE(check_pushes(options));
 }
 
-TEST(CheckPushes, ShortTokensOfOneFileAreWarnedOfOnce) {
+TEST(PushChecks, ShortTokensOfOneFileAreWarnedOfOnce) {
   const test::TempFolder folder;
   const test::KeptLog log;
   TransmitterOptions options;

@@ -1,7 +1,8 @@
 #include "server/streams/estimate.h"
-#include "tests/unit/protocol/packets.h"
 
 #include <gtest/gtest.h>
+
+#include "tests/unit/protocol/packets.h"
 
 namespace aucast::server {
 namespace {

@@ -107,7 +107,8 @@ TEST(LoadSources, OneNameOfTwoServersBelongsInOneAddress) {
   const auto sources =
       load_sources({"aucast://a/talk", "aucast://b/talk"}, {}, {}, nullptr, LiveKinds::Streams);
   ASSERT_FALSE(sources);
-  EXPECT_TRUE(has(sources.error(), "name both hosts in one address")) << sources.error().message;
+  EXPECT_TRUE(has(sources.error(), "name two hosts of one stream in one address"))
+      << sources.error().message;
 }
 
 TEST(LoadSources, NameThatIsTakenIsRefusedWithTheRemedy) {
