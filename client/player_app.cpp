@@ -86,10 +86,9 @@ struct Server {
 
 std::unique_ptr<playback::Playback> open_remote(const PlaybackOptions& options,
                                                 const Server& server,
-                                                const SourcePlayback::Options& how, bool captions) {
-  net::RemoteOptions remote = remote_options(options, server.endpoint, server.security);
-  remote.captions = captions;
-  return std::make_unique<SourcePlayback>(std::make_unique<net::RemoteSource>(std::move(remote)),
+                                                const SourcePlayback::Options& how) {
+  return std::make_unique<SourcePlayback>(std::make_unique<net::RemoteSource>(remote_options(
+                                              options, server.endpoint, server.security)),
                                           how);
 }
 
@@ -127,6 +126,7 @@ Result<void> outcome(const playback::SourceStatus& status) {
 Result<void> play(const PlayerOptions& given, const Server& server, PlayerStats& stats) {
   WindowSettings settings = WindowSettings::load(given);
   PlayerOptions options = settings.applied(given);
+  options.playback.captions = !options.headless;
   SourcePlayback::Options how{options.playback.speed, options.playback.hold, false};
   if (options.output.fast) how = {options.playback.speed, std::nullopt, true};
   std::unique_ptr<playback::Playback> playback;
@@ -151,7 +151,7 @@ Result<void> play(const PlayerOptions& given, const Server& server, PlayerStats&
   auto track = open_track(options);
   if (!track) return track.error();
   if (!server.endpoint.host.empty()) {
-    playback = open_remote(options.playback, server, how, !options.headless);
+    playback = open_remote(options.playback, server, how);
   }
   Result<void> done;
   if (!options.headless) {
@@ -173,7 +173,8 @@ Result<void> play(const PlayerOptions& given, const Server& server, PlayerStats&
   return done ? outcome(status) : done;
 }
 
-/// Reads certificates and token, before anything is connected or drawn.
+/// The server of the command line, with its certificates and token, read before anything is
+/// connected or drawn.
 Result<Server> load_server(const PlaybackOptions& options) {
   Server server;
   if (!options.endpoint.empty()) {

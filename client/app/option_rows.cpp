@@ -363,8 +363,7 @@ std::vector<OptionRow> pose_rows(PoseOptions& pose) {
       {.option = {"expression", "NAME"},
        .text = "a named expression, such as happiness",
        .more = "A named expression instead of AUS, such as happiness, thesis-anger or waters-fear; "
-               "--list "
-               "names them all.",
+               "--list names them all.",
        .value = word(pose.expression)},
       {.option = {"muscle", "NAME=VALUE"},
        .text = "set a muscle or another channel; may be repeated",
@@ -520,7 +519,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        .more = "classic never sends a hello: for servers that know only level 1.",
        .value = one_of(playback.classic, {{"auto", false}, {"classic", true}})},
       {.option = {"connect-timeout", "S", "10"},
-       .text = "give up if nothing came from the server in S s (10)",
+       .text = "longest wait to connect and for the first packet (10)",
        .more = "The longest wait for a connection and for its first packet, 0.01 to 86400 seconds.",
        .value = seconds(playback.connect_timeout, 0.01, kSecondsMax,
                         "is not a number of seconds from 0.01 to 86400")},

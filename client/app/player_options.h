@@ -17,7 +17,6 @@
 #include "client/net/stream_request.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
-#include "client/playback/keyframe_buffers.h"
 #include "client/view/style.h"
 #include "client/view/viewpoint.h"
 #include "common/result.h"

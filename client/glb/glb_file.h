@@ -58,8 +58,8 @@ class GlbFile {
   [[nodiscard]] int inverse_bind_matrices(std::span<const std::array<float, 16>> matrices);
 
   /// What a morph target changes: the vertices in `changes` (ascending) out of `vertex_count`; all
-  /// others stay. Places change by one metre at most, in 16 bits, and normals in 8, for which the
-  /// document has to name kQuantization.
+  /// others stay. Positions change by one metre at most, in 16 bits, and normals in 8, for which
+  /// the document has to name kQuantization.
   [[nodiscard]] int position_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int normal_changes(std::span<const Change> changes, std::size_t vertex_count);
   [[nodiscard]] int colour_changes(std::span<const Change> changes, std::size_t vertex_count);

@@ -12,7 +12,6 @@
 #include "client/net/received_stream.h"
 #include "client/net/retries.h"
 #include "client/net/stream_request.h"
-#include "client/playback/keyframe_buffers.h"
 #include "client/playback/keyframe_source.h"
 #include "common/time.h"
 #include "protocol/client_session.h"

@@ -117,7 +117,7 @@ constexpr auto kAlone = std::to_array<CodeKey>({{GLFW_KEY_SPACE, Key::Space},
                                                 {GLFW_KEY_H, Key::H},
                                                 {GLFW_KEY_L, Key::L},
                                                 {GLFW_KEY_O, Key::O}});
-/// With Ctrl these mean something else; any other key means the same.
+/// With Ctrl these mean something else; any other key but C means the same.
 constexpr auto kWithControl = std::to_array<CodeKey>({{GLFW_KEY_W, Key::Quit},
                                                       {GLFW_KEY_S, Key::Save},
                                                       {GLFW_KEY_Z, Key::Undo},

@@ -88,9 +88,10 @@ class Window {
   /// The path of the next file dropped on the window; empty: none.
   [[nodiscard]] std::string next_dropped();
   void set_title(const std::string& title);
-  // The screen is the one that shows most of the window.
-  /// Makes the window smaller if it is larger than the free area of the screen.
+  /// Makes the window smaller if it is larger than the free area of the screen that shows most of
+  /// it.
   void fit_to_screen();
+  /// To that screen, or back.
   void toggle_full_screen();
   [[nodiscard]] bool full_screen() const;
   /// Binds the window's own framebuffer again.

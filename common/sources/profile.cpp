@@ -204,7 +204,7 @@ Result<Profile> parse_profile(std::string_view text, std::string_view file) {
 std::string format_profile(const Profile& profile) {
   std::string text =
       "# Profile of one face for au-transmitter --profile; AUs as in packets: 12, L12, R12.\n"
-      "\n# Percent that the neutral face shows; they are taken off.\n[neutral]\n";
+      "\n# Percent that the neutral face shows; they are subtracted.\n[neutral]\n";
   for (const auto& [au, percent] : neutral_percents(profile.neutral).exceptions()) {
     text += line(au_name_text(au), percent);
   }

@@ -87,8 +87,7 @@ inline constexpr std::array kEnglishErrors = std::to_array<EnglishText>({
     {"made.count_rows", "{count} rows"},
     {"made.not_neutral",
      "{aus}: no neutral face was subtracted; leave out 'Neutral, s', or cut what is before the "
-     "face "
-     "is neutral"},
+     "face is neutral"},
     {"made.not_neutral_span",
      "{aus}: no neutral face was subtracted; 'Neutral, s' {seconds} subtracts one"},
     {"made.movement", "movement of {aus}"},

@@ -212,20 +212,20 @@ export class PlayerEngine {
 
   /// The server's streams, in its order. The core has one question: whoever asks the same gets the
   /// same answer, and what was asked of another server before fails.
-  streams(server, token) {
+  async streams(server, token) {
+    const url = this.address(server, token);
     const asked = `${server}\n${token}`;
     if (this.question?.asked !== asked) {
       const question = { asked };
       this.question = question;
-      question.answer = this.ask(server, token, question).finally(() => {
+      question.answer = this.ask(url, token, question).finally(() => {
         if (this.question === question) this.question = null;
       });
     }
     return this.question.answer;
   }
 
-  async ask(server, token, question) {
-    const url = this.address(server, token);
+  async ask(url, token, question) {
     // Of this question alone: the stream that plays is dialled again at its own address.
     const played = this.browser.url;
     this.browser.url = url.href;

@@ -48,11 +48,9 @@ const std::vector<std::string> kSaid = {
     "1000 rows a second are no camera's: Pictures/s says how many",
     "100 rows without a later time: Pictures/s 60 reads them all",
     "AU7 100 %, AU20 100 %, AU10 77 % and 12 more: no neutral face was subtracted; leave out "
-    "'Neutral, "
-    "s', or cut what is before the face is neutral",
+    "'Neutral, s', or cut what is before the face is neutral",
     "movement of AU4 73 %, AU1 61 %, AU2 58 % and 2 more: no neutral face was subtracted; "
-    "'Neutral, "
-    "s' 1 subtracts one",
+    "'Neutral, s' 1 subtracts one",
     "AU7 100 %: no neutral face was subtracted; 'Neutral, s' 10 subtracts one",
     "/tmp/a.txt: cannot be read: No such file or directory",
     "/tmp/a.txt: cannot be read: Permission denied",
