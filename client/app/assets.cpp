@@ -1,10 +1,10 @@
 #include "client/app/assets.h"
 
-#include <algorithm>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "client/gui/storage/user_face.h"
 #include "common/files.h"
 #include "common/log.h"
 #include "common/number_of.h"
@@ -30,13 +30,11 @@ Result<void> check_face(const FaceOptions& options, const std::filesystem::path&
   const std::filesystem::path folder = face_folder(options, data);
   if (folder.has_parent_path() || std::filesystem::exists(folder, ignored)) return {};
   std::vector<std::string> names;
-  std::filesystem::directory_iterator at(data / "faces", ignored);
-  for (; at != std::filesystem::directory_iterator(); at.increment(ignored)) {
-    if (at->is_directory(ignored)) names.push_back(at->path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
   std::string known;
-  for (const std::string& name : names) known += printable(name) + ", ";
+  for (const gui::FaceEntry& face : gui::faces_in(data / "faces")) {
+    names.push_back(face.name);
+    known += printable(face.name) + ", ";
+  }
   return Error{ErrorKind::Unreadable, "no face '" + escaped(options.face) + "' (known: " + known +
                                           "or the folder of one)" +
                                           did_you_mean(options.face, names)};

@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <array>
 #include <cstdio>
 
 #include "client/app/assets.h"
@@ -16,6 +15,7 @@
 #include "client/gui/model/view_text.h"
 #include "client/pipeline/expression_muscles.h"
 #include "common/files.h"
+#include "common/problems.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
@@ -52,12 +52,6 @@ void print_activations(const Assets& assets, std::span<const float> activations)
   if (!any) std::printf("nothing is activated: the neutral face\n");
 }
 
-std::string short_number(float number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", static_cast<double>(number));
-  return text.data();
-}
-
 /// Checks --muscle NAME=VALUE: the name must be known and the value in the channel's range.
 Result<void> set_channel(const face::Face& face, const std::string& name, float value,
                          std::span<float> activations) {
@@ -71,8 +65,8 @@ Result<void> set_channel(const face::Face& face, const std::string& name, float 
   }
   const float largest = face.channels[*index].activation_max;
   if (value < 0 || value > largest) {
-    return Error{ErrorKind::Usage, "--muscle " + name + ": " + short_number(value) +
-                                       " is outside 0 to " + short_number(largest) +
+    return Error{ErrorKind::Usage, "--muscle " + name + ": " + plain(static_cast<double>(value)) +
+                                       " is outside 0 to " + plain(static_cast<double>(largest)) +
                                        "; give a value between them"};
   }
   activations[*index] = value;
