@@ -107,9 +107,9 @@ void blink(const Speech& speech, Dice& dice, Curves& curves) {
   }
 }
 
-void stress(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
+void stress(const Speech& speech, const std::vector<bool>& stressed, const GestureOptions& options,
+            Dice& dice, Curves& curves) {
   constexpr Milliseconds kApart{750};
-  const std::vector<bool> stressed = stressed_words(speech);
   Milliseconds last{-10000};
   for (std::size_t i = 0; i < speech.words.size(); ++i) {
     const Milliseconds at = speech.words[i].begin;
@@ -209,11 +209,11 @@ class Drift {
   std::size_t written_ = 0;          ///< steps
 };
 
-void wander(const Speech& speech, const GestureOptions& options, Dice& dice, Curves& curves) {
+void wander(const Speech& speech, const std::vector<bool>& stressed, const GestureOptions& options,
+            Dice& dice, Curves& curves) {
   constexpr float kOnWords = 0.5F;
   Drift turn(kHeadLeft, kHeadRight, 0.24F * options.amount);
   Drift tilt(kHeadTiltLeft, kHeadTiltRight, 0.2F * options.amount);
-  const std::vector<bool> stressed = stressed_words(speech);
   std::size_t word = 0;
   const auto move_on_words_until = [&](Milliseconds end) {
     for (; word < speech.words.size() && speech.words[word].begin < end; ++word) {
@@ -334,8 +334,9 @@ std::vector<bool> stressed_words(const Speech& speech) {
 void add_gestures(const Speech& speech, const Script& script, const GestureOptions& options,
                   Curves& curves) {
   Dice dice(options.seed);
-  wander(speech, options, dice, curves);
-  stress(speech, options, dice, curves);
+  const std::vector<bool> stressed = stressed_words(speech);
+  wander(speech, stressed, options, dice, curves);
+  stress(speech, stressed, options, dice, curves);
   end_clauses(speech, script, options, dice, curves);
   blink(speech, dice, curves);
   bear(speech, options, dice, curves);
