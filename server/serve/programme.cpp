@@ -21,6 +21,22 @@ auto find_named(const std::vector<protocol::ServedStream>& streams, const std::s
                       [&name](const auto& stream) { return stream.known_name() == name; });
 }
 
+/// Whether a stream was read whose name a running source has got since the start, or is to come
+/// from one that was none at the start. Logs that.
+bool is_misplaced(const protocol::ServedStream& read,
+                  const std::vector<protocol::ServedStream>& of_sources) {
+  const bool from_source =
+      std::any_of(of_sources.begin(), of_sources.end(), [&](const auto& other) {
+        return read.name == (read.absent() ? other.name : other.known_name());
+      });
+  if (read.absent() == from_source) return false;
+  spdlog::error("{}: {}", read.name,
+                from_source
+                    ? "another source has that name now; rename the file"
+                    : "it is written live now and was not at the start; restart to serve it");
+  return true;
+}
+
 }  // namespace
 
 Programme::Programme(asio::io_context& io, const TransmitterOptions& options, Repertoire repertoire,
@@ -165,9 +181,11 @@ void Programme::stop() {
 }
 
 bool Programme::take_over(Repertoire repertoire) {
-  std::erase_if(repertoire,
-                [this](const OfferedStream& offered) { return is_misplaced(offered.stream); });
-  if (repertoire.empty() && sources_.streams().empty() && !takes_streams()) return false;
+  const Streams of_sources = sources_.streams();
+  std::erase_if(repertoire, [&of_sources](const OfferedStream& offered) {
+    return is_misplaced(offered.stream, of_sources);
+  });
+  if (repertoire.empty() && of_sources.empty() && !takes_streams()) return false;
   const int held_back_max = held_back_for(repertoire, options_.voice);
   Streams read = accompanied(std::move(repertoire));
   play_live(read);
@@ -183,22 +201,6 @@ bool Programme::take_over(Repertoire repertoire) {
   held_back_max_ = held_back_max;
   // Who waits for a stream may find it among these.
   events_.on_moment();
-  return true;
-}
-
-/// Whether a stream was read whose name a running source has got since the start, or is to come
-/// from one that was none at the start. Logs that.
-bool Programme::is_misplaced(const protocol::ServedStream& read) const {
-  const Streams of_sources = sources_.streams();
-  const bool from_source =
-      std::any_of(of_sources.begin(), of_sources.end(), [&](const auto& other) {
-        return read.name == (read.absent() ? other.name : other.known_name());
-      });
-  if (read.absent() == from_source) return false;
-  spdlog::error("{}: {}", read.name,
-                from_source
-                    ? "another source has that name now; rename the file"
-                    : "it is written live now and was not at the start; restart to serve it");
   return true;
 }
 

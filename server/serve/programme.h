@@ -97,7 +97,6 @@ class Programme {
   [[nodiscard]] std::optional<protocol::ErrorReply> publish_refused(
       const protocol::HelloAsked& hello) const;
   void on_moment_of_source();
-  [[nodiscard]] bool is_misplaced(const protocol::ServedStream& read) const;
   [[nodiscard]] bool over() const;
   [[nodiscard]] Streams accompanied(Repertoire repertoire);
   void play_live(Streams& read);
