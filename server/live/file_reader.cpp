@@ -72,8 +72,7 @@ void FileReader::stop() {
 }
 
 /// Reads on as soon as the event loop has time.
-void FileReader::await() {
-  if (!begins_waiting()) return;
+void FileReader::wait_for_bytes() {
   asio::post(io_, [this, wait = waits_.begin()] {
     if (!wait.current()) return;
     waiting_ = false;

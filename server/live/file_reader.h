@@ -35,7 +35,7 @@ class FileReader final : public InputReader {
   void find_place();
   void watch();
   void watch_file();
-  void await() override;
+  void wait_for_bytes() override;
   void read();
   void look_again();
   void on_look();

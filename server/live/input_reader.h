@@ -55,10 +55,9 @@ class InputReader {
   [[nodiscard]] virtual bool has_past() const = 0;
 
  protected:
-  /// Waits until there is something to read, if begins_waiting().
-  virtual void await() = 0;
-  [[nodiscard]] bool begins_waiting() {
-    return reading_ && !stopped_ && !std::exchange(waiting_, true);
+  /// Waits until there is something to read, unless that has begun or nothing is to be read.
+  void await() {
+    if (reading_ && !stopped_ && !std::exchange(waiting_, true)) wait_for_bytes();
   }
 
   const std::filesystem::path path_;
@@ -70,6 +69,9 @@ class InputReader {
   Waits waits_;
 
  private:
+  /// Reads when there is something, and sets waiting_ to false before.
+  virtual void wait_for_bytes() = 0;
+
   static constexpr std::size_t kChunkBytes = 16384;
 };
 

@@ -34,8 +34,7 @@ void PipeReader::stop() {
   pipe_.close(ignored);
 }
 
-void PipeReader::await() {
-  if (!begins_waiting()) return;
+void PipeReader::wait_for_bytes() {
   pipe_.async_wait(asio::posix::stream_descriptor::wait_read,
                    [this, wait = waits_.begin()](const std::error_code& error) {
                      if (!wait.current()) return;

@@ -29,7 +29,7 @@ class PipeReader final : public InputReader {
   [[nodiscard]] bool has_past() const override { return false; }
 
  private:
-  void await() override;
+  void wait_for_bytes() override;
   void read();
   void fail(int error_number);
 
