@@ -20,9 +20,7 @@ bool is_before(const protocol::CaptionData& one, const protocol::CaptionData& ot
 }  // namespace
 
 RelayedRecording::RelayedRecording(const protocol::HelloGranted& hello, MayHold may_hold)
-    : may_hold_(std::move(may_hold)),
-      duration_ms_(hello.duration_ms.value_or(0)),
-      changes_(hello.delta) {
+    : may_hold_(std::move(may_hold)), changes_(hello.delta) {
   encoded_->duration_ms = hello.duration_ms;
   encoded_->extent = Extent::Growing;
   if (hello.voice == protocol::kVoiceCodec) voice_ = std::make_shared<protocol::EncodedTrack>();
@@ -47,8 +45,8 @@ std::optional<std::string> RelayedRecording::add(const protocol::EncodedKeyframe
     --keyframes_again_;
     return std::nullopt;
   }
-  if (place_ms_ + time_ms > duration_ms_) {
-    return "it sends more than the " + std::to_string(duration_ms_) + " ms that it announced";
+  if (place_ms_ + time_ms > duration_ms()) {
+    return "it sends more than the " + std::to_string(duration_ms()) + " ms that it announced";
   }
   if (auto full = no_room()) return full;
   keyframes_again_ = 0;
@@ -102,9 +100,9 @@ std::optional<std::string> RelayedRecording::no_room() {
 }
 
 std::optional<std::string> RelayedRecording::end() {
-  if (place_ms_ < duration_ms_) {
+  if (place_ms_ < duration_ms()) {
     return "it ended after " + std::to_string(place_ms_) + " ms of the " +
-           std::to_string(duration_ms_) + " ms that it announced";
+           std::to_string(duration_ms()) + " ms that it announced";
   }
   encoded_->extent = Extent::Whole;
   if (voice_) voice_->finish();

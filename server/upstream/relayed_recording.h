@@ -51,7 +51,7 @@ class RelayedRecording {
   /// The stream as sessions use it. They see by its lists which forms there are, so it is not
   /// theirs before the first keyframe.
   [[nodiscard]] protocol::RecordedStream content() const { return {encoded_, spoken_}; }
-  [[nodiscard]] std::uint64_t duration_ms() const { return duration_ms_; }
+  [[nodiscard]] std::uint64_t duration_ms() const { return encoded_->duration_ms.value_or(0); }
   /// How much of it is here.
   [[nodiscard]] std::uint64_t place_ms() const { return place_ms_; }
   /// Whether it is here to its end, so that nothing is missing.
@@ -61,7 +61,6 @@ class RelayedRecording {
   [[nodiscard]] std::optional<std::string> no_room();
 
   MayHold may_hold_;
-  std::uint64_t duration_ms_;
   bool changes_;  ///< the changes-only form is kept too
   std::shared_ptr<protocol::EncodedStream> encoded_ = std::make_shared<protocol::EncodedStream>();
   std::shared_ptr<protocol::SpokenTrack> spoken_;  ///< null: neither voice nor captions
