@@ -33,9 +33,9 @@ const protocol::ServedStream* Pusher::stream() const {
 
 /// While there is nothing to send, no server is dialled.
 bool Pusher::ready() const {
-  const protocol::ServedStream* const now = stream();
-  if (now == nullptr) return false;
-  return now->live() ? !now->live()->ended() : now->recorded() != nullptr;
+  const protocol::ServedStream* const offered = stream();
+  if (offered == nullptr) return false;
+  return offered->live() ? !offered->live()->ended() : offered->recorded() != nullptr;
 }
 
 std::string Pusher::name() const {
@@ -44,15 +44,14 @@ std::string Pusher::name() const {
 
 std::string Pusher::stream_name() const {
   if (!to_.address.stream.empty()) return to_.address.stream;
-  const protocol::ServedStream* const now = stream();
-  return now == nullptr ? std::string() : now->known_name();
+  const protocol::ServedStream* const offered = stream();
+  return offered == nullptr ? std::string() : offered->known_name();
 }
 
-/// For the log: which stream goes there if none has the name of the address; empty: one has it.
 std::string Pusher::substitute() const {
-  const protocol::ServedStream* const now = stream();
-  if (now == nullptr || now->known_name() == stream_name()) return {};
-  return "; it is the first stream, '" + now->known_name() + "', as none here is called '" +
+  const protocol::ServedStream* const offered = stream();
+  if (offered == nullptr || offered->known_name() == stream_name()) return {};
+  return "; it is the first stream, '" + offered->known_name() + "', as none here is called '" +
          stream_name() + "'";
 }
 
