@@ -23,9 +23,8 @@ inline constexpr double kNeutralPercentMax = 30;
 /// The AUs that are stronger than kNeutralPercentMax in what is taken for a neutral face, the
 /// strongest first. If there are none: the AUs that move by more than that. What is taken for the
 /// neutral face is a median, so its AUs can be weak even if the face talked or grimaced; how far
-/// they moved shows that. Turns of head
-/// and eyes do not count, since the camera may be to one side, nor do movements of the eyelids,
-/// which blink and follow the eyes.
+/// they moved shows that. Turns of head and eyes do not count, since the camera may be to one side,
+/// nor do movements of the eyelids, which blink and follow the eyes.
 [[nodiscard]] std::vector<LoudAu> loud_aus(const MeasuredNeutral& neutral);
 
 /// What to tell the user about these AUs: "AU12 100 %, AU1 40 %: no neutral face was subtracted".
