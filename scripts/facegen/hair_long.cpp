@@ -189,7 +189,7 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double parting =
         mix(1, smooth_step(-0.004, 0.040, t), 0.45 * smooth_step(0.14, 0.06, from_edge));
     // In front its ends are one lock: two look like a fork.
-    const double whole = 0.70 * smooth_step(0.22, 0.10, from_edge);
+    const double whole = 0.7 * smooth_step(0.22, 0.10, from_edge);
     const double ragged =
         0.5 * value_noise({s * 38, 0.5, 3.5}) + 0.5 * value_noise({s * 11, 0.5, 6.5});
     const double full =
