@@ -9,8 +9,8 @@
 namespace aucast::protocol {
 
 /// Whether we may make a caption of the text: UTF-8 without control characters other than line
-/// feeds, short enough for one packet with any place. Other senders may send longer ones that fit
-/// with their place.
+/// feeds, short enough for one packet with any place. Other senders may send longer ones, as long
+/// as text and place fit into a packet together.
 [[nodiscard]] bool is_caption(std::string_view text);
 
 /// Whether the text can be a stream's title: one line of UTF-8 without control characters, at most

@@ -79,8 +79,7 @@ class ClientSession {
   /// Reads `bytes` up to the end of the first packet; `bytes` is then only what comes after that.
   /// Call it again while bytes are left.
   [[nodiscard]] std::vector<ClientEvent> on_bytes(std::string_view& bytes);
-  /// The server closed its side (`broke` is empty), or the connection broke (`broke` is the cause,
-  /// as a clause).
+  /// The server closed its side (`broke` is empty), or the connection broke (`broke` says why).
   [[nodiscard]] std::vector<ClientEvent> on_closed(std::string_view broke = {});
   [[nodiscard]] std::vector<ClientEvent> on_time(Instant now);
   [[nodiscard]] std::optional<Instant> deadline() const;
