@@ -6,8 +6,8 @@
 
 namespace aucast::app {
 
-/// Shows on standard error how far a long run is: on a terminal as one line that is overwritten,
-/// elsewhere as a plain line every few seconds, so that a log stays short.
+/// Shows on standard error the progress of a long run: on a terminal as one line that is
+/// overwritten, elsewhere as a plain line every few seconds, so that a log stays short.
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted);

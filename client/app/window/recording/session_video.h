@@ -29,8 +29,8 @@ class SessionVideo {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// Whether the video lacks a picture at `now`. If the encoder is too slow, so that none may wait
-  /// for it, the newest one that waits is repeated instead.
+  /// Whether the video lacks a picture at `now`. If the encoder is so slow that its
+  /// queue is full, the newest picture in it is repeated instead.
   [[nodiscard]] bool wants_picture(Instant now);
   /// Adds the picture once for each one that is missing at `now`; after a stall, for at most
   /// VideoTime::kGapMax. Never waits for the encoder. Does nothing if no picture is missing.
