@@ -6,8 +6,8 @@
 
 namespace aucast::server {
 
-/// When a Follower may ask: at once, and again after waits that double from kFirst to kMax, until a
-/// stream has gone on for `calm`.
+/// When a Follower may ask to join a stream: at once, and again after waits that double from kFirst
+/// to kMax, until a stream has gone on for `calm`.
 /// Thread: none of its own.
 class AskTimes {
  public:
@@ -18,7 +18,7 @@ class AskTimes {
 
   /// When it may ask at the earliest.
   [[nodiscard]] Instant next() const { return next_; }
-  /// It may ask at once, however often it has.
+  /// It may ask at once, however often it has asked before.
   void reset(Instant now) { next_ = now; }
   void on_asked(Instant now) {
     constexpr unsigned kDoublingsMax = 4;
@@ -34,7 +34,7 @@ class AskTimes {
   void on_gone_on(Instant now) {
     if (now >= begun_ + calm_) asked_ = 0;
   }
-  /// Somebody is there who could answer; but one that was left a moment ago may be the same.
+  /// Somebody who could answer is there, perhaps only the one that the Follower has just left.
   void on_somebody(Instant now) {
     if (now >= begun_ + calm_) next_ = std::min(next_, last_ + kFirst);
   }
