@@ -12,8 +12,8 @@
 
 namespace aucast {
 
-/// A value of a TOML file and its place. A tree of our own, so that only toml_document.cpp includes
-/// the TOML library. The kind says which members are set; Other is a date or a time.
+/// A value of a TOML file and its position. A tree of our own, so that only toml_document.cpp
+/// includes the TOML library. The kind says which members are set; Other is a date or a time.
 struct TomlValue {
   enum class Kind : std::uint8_t { Boolean, Integer, Real, Text, Array, Table, Other };
 

@@ -9,8 +9,8 @@ namespace aucast::mesh {
 /// Tells the sobs of one person from smiles. A sob stretches and raises the lips as a smile does;
 /// the landmarks of the mouth do not tell them apart. What tells them apart is the rest of the
 /// face: inner brows that rise without the outer ones, and cheeks that stay low. There AU 12 is
-/// really AU 20. As nobody smiles the moment after a sob, a sob is believed for a while longer, in
-/// which a hand may cover the face.
+/// really AU 20. As nobody smiles the moment after a sob, what is seen of one fades over a while,
+/// during which a hand may hide the face.
 class SobWatch {
  public:
   /// Turns AU 12 of the face seen at `seconds` into AU 20 as far as it is a sob. `seconds`: not
