@@ -32,9 +32,9 @@ class Bus {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /// Lasts as long as the Bus, through all reconnects. If it fails, this is logged, and after a
-  /// pause it is tried again over another connection. If a server takes it but does not permit it,
-  /// what the server says is logged; it is tried again whenever a connection is made anew.
+  /// Subscribes for as long as the Bus lives, through all reconnects. If this fails, it is logged,
+  /// and tried again after a pause over another connection. If a server forbids it, the server's
+  /// reply is logged, and it is tried again on every reconnect.
   virtual void subscribe(const std::string& subject) = 0;
   /// Sends a message. Without a connection it is lost: nothing is kept to be sent later.
   virtual void send(const Message& message) = 0;

@@ -19,8 +19,8 @@ struct Converted {
 using SayProgress = std::function<void(const std::string&)>;
 
 /// Runs `au-transmitter convert` with its arguments (without that word): reads a recording, a film
-/// or a stream file and writes, whole or not at all, a stream file or, to a name that ends in .csv,
-/// a table of OpenFace 2. Only this is lost: intensities become whole percents, times become whole
+/// or a stream file and writes (whole or not at all) a stream file or, if its name ends in .csv, a
+/// table of OpenFace 2. Only this is lost: intensities become whole percents, times become whole
 /// milliseconds, and a table does not tell sides apart.
 [[nodiscard]] Result<Converted> run_convert(std::vector<std::string> arguments,
                                             const SayProgress& say = {});
