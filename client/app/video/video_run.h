@@ -10,8 +10,8 @@
 
 namespace aucast::app {
 
-/// Plays to the end on the video clock, for which `playback` must have been made, and waits only
-/// for keyframes that have not come yet. Draws what the options ask for. `stop` is asked often;
+/// Plays to the end on the video clock (`playback` must be made for it), and waits only for
+/// keyframes that have not come yet. Draws what the options ask for. `stop` is asked often;
 /// when it returns true, playing stops and the files are finished with what they have. Failures of
 /// the source are in its status; the Result is only about pictures and files. `track`: the sound of
 /// what is played; null: the voice that comes with it.

@@ -10,8 +10,8 @@ namespace aucast::gui {
 // Fields in which a value is set. All are called inside an open ImGui window.
 
 /// A slider with its number beside it; returns whether it changed `value`. `width`: of both; below
-/// 0: to the end of the line. `column`: the widest number of the sliders above and below, so that
-/// all end at the same place.
+/// 0: to the end of the line. `column`: text of the widest number in this column of sliders, so
+/// that all end at the same place.
 [[nodiscard]] bool slider(const char* id, float width, int& value, int least, int most,
                           const char* format, const char* column = "");
 [[nodiscard]] bool slider(const char* id, float width, float& value, float least, float most,
@@ -25,7 +25,7 @@ struct Steps {
   int least = 0;
   int most = 1'000'000;
   const char* zero = nullptr;  ///< what is shown instead of 0; null: 0
-  int first = 0;               ///< the first step up from a 0 shown as `zero`; 0: the usual step
+  int first = 0;               ///< size of the first step up from `zero`; 0: as usual
   bool buttons = true;         ///< - and + beside the number, if there is room
 };
 /// The least width of a number_field() that has its buttons.

@@ -20,7 +20,7 @@ struct Named {
   std::string stream;                 ///< name of what plays, without a file's ending; empty: none
   std::uint64_t keyframe = 0;         ///< the one that is shown, counted from 1; 0: none
   std::optional<AuFrame> aus;         ///< the AUs that make the face; nullopt: muscles make it
-  std::string edited;                 ///< what a face made of muscles shows, such as au12_edited
+  std::string edited;                 ///< name if muscles make the face, such as au12_edited
   std::filesystem::path composition;  ///< the composer's file; empty: none
   int au = 0;                         ///< the AU being edited; 0: none
 };
