@@ -148,7 +148,7 @@ struct PlayerOptions {
 /// Reads the command line, without the program's name. Fails with a usage error of one line.
 [[nodiscard]] Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments);
 
-/// "face-player 0.1.0 ..." with protocol version and licence.
+/// "face-player 0.2.0 ..." with protocol version and licence.
 [[nodiscard]] std::string version_text();
 
 /// The manual page face-player(1) in roff.

@@ -94,7 +94,7 @@ struct Surroundings {
 /// Checks each range and the combinations of options. read_command_line() does so itself.
 [[nodiscard]] Result<void> validate(const TransmitterOptions& options);
 
-/// "0.1.0"
+/// "0.2.0"
 [[nodiscard]] std::string version_number();
 
 /// What --version prints: version, protocol, licence.
