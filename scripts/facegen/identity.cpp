@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "common/text.h"
 #include "common/toml_reader.h"
@@ -19,8 +20,10 @@ constexpr Bounds kMeasure = Bounds::between(-20, 20);
 constexpr Bounds kSize = Bounds::inside(0, kMeasure.high);
 constexpr Bounds kColour = Bounds::between(0, 1);
 
-std::filesystem::path person_file(std::string_view name) {
-  return std::filesystem::path(AUCAST_PEOPLE_FOLDER) / (std::string(name) + ".toml");
+constexpr const char* kPeople = AUCAST_PEOPLE_FOLDER;
+
+std::filesystem::path person_file(const std::filesystem::path& people, std::string_view name) {
+  return people / (std::string(name) + ".toml");
 }
 
 template <typename Owner, typename Value>
@@ -163,6 +166,7 @@ class PersonReader {
 
   /// Empty: like nobody.
   [[nodiscard]] std::string like() { return document_.text_or("like", ""); }
+  void refuse_like(const std::string& text) { document_.wrong("like", text); }
 
   void read(Identity& who) {
     who.varies_towards = document_.text_or("varies_towards", who.varies_towards);
@@ -262,14 +266,29 @@ class PersonReader {
   Problems& problems_;
 };
 
-Result<Identity> read_person(const std::filesystem::path& file, bool may_be_like) {
+bool contains(std::span<const std::filesystem::path> files, const std::filesystem::path& wanted) {
+  return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
+    std::error_code gone;
+    return std::filesystem::equivalent(file, wanted, gone);
+  });
+}
+
+/// The person of the last file; each of the others is like the one of the file after it.
+Result<Identity> read_person(std::vector<std::filesystem::path> files,
+                             const std::filesystem::path& people) {
+  const std::filesystem::path file = files.back();
   const auto document = read_toml(file);
   if (!document) return document.error();
   Problems problems(file.string());
   PersonReader reader(*document, problems);
   Identity who;
-  if (const std::string like = may_be_like ? reader.like() : std::string(); !like.empty()) {
-    auto base = read_person(person_file(like), false);
+  if (const std::string like = reader.like(); !like.empty()) {
+    files.push_back(person_file(people, like));
+    if (contains(std::span(files).first(files.size() - 1), files.back())) {
+      reader.refuse_like("leads back to '" + escaped(like) + "'");
+      return problems.result().error();
+    }
+    auto base = read_person(std::move(files), people);
     if (!base) return base.error();
     who = std::move(*base);
   }
@@ -286,15 +305,20 @@ std::span<const Measure> form_measures() {
 }
 
 Result<Identity> read_identity(const std::filesystem::path& file) {
-  return read_person(file, true);
+  return read_identity(file, kPeople);
+}
+
+Result<Identity> read_identity(const std::filesystem::path& file,
+                               const std::filesystem::path& people) {
+  return read_person({file}, people);
 }
 
 Result<Identity> identity_named(std::string_view name) {
   std::error_code ignored;
-  if (!std::filesystem::exists(person_file(name), ignored)) {
-    return Error{ErrorKind::Usage, "no person '" + escaped(name) + "' in " + AUCAST_PEOPLE_FOLDER};
+  if (!std::filesystem::exists(person_file(kPeople, name), ignored)) {
+    return Error{ErrorKind::Usage, "no person '" + escaped(name) + "' in " + kPeople};
   }
-  return read_identity(person_file(name));
+  return read_identity(person_file(kPeople, name));
 }
 
 }  // namespace aucast::facegen

@@ -156,8 +156,11 @@ struct Identity {
 };
 
 /// The person that a file like those in people/ describes. Fails with Unreadable, or with BadData
-/// and a line for each error.
+/// and the place of the first error.
 [[nodiscard]] Result<Identity> read_identity(const std::filesystem::path& file);
+/// The same; whom the person is `like` is looked for in `people`.
+[[nodiscard]] Result<Identity> read_identity(const std::filesystem::path& file,
+                                             const std::filesystem::path& people);
 
 /// The person of that name in people/. Fails with a Usage error if there is none.
 [[nodiscard]] Result<Identity> identity_named(std::string_view name);

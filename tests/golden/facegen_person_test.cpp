@@ -64,6 +64,33 @@ hair = [0.2, 0.1, 0.05]
   EXPECT_FALSE(hers->positions == his->positions);
 }
 
+TEST(Person, MayBeLikeOneWhoIsLikeAThird) {
+  const test::TempFolder people;
+  const std::string line = "[0,0,0, 1,1,1, 2,2,2, 3,3,3, 4,4,4]";
+  people.write("cleo.toml", "[hair]\nhairline = [[0, 1,1,1], [1, 2,2,2]]\ncombed = [" + line + "," +
+                                line + "]\ngrey = true\n");
+  people.write("anna.toml", "like = \"cleo\"\n[form]\njaw_bow = 0.2\nmuzzle = 0.1\n");
+  const auto bert = read_identity(
+      people.write("bert.toml", "like = \"anna\"\n[form]\nmuzzle = 0.3\n"), people.path());
+  ASSERT_TRUE(bert) << bert.error().message;
+  EXPECT_EQ(bert->form.muzzle, 0.3);
+  EXPECT_EQ(bert->form.jaw_bow, 0.2) << "of anna";
+  EXPECT_TRUE(bert->hair.grey) << "of cleo";
+}
+
+TEST(Person, LikeHerselfByAnyWayIsRefused) {
+  const test::TempFolder people;
+  const auto anna = people.write("anna.toml", "like = \"bert\"\n");
+  people.write("bert.toml", "like = \"cleo\"\n");
+  people.write("cleo.toml", "\nlike = \"anna\"\n");
+  const auto round = read_identity(anna, people.path());
+  ASSERT_FALSE(round);
+  EXPECT_EQ(round.error().kind, ErrorKind::BadData);
+  EXPECT_NE(round.error().message.find("cleo.toml:2:8: like leads back to 'anna'"),
+            std::string::npos)
+      << round.error().message;
+}
+
 TEST(Person, MistakesAreNamedWithTheirPlace) {
   EXPECT_EQ(complaint("like = \"default\"\n"), "");
   EXPECT_NE(complaint("like = \"default\"\n[form]\njaw = 1\n").find("anna.toml:3:1: "),

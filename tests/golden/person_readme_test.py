@@ -1,4 +1,4 @@
-"""Follows what scripts/facegen/README.md says about a person of one's own, to the letter.
+"""Follows what scripts/facegen/people/README.md says about a person of one's own, to the letter.
 
     person_readme_test.py --bin FOLDER
 
@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-README = ROOT / "scripts/facegen/README.md"
+README = ROOT / "scripts/facegen/people/README.md"
 PNG = b"\x89PNG"
 
 
