@@ -1,6 +1,8 @@
 #include <cstddef>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,7 +42,6 @@ Result<facegen::Identity> person_of(const std::string& person, const std::string
 }
 
 Result<void> run(std::span<char*> arguments) {
-  if (arguments.empty() || arguments.size() > 3) return Error{ErrorKind::Usage, kUsage};
   const auto person = person_of(arguments.size() > 1 ? arguments[1] : "default",
                                 arguments.size() > 2 ? arguments[2] : "0");
   if (!person) return person.error();
@@ -59,8 +60,19 @@ int main(int argument_count, char** arguments) {
     std::puts(kUsage);
     return 0;
   }
-  const Result<void> written = run(words);
-  if (written) return 0;
-  std::fprintf(stderr, "facegen: %s\n", written.error().message.c_str());
-  return exit_code(written.error());
+  if (words.empty() || words.size() > 3) {
+    std::fprintf(stderr, "%s\n", kUsage);
+    return exit_code(Error{ErrorKind::Usage, {}});
+  }
+  try {
+    const Result<void> written = run(words);
+    if (written) return 0;
+    std::fprintf(stderr, "facegen: %s\n", written.error().message.c_str());
+    return exit_code(written.error());
+  } catch (const std::bad_alloc&) {
+    std::fputs("facegen: there is not enough memory left to go on\n", stderr);
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "facegen: stopped by an unexpected failure: %s\n", failure.what());
+  }
+  return 1;
 }

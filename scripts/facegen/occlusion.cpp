@@ -1,10 +1,15 @@
 #include "scripts/facegen/occlusion.h"
 
+#include <array>
 #include <limits>
 #include <numeric>
 
 namespace aucast::facegen {
 namespace {
+
+/// The most nodes that a ray has yet to visit: one for each level of the tree. Each level halves
+/// the triangles, whose number has 64 bits.
+constexpr std::size_t kWaitingMax = 64;
 
 struct Triangle {
   Vec3 a;
@@ -58,7 +63,7 @@ struct RayScene::Tree {
     Box box;
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t left = 0;  ///< 0: a leaf; the right child follows from the left one's subtree
+    std::size_t left = 0;  ///< 0: a leaf
     std::size_t right = 0;
   };
 
@@ -111,7 +116,7 @@ RayScene::~RayScene() = default;
 
 bool RayScene::hit(const Vec3& origin, const Vec3& direction, double near, double far) const {
   const Vec3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
-  std::array<std::size_t, 64> waiting{};
+  std::array<std::size_t, kWaitingMax> waiting{};
   std::size_t count = 1;
   while (count > 0) {
     const Tree::Node& node = tree_->nodes[waiting[--count]];
