@@ -17,6 +17,7 @@
 #include "client/net/stream_request.h"
 #include "client/playback/blinking.h"
 #include "client/playback/interpolator.h"
+#include "client/playback/source_playback.h"
 #include "client/view/style.h"
 #include "client/view/viewpoint.h"
 #include "common/result.h"
@@ -50,8 +51,9 @@ struct PlaybackOptions : net::StreamRequest {
   std::filesystem::path file;              ///< play FILE
   playback::Interpolation interpolation = playback::Interpolation::Linear;
   Duration connect_timeout = std::chrono::seconds(10);
-  Milliseconds hold{5'000};       ///< --hold: the stall after which the face eases to neutral
-  net::SecurityOptions security;  ///< TLS with its files, and the token's file
+  Milliseconds hold = playback::SourcePlayback::kHold;  ///< --hold: the stall after which the face
+                                                        ///< eases to neutral
+  net::SecurityOptions security;                ///< TLS with its files, and the token's file
   std::optional<playback::BlinkOptions> blink;  ///< --blink or --idle; nullopt: no blinking
   std::optional<std::uint64_t> idle_seed;       ///< --idle; nullopt: no saccades and no breath
 };

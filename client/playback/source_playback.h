@@ -27,6 +27,8 @@ class SourcePlayback final : public Playback {
   /// The longest time that --speed gives a keyframe.
   static constexpr Milliseconds kSpeedMax{1000};
   static constexpr Milliseconds kEaseTime{1000};
+  /// The usual Options::hold.
+  static constexpr Milliseconds kHold{5000};
   /// After a keyframe with a due time, a shorter wait than this is no stall, because nobody sees
   /// it.
   static constexpr Milliseconds kStallMin{20};

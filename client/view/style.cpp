@@ -15,16 +15,20 @@ Result<Layers> parse_layers(std::string_view text) {
     const auto* const found = std::find_if(kLayerNames.begin(), kLayerNames.end(),
                                            [&](const LayerName& one) { return one.name == word; });
     if (found == kLayerNames.end()) {
-      std::string names;
-      for (const LayerName& one : kLayerNames) {
-        names += (names.empty() ? "" : ", ") + std::string(one.name);
-      }
-      return Error{ErrorKind::Usage, "'" + escaped(word) + "' is not one of " + names};
+      return Error{ErrorKind::Usage, "'" + escaped(word) + "' is not one of " + layer_names()};
     }
     layers.*found->member = true;
   }
   if (layers.transparent && !layers.polygons) layers.textured = true;
   return layers;
+}
+
+std::string layer_names() {
+  std::string names;
+  for (const LayerName& one : kLayerNames) {
+    names += (names.empty() ? "" : ", ") + std::string(one.name);
+  }
+  return names;
 }
 
 std::string format_layers(const Layers& layers) {
@@ -42,6 +46,11 @@ KeyLight key_light(float yaw_deg, float pitch_deg, float strength) {
   const float pitch = std::clamp(pitch_deg, -80.0F, 80.0F) * kRadPerDeg;
   return {{std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)},
           strength};
+}
+
+float line_scale(int height_px) {
+  constexpr float kUsualHeight = 800;
+  return std::clamp(static_cast<float>(height_px) / kUsualHeight, 0.5F, 4.0F);
 }
 
 }  // namespace aucast::view

@@ -47,6 +47,8 @@ inline constexpr std::array<LayerName, 8> kLayerNames{{{"polygons", &Layers::pol
 /// Reads a list such as "muscles,wireframe": exactly these are drawn, except that "transparent"
 /// without a surface adds "textured". Any other word is a Usage error, which names all layers.
 [[nodiscard]] Result<Layers> parse_layers(std::string_view text);
+/// All layers as a message lists them: "polygons, textured, ...".
+[[nodiscard]] std::string layer_names();
 /// The list that parse_layers() reads.
 [[nodiscard]] std::string format_layers(const Layers& layers);
 
@@ -80,5 +82,9 @@ struct Style {
   std::span<const Segment> diagram = {};  ///< shines faintly through the surface
   std::span<const Segment> tags = {};     ///< hidden by the surface
 };
+
+/// Style::scale for a picture this high: lines grow with large pictures, and are no thinner than
+/// usual in small ones.
+[[nodiscard]] float line_scale(int height_px);
 
 }  // namespace aucast::view

@@ -1,6 +1,5 @@
 #include "client/web/page.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -16,16 +15,7 @@ namespace aucast::web {
 namespace {
 
 constexpr const char* kData = "/data";
-constexpr Milliseconds kHold{5'000};
 constexpr Duration kAnswerTimeMax = std::chrono::seconds(10);
-/// The most lines that are kept: a page that does not listen to keyframes never takes them.
-constexpr std::size_t kBegunMax = 1'000;
-
-/// Lines grow with large pictures, and are no thinner than usual in small ones.
-float scale_of(int height) {
-  constexpr float kUsualHeight = 800;
-  return std::clamp(static_cast<float>(height) / kUsualHeight, 0.5F, 4.0F);
-}
 
 }  // namespace
 
@@ -85,7 +75,7 @@ void Page::play(const Wanted& wanted) {
   stop();
   playback_ = std::make_unique<playback::SourcePlayback>(
       std::make_unique<SocketSource>(wanted.server, wanted.stream, wanted.token, wanted.voice),
-      playback::SourcePlayback::Options{.hold = kHold});
+      playback::SourcePlayback::Options{.hold = playback::SourcePlayback::kHold});
   player_.open(playback_.get(), wanted_);
 }
 
@@ -93,7 +83,7 @@ void Page::stop() {
   if (playback_) playback_->stop(player_.now(now()));
   player_.open(nullptr, wanted_);
   playback_.reset();
-  ahead_.clear();
+  begun_.clear();
   captions_ = {};
 }
 
@@ -138,26 +128,17 @@ void Page::swing_hair(Instant now) {
 }
 
 void Page::begun(const playback::KeyframeBegun& keyframe, Instant at) {
-  if (ahead_.size() == kBegunMax) ahead_.pop_front();
-  ahead_.push_back(
+  begun_.add(
       {at, keyframe.target.aus,
        protocol::format_au_set(keyframe.target.aus) + ";" + std::to_string(keyframe.time.count())});
 }
 
 /// Takes AUs, lines and captions up to what is heard now: playback is ahead of it.
 void Page::show_what_is_heard() {
-  for (; !ahead_.empty() && ahead_.front().at <= player_.sound().shown(); ahead_.pop_front()) {
-    aus_ = ahead_.front().aus;
-    if (begun_.size() == kBegunMax) begun_.clear();
-    begun_.push_back(std::move(ahead_.front().line));
-  }
+  if (auto aus = begun_.pass(player_.sound().shown())) aus_ = *std::move(aus);
   if (!playback_) return;
   captions_.take_from(*playback_);
   if (const auto place = player_.heard_place()) captions_.move_to(*place);
-}
-
-std::vector<std::string> Page::take_begun() {
-  return std::exchange(begun_, {});
 }
 
 void Page::ask_streams(const std::string& server, const std::string& token) {
@@ -179,7 +160,7 @@ void Page::pose() {
 
 void Page::draw(int width, int height) {
   pose();
-  style_.scale = scale_of(height);
+  style_.scale = view::line_scale(height);
   view_->draw(viewpoint_, style_, width, height);
 }
 
@@ -188,7 +169,7 @@ Result<view::Image> Page::picture(int width, int height) {
     return prepared.error();
   }
   pose();
-  style_.scale = scale_of(height);
+  style_.scale = view::line_scale(height);
   view::Image image = view_->picture(viewpoint_, style_);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return image;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "client/view/image.h"
 #include "client/view/scene.h"
 #include "client/view/style.h"
+#include "client/web/begun_keyframes.h"
 #include "common/result.h"
 #include "protocol/packet.h"
 
@@ -63,8 +63,9 @@ class Page {
   bool advance();
   /// The AUs that the face shows, as they came, before the rules.
   [[nodiscard]] const AuFrame& aus() const { return aus_; }
-  /// The keyframes that the face began since the last call, as lines of a stream file.
-  [[nodiscard]] std::vector<std::string> take_begun();
+  /// The keyframes that the face began since the last call, as lines of a stream file; of more than
+  /// BegunKeyframes::kMax the newest.
+  [[nodiscard]] std::vector<std::string> take_begun() { return begun_.take_lines(); }
   /// The caption to be shown now, UTF-8; empty: none.
   [[nodiscard]] const std::string& caption() const { return captions_.text(); }
 
@@ -95,27 +96,19 @@ class Page {
   void swing_hair(Instant now);
   void pose();
 
-  /// A keyframe that playback has begun, and when it did.
-  struct Begun {
-    Instant at;
-    AuFrame aus;
-    std::string line;
-  };
-
   const face::Face face_;
   const pipeline::AuMapping mapping_;
   std::unique_ptr<app::FaceView> view_;
   sound::HeardPlayer player_;
   std::unique_ptr<playback::Playback> playback_;
   playback::CaptionLine captions_;
-  std::deque<Begun> ahead_;  ///< keyframes that have begun but are not heard and seen yet
+  BegunKeyframes begun_;
   AuFrame aus_;
   std::vector<float> wanted_;  ///< the activations to be drawn
   std::vector<float> posed_;   ///< the activations that the view has
   pipeline::HairSwing hair_;
   face::HairSway wanted_hair_;
   face::HairSway posed_hair_;
-  std::vector<std::string> begun_;
   std::unique_ptr<net::StreamQuestion> question_;
   std::optional<Result<protocol::StreamList>> streams_;
   view::Viewpoint viewpoint_;

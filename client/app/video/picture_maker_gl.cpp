@@ -1,20 +1,9 @@
 #include "client/app/video/picture_maker.h"
 
-#include <algorithm>
-
 #include "client/app/video/shot.h"
 #include "client/render/offscreen_context.h"
 
 namespace aucast::app {
-namespace {
-
-/// Lines grow with large pictures, and are no thinner than usual in small ones.
-float scale_of(int height) {
-  constexpr float kUsualHeight = 800;
-  return std::clamp(static_cast<float>(height) / kUsualHeight, 0.5F, 4.0F);
-}
-
-}  // namespace
 
 struct PictureMaker::State {
   view::Viewpoint viewpoint;
@@ -41,7 +30,7 @@ Result<std::unique_ptr<PictureMaker>> PictureMaker::create(const face::Face& fac
   auto state = std::make_unique<State>();
   state->viewpoint = viewpoint_of(viewpoint, face);
   state->style.background = backdrop(output.background, output.transparent);
-  state->style.scale = scale_of(output.height);
+  state->style.scale = view::line_scale(output.height);
   state->style.layers = output.layers;
   state->context = std::move(*context);
   state->view = std::move(*view);
