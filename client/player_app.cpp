@@ -192,6 +192,7 @@ Result<Server> load_server(const PlaybackOptions& options) {
 /// Plays, and writes --stats whether or not that succeeded.
 Result<void> play_and_count(const PlayerOptions& options, const Server& server) {
   PlayerStats stats;
+  stats.local = options.command == Command::Play;
   Result<void> played = play(options, server, stats);
   if (!played && stats.detail.empty()) stats.detail = played.error().message;
   if (options.output.stats.empty()) return played;

@@ -48,6 +48,7 @@ void PlayerStats::take(const playback::SourceStatus& status) {
   receive_seconds = status.receive_seconds;
   pauses_sent = status.pauses_sent;
   resumes_sent = status.resumes_sent;
+  local = status.local;
   negotiated = status.negotiated;
   live = status.live;
   if (live && !delay_aimed_at) delay_aimed_at = status.delay;
@@ -78,10 +79,8 @@ std::string to_json(const PlayerStats& stats) {
   json["playback_seconds"] = stats.playback_seconds;
   json["media_seconds"] = stats.media_seconds;
   json["first_frame_ms"] = stats.first_frame_ms;
-  // Keyframes that took no bytes were read from a file.
-  const bool file = stats.keyframes_received > 0 && stats.bytes_received == 0;
   json["protocol_level"] =
-      file ? nlohmann::ordered_json() : nlohmann::ordered_json(stats.negotiated ? 2 : 1);
+      stats.local ? nlohmann::ordered_json() : nlohmann::ordered_json(stats.negotiated ? 2 : 1);
   json["live"] = stats.live;
   const bool measured = stats.delay_measured.keyframes > 0;
   const auto delay = [measured](Duration time) {

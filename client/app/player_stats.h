@@ -13,7 +13,8 @@
 
 namespace aucast::app {
 
-/// What --stats writes: one JSON object, on every exit after the options have been read.
+/// What --stats writes: one JSON object when playing ends, also if it fails; not after wrong
+/// options, certificates or tokens.
 struct PlayerStats {
   std::uint64_t keyframes_received = 0;
   std::uint64_t bytes_received = 0;  ///< of the keyframes' packets
@@ -27,6 +28,7 @@ struct PlayerStats {
   double playback_seconds = 0;  ///< measured on the steady clock
   double media_seconds = 0;
   double first_frame_ms = 0;  ///< time from the start of the program
+  bool local = false;         ///< no server's stream: a file
   bool negotiated = false;    ///< level 2
   bool live = false;
   /// Live: the time from the arrival of a keyframe until the face had reached it.

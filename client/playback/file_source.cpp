@@ -28,6 +28,7 @@ bool FileSource::wait_until(Instant /*until*/) {
 
 SourceStatus FileSource::status() const {
   SourceStatus status;
+  status.local = true;
   status.end = stopped_ ? EndReason::Stopped : EndReason::EndOfStream;
   status.playout_fill = stopped_ ? 0 : keyframes_.size() - next_;
   status.keyframes_received = keyframes_.size();

@@ -71,6 +71,7 @@ struct SourceStatus {
   std::size_t receiver_fill = 0;
   std::size_t playout_fill = 0;
   Milliseconds keyframe_time{250};      ///< the server's default for untimed packets
+  bool local = false;                   ///< no server's: it is there whole
   bool negotiated = false;              ///< level 2
   bool live = false;                    ///< the server has one clock for all
   bool voice = false;                   ///< a voice comes with the stream

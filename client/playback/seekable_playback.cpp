@@ -96,6 +96,7 @@ Duration SeekablePlayback::media_time() const {
 
 SourceStatus SeekablePlayback::status() const {
   SourceStatus status;
+  status.local = true;
   status.end = stopped_ ? EndReason::Stopped : EndReason::EndOfStream;
   status.keyframes_received = keyframes_.size();
   return status;

@@ -62,15 +62,17 @@ TEST(PlayerStats, TakesOverWhatASourceCounted) {
 
 TEST(PlayerStats, AFileHasNoProtocol) {
   playback::SourceStatus status;
-  status.keyframes_received = 816;
   PlayerStats stats;
   const auto level = [&] { return nlohmann::json::parse(to_json(stats))["protocol_level"]; };
+  stats.take(status);
   EXPECT_EQ(level(), 1) << "a server that could not be reached";
+  status.local = true;
   stats.take(status);
-  EXPECT_EQ(level(), nullptr);
-  status.bytes_received = 9'000;
+  EXPECT_EQ(level(), nullptr) << "though nothing was played";
+  status.local = false;
+  status.keyframes_received = 1;
   stats.take(status);
-  EXPECT_EQ(level(), 1);
+  EXPECT_EQ(level(), 1) << "though no bytes are counted";
   status.negotiated = true;
   stats.take(status);
   EXPECT_EQ(level(), 2);
