@@ -10,6 +10,7 @@
 
 #include "client/app/command_pages.h"
 #include "client/app/option_rows.h"
+#include "client/view/video_encoder.h"
 #include "common/link/host.h"
 #include "common/text.h"
 #include "protocol/endpoint.h"
@@ -257,8 +258,7 @@ Command take_command(std::vector<std::string>& arguments) {
 }  // namespace
 
 bool wants_video_sound(const SoundOptions& sound, const OutputOptions& output) {
-  const std::string ending = file_ending(output.record);
-  return !sound.none && (!sound.file.empty() || ending == ".mp4" || ending == ".webm");
+  return !sound.none && (!sound.file.empty() || view::VideoEncoder::takes_sound(output.record));
 }
 
 bool PlayerOptions::wants_voice() const {

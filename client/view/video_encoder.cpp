@@ -239,6 +239,11 @@ VideoEncoder::VideoEncoder(std::unique_ptr<State> state) : state_(std::move(stat
 
 VideoEncoder::~VideoEncoder() = default;
 
+bool VideoEncoder::takes_sound(const std::filesystem::path& path) {
+  const auto format = format_of(path);
+  return format && *format != Format::Gif;
+}
+
 Result<std::unique_ptr<VideoEncoder>> VideoEncoder::open(const std::filesystem::path& path,
                                                          int width, int height, int fps,
                                                          GivenUp stop, Milliseconds patience) {
@@ -295,7 +300,7 @@ Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
   state.give_it_time(kEndPatience * state.patience);
   if (state.ffmpeg->wait() != 0) return state.give_up();
   state.ffmpeg.reset();
-  if (!sound.empty() && state.format != Format::Gif) {
+  if (!sound.empty() && takes_sound(state.path)) {
     if (auto added = state.add_sound(sound); !added) {
       state.failure = added.error();
       state.temporary.remove();

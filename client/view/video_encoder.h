@@ -37,6 +37,9 @@ class VideoEncoder {
   VideoEncoder(const VideoEncoder&) = delete;
   VideoEncoder& operator=(const VideoEncoder&) = delete;
 
+  /// Whether a video of this name can have sound.
+  [[nodiscard]] static bool takes_sound(const std::filesystem::path& path);
+
   /// Adds a picture of the size given to open(). If ffmpeg has died, fails with the end of its
   /// messages, and every later call fails in the same way.
   [[nodiscard]] Result<void> add(const Image& picture);

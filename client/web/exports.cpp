@@ -161,7 +161,7 @@ EMSCRIPTEN_KEEPALIVE const char* aucast_caption() {
   return page()->caption().c_str();
 }
 
-/// Whether what is written to the browser's sound can be heard.
+/// Says whether what is written to the browser's sound can be heard.
 EMSCRIPTEN_KEEPALIVE void aucast_sound(int on) {
   page()->set_sound(on != 0);
 }
