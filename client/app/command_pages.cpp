@@ -1,29 +1,64 @@
 #include "client/app/command_pages.h"
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "client/app/option_rows.h"
+#include "client/app/receiving_rows.h"
+#include "client/gallery/section_names.h"
+#include "client/view/style.h"
 
 namespace aucast::app {
 namespace {
 
-constexpr std::string_view kLayersAndSections =
-    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags.
-Sections: aus (each at A to E on the left, on the right and on both sides),
-prototypes, combinations (pairs of basic expressions), appendix-a and appendix-b
-(the sets of Kumar's thesis, 2010), sweeps, coverage (which AUs the face has).
-)";
+/// A paragraph with its lines broken at blanks, so that none has more than 80 columns.
+std::string paragraph(std::string_view words) {
+  constexpr std::size_t kColumns = 80;
+  std::string text;
+  for (; words.size() > kColumns; words.remove_prefix(words.rfind(' ', kColumns) + 1)) {
+    text += std::string(words.substr(0, words.rfind(' ', kColumns))) + "\n";
+  }
+  return text + std::string(words) + "\n";
+}
 
-constexpr std::string_view kLayers =
-    kLayersAndSections.substr(0, kLayersAndSections.find("Sections:"));
+std::string layers() {
+  return "Layers: " + view::layer_names() + ".";
+}
 
-constexpr std::string_view kWatchNotes =
-    R"(Layers: polygons, textured, transparent, wireframe, vertices, muscles, jaw-tags,
-eye-tags. In the window: ? lists keys and mouse, f is full screen, q leaves.
-Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.
-)";
+std::string sections() {
+  std::string list;
+  for (std::size_t i = 0; i < gallery::kSectionNames.size(); ++i) {
+    list += (i == 0 ? "" : ", ") + std::string(gallery::kSectionNames[i]);
+    const std::string_view note = gallery::kSectionNotes[i];
+    if (!note.empty()) list += " (" + std::string(note) + ")";
+  }
+  return "Sections: " + list + ".";
+}
+
+/// What stands after the options. A page refers to it.
+std::string_view notes_of(Command command) {
+  static const std::string of_pose = paragraph(layers());
+  static const std::string of_gallery = of_pose + paragraph(sections());
+  static const std::string of_watch =
+      paragraph(layers() + " In the window: ? lists keys and mouse, f is full screen, q leaves.") +
+      "Exit codes: 0 done, 1 failed, 2 usage, 3 bad data, 4 unreadable, 5 network.\n";
+  switch (command) {
+    case Command::Watch:
+    case Command::Help:
+    case Command::Play:
+      return of_watch;
+    case Command::Pose:
+      return of_pose;
+    case Command::Gallery:
+      return of_gallery;
+    case Command::Rules:
+    case Command::Export:
+      break;
+  }
+  return {};
+}
 
 void describe_rules(CommandPage& page) {
   page.command = "rules";
@@ -53,7 +88,9 @@ void describe_export(CommandPage& page) {
 
 CommandPage command_page(Command command) {
   PlayerOptions described;
-  CommandPage page{.program = "face-player", .rows = unbound(option_rows(command, described))};
+  CommandPage page{.program = "face-player",
+                   .rows = unbound(option_rows(command, described)),
+                   .notes = notes_of(command)};
   switch (command) {
     case Command::Watch:
     case Command::Help:
@@ -64,7 +101,6 @@ CommandPage command_page(Command command) {
                     "face-player play FILE                          stream file or AU table",
                     "face-player pose|rules|gallery|export --help   pictures, rules, GLB"};
       page.about = "Receives a face as FACS Action Units and draws it. In parentheses: defaults.\n";
-      page.notes = kWatchNotes;
       page.examples = {"face-player --headless 10.0.0.7:4650 --record talk.mp4 --stats talk.json"};
       break;
     case Command::Play: {
@@ -82,7 +118,6 @@ CommandPage command_page(Command command) {
         row.text = {};
         if (row.heading == "Receiving") row.heading = "Receiving, once the window has a server";
       }
-      page.notes = kWatchNotes;
       page.examples = {"face-player play talk.txt --headless --record talk.mp4",
                        "face-player play six_expressions.txt --speed 500"};
       break;
@@ -93,7 +128,6 @@ CommandPage command_page(Command command) {
       page.about =
           "Writes one still of a face. Without --png and --obj, prints how active each of\n"
           "its channels (muscles, lids, jaw ...) is. In parentheses: defaults.\n";
-      page.notes = kLayers;
       page.examples = {"face-player pose 6,12 --png smile.png",
                        "face-player pose --expression sadness --camera three-quarter --png sad.png",
                        "face-player pose 12 --show wireframe,muscles --png muscles.png",
@@ -110,7 +144,6 @@ CommandPage command_page(Command command) {
           "list (DIR/manifest.csv), which are written last. The same face and options give\n"
           "the same bytes. Ctrl-C ends it with code 1 and leaves no incomplete picture.\n"
           "In parentheses: defaults.\n";
-      page.notes = kLayersAndSections;
       page.examples = {"face-player gallery pictures",
                        "face-player gallery stimuli --only aus --size 800x1000 --background 808080",
                        "face-player gallery sweeps --only sweeps --sweep 12 --sweep happiness"};

@@ -10,7 +10,4 @@ namespace aucast::app {
 /// The options of a command in the order of --help, bound to `options`.
 [[nodiscard]] std::vector<OptionRow> option_rows(Command command, PlayerOptions& options);
 
-/// The options about a connection. Command::Play takes them too, though it connects to nothing.
-[[nodiscard]] std::vector<OptionRow> receiving_rows(PlaybackOptions& playback);
-
 }  // namespace aucast::app

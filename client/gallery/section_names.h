@@ -18,4 +18,14 @@ inline constexpr std::array kSectionNames{
     kAusSection,       kPrototypesSection, kCombinationsSection, kAppendixASection,
     kAppendixBSection, kSweepsSection,     kCoverageSection};
 
+/// What is in each, for --help; empty: its name says it.
+inline constexpr std::array<std::string_view, kSectionNames.size()> kSectionNotes{
+    "each at A to E on the left, on the right and on both sides",
+    "",
+    "pairs of basic expressions",
+    "the AUs of Kumar's thesis, 2010",
+    "its expressions",
+    "",
+    "which AUs the face has"};
+
 }  // namespace aucast::gallery

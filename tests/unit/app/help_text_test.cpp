@@ -10,7 +10,9 @@
 
 #include "client/app/command_pages.h"
 #include "client/app/option_rows.h"
+#include "client/gallery/section_names.h"
 #include "client/playback/source_playback.h"
+#include "client/view/style.h"
 #include "client/view/video_encoder.h"
 
 namespace aucast::app {
@@ -54,6 +56,22 @@ TEST(OptionRows, AllAreExplainedInTheManualPage) {
     for (const OptionRow& row : command_page(command).rows) {
       EXPECT_FALSE(row.text.empty() && row.more.empty()) << typed_name(row);
     }
+  }
+}
+
+TEST(HelpText, NamesAllLayersAndSections) {
+  const auto words = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+  };
+  for (const Command command : {Command::Watch, Command::Play, Command::Pose, Command::Gallery}) {
+    EXPECT_NE(words(help_text(command_page(command))).find("Layers: " + view::layer_names() + "."),
+              std::string::npos);
+  }
+  const std::string gallery = words(help_text(command_page(Command::Gallery)));
+  const std::string sections = gallery.substr(gallery.find(" Sections: "));
+  for (const std::string_view name : gallery::kSectionNames) {
+    EXPECT_NE(sections.find(" " + std::string(name)), std::string::npos) << name;
   }
 }
 
