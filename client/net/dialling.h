@@ -8,17 +8,17 @@
 
 namespace aucast::net {
 
-/// How to dial a server, whether for a stream or for the list of its streams. `turn` is the number
-/// of the attempt; attempts go round `options.host` and all of `options.others`.
+/// How to dial a server, whether for a stream or for the list of its streams. `attempt` counts
+/// from 0; attempts go round `options.host` and all of `options.others`.
 [[nodiscard]] inline link::DialOptions dial_options(const RemoteOptions& options,
-                                                    std::size_t turn = 0) {
+                                                    std::size_t attempt = 0) {
   const Security& security = options.security;
   link::DialOptions dial;
   dial.host = options.host;
   dial.port = options.port;
-  if (const std::size_t place = turn % (options.others.size() + 1); place > 0) {
-    dial.host = options.others[place - 1].host;
-    dial.port = options.others[place - 1].port;
+  if (const std::size_t host = attempt % (options.others.size() + 1); host > 0) {
+    dial.host = options.others[host - 1].host;
+    dial.port = options.others[host - 1].port;
   }
   dial.time_max = std::chrono::ceil<Milliseconds>(options.connect_timeout);
   dial.tls = security.tls;

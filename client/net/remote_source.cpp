@@ -76,7 +76,7 @@ class RemoteSource::Network {
   }
 
   void dial() {
-    dialler_.dial(dial_options(options_, turn_),
+    dialler_.dial(dial_options(options_, attempt_),
                   [this](link::Dialled dialled) { on_dialled(std::move(dialled)); });
   }
 
@@ -91,7 +91,7 @@ class RemoteSource::Network {
 
   void dial_after(Milliseconds wait) {
     // At once is the same server again, asked in another way.
-    if (wait > Milliseconds::zero()) ++turn_;
+    if (wait > Milliseconds::zero()) ++attempt_;
     wait_.expires_after(wait);
     wait_.async_wait([this](const std::error_code& error) {
       // end() may come when this handler is queued already, and then no cancelling reaches it.
@@ -116,7 +116,7 @@ class RemoteSource::Network {
   const std::shared_ptr<link::LoopGate> gate_ = std::make_shared<link::LoopGate>(io_);
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   link::Dialler dialler_{io_};
-  std::size_t turn_ = 0;          ///< which of the servers is dialled
+  std::size_t attempt_ = 0;       ///< as dial_options() counts them
   asio::steady_timer wait_{io_};  ///< before the next attempt
   ServerConnection connection_{reader_,
                                peer_names(options_),

@@ -48,13 +48,13 @@ Result<protocol::StreamList> list_streams(const RemoteOptions& options, Duration
   RemoteOptions one = options;
   std::string failures;
   const std::size_t hosts = options.others.size() + 1;
-  for (std::size_t turn = 0; turn < hosts; ++turn) {
+  for (std::size_t host = 0; host < hosts; ++host) {
     const Duration left = time_max - (std::chrono::steady_clock::now() - begun);
     if (left <= Duration::zero()) break;
     // A silent server leaves time for those after it.
-    const Duration share = left / static_cast<Duration::rep>(hosts - turn);
+    const Duration share = left / static_cast<Duration::rep>(hosts - host);
     one.connect_timeout = std::min<Duration>(options.connect_timeout, share);
-    const link::DialOptions dial = dial_options(one, turn);
+    const link::DialOptions dial = dial_options(one, host);
     if (!failures.empty()) failures += '\n';
     // Asio throws when the system has no descriptor left for it.
     try {
