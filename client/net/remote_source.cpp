@@ -120,8 +120,8 @@ class RemoteSource::Network {
   asio::steady_timer wait_{io_};  ///< before the next attempt
   ServerConnection connection_{reader_,
                                peer_names(options_),
-                               {[this](Milliseconds wait) { dial_after(wait); }, [this] { end(); },
-                                [this] { tell_player(); }}};
+                               {[this](Milliseconds wait) { dial_after(wait); }},
+                               {[this] { end(); }, [this] { tell_player(); }}};
   std::jthread thread_;  ///< last: it ends before anything it uses is gone
 };
 

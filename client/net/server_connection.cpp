@@ -7,8 +7,12 @@ namespace aucast::net {
 using playback::EndReason;
 using Why = link::Ending::Why;
 
-ServerConnection::ServerConnection(SharedReader& reader, std::string peer, Owner owner)
-    : reader_(reader), peer_(std::move(peer)), owner_(std::move(owner)) {}
+ServerConnection::ServerConnection(SharedReader& reader, std::string peer, Hooks hooks,
+                                   Events events)
+    : reader_(reader),
+      peer_(std::move(peer)),
+      hooks_(std::move(hooks)),
+      events_(std::move(events)) {}
 
 ServerConnection::~ServerConnection() {
   drop_link();
@@ -55,7 +59,7 @@ void ServerConnection::on_closed(const link::Ending& ending) {
   if (leaving_) {
     drop_link();
     over_ = true;
-    owner_.over();
+    events_.over();
   } else if (ending.why == Why::NotTls || ending.why == Why::Untrusted) {
     const bool speaks_tls = ending.why == Why::Untrusted;
     carry_out(reader_.with([&](AuReader& reader) {
@@ -80,7 +84,7 @@ void ServerConnection::leave() {
   if (!open_ || link_over_) {
     drop_link();
     over_ = true;
-    owner_.over();
+    events_.over();
     return;
   }
   leaving_ = true;
@@ -108,15 +112,15 @@ void ServerConnection::carry_out(const Reaction& reaction) {
     case Reaction::Next::Reconnect:
     case Reaction::Next::ReconnectLater:
       drop_link();
-      owner_.dial(reaction.retry_after);
+      hooks_.dial(reaction.retry_after);
       break;
     case Reaction::Next::Close:
       drop_link();
       over_ = true;
-      owner_.over();
+      events_.over();
       break;
   }
-  if (reaction.changed) owner_.changed();
+  if (reaction.changed) events_.changed();
 }
 
 void ServerConnection::send(std::string_view words) {

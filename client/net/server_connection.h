@@ -21,16 +21,17 @@ using SharedReader = Shared<AuReader>;
 /// Thread: that of the links; the player's thread uses the reader too.
 class ServerConnection final : public link::LinkUser {
  public:
-  /// What the connection asks of its owner.
-  struct Owner {
+  struct Hooks {
     std::function<void(Milliseconds wait)> dial;  ///< make a link after `wait`, then call begin()
                                                   ///< or fail()
-    std::function<void()> over;                   ///< the connection has ended for good
-    std::function<void()> changed;                ///< there is something new for the player
+  };
+  struct Events {
+    std::function<void()> over;     ///< the connection has ended for good
+    std::function<void()> changed;  ///< there is something new for the player
   };
 
   /// `peer`: HOST:PORT, for messages.
-  ServerConnection(SharedReader& reader, std::string peer, Owner owner);
+  ServerConnection(SharedReader& reader, std::string peer, Hooks hooks, Events events);
   ~ServerConnection() override;
   ServerConnection(const ServerConnection&) = delete;
   ServerConnection& operator=(const ServerConnection&) = delete;
@@ -40,7 +41,7 @@ class ServerConnection final : public link::LinkUser {
   void fail(const std::string& reason, bool final);
   /// Call when the player has done something after which the reader may have something to send.
   void speak(Instant now);
-  /// The user leaves: sends the last bytes, then calls Owner::over.
+  /// The user leaves: sends the last bytes, then calls Events::over.
   void leave();
 
  private:
@@ -57,7 +58,8 @@ class ServerConnection final : public link::LinkUser {
 
   SharedReader& reader_;
   const std::string peer_;
-  const Owner owner_;
+  const Hooks hooks_;
+  const Events events_;
   std::shared_ptr<link::Link> link_;  ///< null: there is none
   bool open_ = false;
   bool link_over_ = false;   ///< the link has closed; bytes from it may still wait for room

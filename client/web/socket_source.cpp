@@ -27,8 +27,8 @@ SocketSource::SocketSource(std::string server, std::string stream, std::string t
     : ConnectedSource(reader_options(server, std::move(stream), std::move(token), voice)),
       redial_([this] { dial(); }),
       connection_(reader(), std::move(server),
-                  {[this](Milliseconds wait) { redial_.set(now() + wait); },
-                   [this] { redial_.set(std::nullopt); }, [] {}}) {
+                  {[this](Milliseconds wait) { redial_.set(now() + wait); }},
+                  {[this] { redial_.set(std::nullopt); }, [] {}}) {
   redial_.set(now());
 }
 

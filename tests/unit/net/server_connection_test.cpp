@@ -19,10 +19,10 @@ class PlayerConnection : public ::testing::Test {
     options.peer = "server:4650";
     options.buffers = {2, 1, 100};
     reader_.emplace(std::move(options));
-    connection_.emplace(
-        *reader_, "server:4650",
-        ServerConnection::Owner{[this](Milliseconds wait) { waits_.push_back(wait); },
-                                [this] { over_ = true; }, [this] { ++changes_; }});
+    connection_.emplace(*reader_, "server:4650", ServerConnection::Hooks{[this](Milliseconds wait) {
+      waits_.push_back(wait);
+    }},
+                        ServerConnection::Events{[this] { over_ = true; }, [this] { ++changes_; }});
     dialled();
   }
   /// A new link for the connection.
@@ -139,9 +139,8 @@ TEST_F(PlayerConnection, WhatIsFinalIsNotTriedAgain) {
 
 TEST_F(PlayerConnection, AFailedHandshakeIsNoConnection) {
   begin();
-  connection_.emplace(
-      *reader_, "server:4650",
-      ServerConnection::Owner{[](Milliseconds) {}, [this] { over_ = true; }, [] {}});
+  connection_.emplace(*reader_, "server:4650", ServerConnection::Hooks{[](Milliseconds) {}},
+                      ServerConnection::Events{[this] { over_ = true; }, [] {}});
   link_ = std::make_shared<FakeLink>();
   link_->opens_at_once = false;
   connection_->begin(link_);
