@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "client/app/steady.h"
 #include "client/app/video/picture_notes.h"
 #include "client/app/window/playing/playing_stream.h"
 #include "client/app/window/settings/window_style.h"
@@ -39,7 +40,8 @@ void WindowPictures::save(const std::vector<float>& activations, Instant now) {
   size(width, height);
   const auto image = display_.picture(width, height, Sharpness::Still, style());
   if (!image) return complain(image.error(), now);
-  const auto file = new_picture_file(session_.settings().pictures(), session_.named(), ".png");
+  const auto file =
+      new_picture_file(session_.settings().pictures(), session_.named(), today(), ".png");
   if (!file) return complain(file.error(), now);
   const gui::AnimationSettings& animation = session_.settings().animation();
   const std::string edited = session_.face().edited();

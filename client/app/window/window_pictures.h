@@ -5,6 +5,7 @@
 
 #include "client/app/assets.h"
 #include "client/app/player_options.h"
+#include "client/app/steady.h"
 #include "client/app/window/recording/video_recorder.h"
 #include "client/app/window/window_display.h"
 #include "client/app/window/window_session.h"
@@ -47,7 +48,8 @@ class WindowPictures {
   VideoRecorder video_{
       {.new_file =
            [this] {
-             return new_picture_file(session_.settings().pictures(), session_.named(), ".mp4");
+             return new_picture_file(session_.settings().pictures(), session_.named(), today(),
+                                     ".mp4");
            },
        .hear = [this](sound::SoundPlayer::Tap tap) { session_.sound().set_tap(std::move(tap)); }}};
 };

@@ -1,7 +1,5 @@
 #include "client/app/window/files/file_names.h"
 
-#include <array>
-#include <ctime>
 #include <system_error>
 
 #include "client/gallery/gallery_plan.h"
@@ -12,19 +10,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::localtime_r(&now, &parts);
-  std::array<char, 16> text{};
-  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
-  return {text.data(), length};
-}
-
-gui::PictureWords words_of(const Named& shown) {
+gui::PictureWords words_of(const Named& shown, const std::string& date) {
   gui::PictureWords words;
   words.face = shown.face;
-  words.date = today();
+  words.date = date;
   words.stream = shown.stream;
   if (shown.keyframe > 0) words.keyframe = std::to_string(shown.keyframe);
   words.aus = shown.aus ? gallery::file_stem(*shown.aus) : shown.edited;
@@ -50,22 +39,33 @@ std::string new_file_name(gui::Purpose purpose, const Named& shown) {
       return (stream.empty() ? "onsets" : stream + "_onsets") + ending;
     case gui::Purpose::ExportAu:
       return "au" + std::to_string(shown.au) + ending;
-    default: {
+    case gui::Purpose::SaveStream: {
       const std::string composed = shown.composition.filename().string();
       return composed.empty() ? kComposedName : composed;
     }
+    case gui::Purpose::PlayStream:
+    case gui::Purpose::ComposeStream:
+    case gui::Purpose::ImportAus:
+    case gui::Purpose::PictureFolder:
+    case gui::Purpose::GalleryFolder:
+    case gui::Purpose::LookForFaces:
+    case gui::Purpose::CameraFilm:
+    case gui::Purpose::AuthoritiesFile:
+    case gui::Purpose::TokenFile:
+      break;  // these open what is there
   }
+  return {};
 }
 
 Result<fs::path> new_picture_file(const gui::PictureSettings& settings, const Named& shown,
-                                  const std::string& ending) {
+                                  const std::string& date, const std::string& ending) {
   const fs::path folder = settings.folder.empty() ? fs::path(".") : fs::path(settings.folder);
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) {
     return Error{ErrorKind::Failed, "cannot make " + at_place(folder.string(), failed.message())};
   }
-  const gui::PictureWords words = words_of(shown);
+  const gui::PictureWords words = words_of(shown, date);
   const auto first = gui::picture_name(settings.pattern, words, 1);
   if (!first) return first.error();
   const bool counts = settings.pattern.find("{number}") != std::string::npos;

@@ -25,14 +25,15 @@ struct Named {
   int au = 0;                         ///< the AU being edited; 0: none
 };
 
-/// The name that is suggested for a new file.
+/// The name that is suggested for a new file; empty: the purpose is to open one.
 [[nodiscard]] std::string new_file_name(gui::Purpose purpose, const Named& shown);
 
 /// Returns a path for a new picture or video: the first path of the pattern at which there is no
-/// file yet. {date} in the pattern is today. A pattern without {number} gets -2, -3 and so on where
-/// needed. Makes the folder, and fails if that is not possible.
+/// file yet. {date} in the pattern is `date`. A pattern without {number} gets -2, -3 and so on
+/// where needed. Makes the folder, and fails if that is not possible.
 [[nodiscard]] Result<std::filesystem::path> new_picture_file(const gui::PictureSettings& settings,
                                                              const Named& shown,
+                                                             const std::string& date,
                                                              const std::string& ending);
 
 }  // namespace aucast::app

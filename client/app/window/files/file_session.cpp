@@ -49,9 +49,21 @@ std::filesystem::path& FileSession::folder_for(gui::Purpose purpose) {
     case gui::Purpose::AuthoritiesFile:
     case gui::Purpose::TokenFile:
       return credentials_folder_;
-    default:
-      return own_folder_;
+    case gui::Purpose::SaveStream:
+    case gui::Purpose::ExportKeyframes:
+    case gui::Purpose::ExportTable:
+    case gui::Purpose::ExportMesh:
+    case gui::Purpose::ExportGlb:
+    case gui::Purpose::LogOnsets:
+    case gui::Purpose::ExportAu:
+    case gui::Purpose::ImportAus:
+    case gui::Purpose::PictureFolder:
+    case gui::Purpose::GalleryFolder:
+    case gui::Purpose::LookForFaces:
+    case gui::Purpose::CameraFilm:
+      break;
   }
+  return own_folder_;
 }
 
 void FileSession::browse(gui::Purpose purpose, std::string name,

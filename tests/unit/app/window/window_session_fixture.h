@@ -37,7 +37,8 @@ class SessionOnDefaultFace : public testing::Test {
   }
   [[nodiscard]] gui::GuiModel model() const { return model_of(*session_); }
   [[nodiscard]] Result<std::filesystem::path> new_picture() const {
-    return new_picture_file(session_->settings().pictures(), session_->named(), ".png");
+    return new_picture_file(session_->settings().pictures(), session_->named(), "2026-11-30",
+                            ".png");
   }
 
   inline static std::unique_ptr<Assets> assets_;

@@ -48,14 +48,26 @@ TEST(FileNames, APictureIsNamedAfterWhatIsShown) {
   shown.keyframe = 7;
   shown.aus = *protocol::parse_au_set("6,12:80");
   shown.edited = "au12_edited";
-  const auto of_aus = new_picture_file(settings, shown, ".png");
+  const auto of_aus = new_picture_file(settings, shown, "2026-11-30", ".png");
   ASSERT_TRUE(of_aus) << of_aus.error().message;
   EXPECT_EQ(of_aus->filename(), "marek_talk_7_au06_au12-80.png");
   shown.aus.reset();
   shown.keyframe = 0;
-  const auto of_muscles = new_picture_file(settings, shown, ".png");
+  const auto of_muscles = new_picture_file(settings, shown, "2026-11-30", ".png");
   ASSERT_TRUE(of_muscles) << of_muscles.error().message;
   EXPECT_EQ(of_muscles->filename(), "marek_talk_none_au12_edited.png");
+}
+
+TEST(FileNames, APictureHasTheDateThatItIsGiven) {
+  const test::TempFolder folder;
+  gui::PictureSettings settings;
+  settings.folder = folder.path().string();
+  settings.pattern = "{date}_{face}";
+  Named shown;
+  shown.face = "marek";
+  const auto file = new_picture_file(settings, shown, "1999-12-31", ".png");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(file->filename(), "1999-12-31_marek.png");
 }
 
 TEST(FileNames, APictureThatIsThereIsNeverOverwritten) {
@@ -65,7 +77,7 @@ TEST(FileNames, APictureThatIsThereIsNeverOverwritten) {
   Named shown;
   shown.face = "marek";
   const auto next = [&] {
-    const auto file = new_picture_file(settings, shown, ".png");
+    const auto file = new_picture_file(settings, shown, "2026-11-30", ".png");
     EXPECT_TRUE(file) << file.error().message;
     return file ? file->filename().string() : "";
   };
@@ -78,7 +90,7 @@ TEST(FileNames, APictureThatIsThereIsNeverOverwritten) {
   folder.write("new/pictures/marek.png", "");
   EXPECT_EQ(next(), "marek-2.png");
   settings.folder = folder.path() / "new" / "pictures" / "marek.png";
-  const auto none = new_picture_file(settings, shown, ".png");
+  const auto none = new_picture_file(settings, shown, "2026-11-30", ".png");
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().message.find("cannot make"), std::string::npos);
 }
