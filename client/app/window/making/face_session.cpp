@@ -1,8 +1,6 @@
 #include "client/app/window/making/face_session.h"
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -38,36 +36,10 @@ bool same_folder(const fs::path& a, const fs::path& b) {
   return a == b || fs::equivalent(a, b, gone);
 }
 
-/// The bytes of its files, by their paths within it; nothing when one of them cannot be read.
-std::optional<std::map<fs::path, std::string>> files_in(const fs::path& folder) {
-  std::map<fs::path, std::string> files;
-  std::error_code failed;
-  for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end;
-       at.increment(failed)) {
-    if (at->is_directory(failed)) continue;
-    auto bytes = read_file(at->path());
-    if (!bytes) return std::nullopt;
-    files.emplace(at->path().lexically_relative(folder), *std::move(bytes));
-  }
-  return failed ? std::nullopt : std::optional(std::move(files));
-}
-
-/// Whether a folder holds the shipped face of its name: where the programs are built, data/ is
-/// there twice, as it is written and as a copy beside them.
-bool is_copy(const fs::path& face, const fs::path& shipped) {
-  const auto same = [&](const fs::path& name) {
-    std::error_code gone;
-    if (!fs::is_directory(shipped / name, gone)) return false;
-    const auto files = files_in(face.parent_path() / name);
-    return files && files == files_in(shipped / name);
-  };
-  // A face may use files of the default one beside it.
-  return same(face.filename()) && same("default");
-}
-
 }  // namespace
 
-FaceSession::FaceSession(Assets& assets) : assets_(assets) {
+FaceSession::FaceSession(Assets& assets)
+    : assets_(assets), copies_(plain(assets.data_folder / "faces")) {
   shown_from(assets.face_folder);
 }
 
@@ -147,7 +119,7 @@ void FaceSession::shown_from(const fs::path& folder) {
     view_.shown = (known / whole.filename()).string();
     return list();
   }
-  if (is_copy(whole, shipped)) {
+  if (copies_.contain(whole)) {
     view_.shown = (shipped / whole.filename()).string();
     return list();
   }
@@ -161,7 +133,7 @@ void FaceSession::list() {
   const auto add = [&](const fs::path& folder, gui::FaceKind kind) {
     if (folder.empty()) return;
     for (gui::FaceEntry& entry : gui::faces_in(folder)) {
-      if (kind == gui::FaceKind::Elsewhere && is_copy(entry.folder, shipped)) continue;
+      if (kind == gui::FaceKind::Elsewhere && copies_.contain(entry.folder)) continue;
       entry.kind = kind;
       entries.push_back(std::move(entry));
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/app/assets.h"
+#include "client/app/window/making/shipped_copies.h"
 #include "client/gui/model/gui_model.h"
 #include "common/result.h"
 
@@ -54,6 +55,7 @@ class FaceSession {
   [[nodiscard]] Result<void> check_name(const std::string& name) const;
 
   Assets& assets_;
+  ShippedCopies copies_;
   std::filesystem::path looked_in_;  ///< where faces are looked for besides the shipped and the
                                      ///< user's own; empty: nowhere
   std::string next_;
