@@ -12,6 +12,7 @@ struct EmbeddedFile {
 };
 
 [[nodiscard]] std::span<const EmbeddedFile> fonts();
+[[nodiscard]] std::span<const EmbeddedFile> gallery_styles();
 [[nodiscard]] std::span<const EmbeddedFile> shaders();
 
 }  // namespace aucast::embedded

@@ -2,60 +2,12 @@
 
 #include <algorithm>
 
+#include "common/embedded_file.h"
 #include "common/text.h"
 #include "protocol/codec.h"
 
 namespace aucast::gallery {
 namespace {
-
-constexpr std::string_view kStyle = R"(
-:root { --ink: #2b2f33; --soft: #6b7278; --line: #e3e1dc; --paper: #faf9f6; --accent: #3d6b7d; }
-* { box-sizing: border-box; }
-html { scroll-behavior: smooth; scroll-padding-top: 3.6rem; }
-body { margin: 0; background: var(--paper); color: var(--ink);
-  font: 15px/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
-header, main { max-width: 1120px; margin: 0 auto; padding: 0 1.5rem; }
-header { padding-top: 2.5rem; }
-h1 { font-size: 1.9rem; font-weight: 600; margin: 0 0 .2rem; }
-h2 { font-size: 1.4rem; font-weight: 600; margin: 3.2rem 0 .3rem; }
-h3 { font-size: 1rem; font-weight: 600; margin: 2rem 0 .7rem; }
-p { margin: 0 0 .9rem; color: var(--soft); max-width: 46rem; }
-nav { position: sticky; top: 0; background: var(--paper); border-bottom: 1px solid var(--line);
-  margin-top: 1.2rem; z-index: 1; }
-nav div { max-width: 1120px; margin: 0 auto; padding: .7rem 1.5rem; display: flex;
-  flex-wrap: wrap; gap: .3rem 1.4rem; }
-a { color: var(--accent); text-decoration: none; }
-a:hover { text-decoration: underline; }
-.index { display: flex; flex-wrap: wrap; gap: .3rem; margin-bottom: 1rem; }
-.index a { padding: .1rem .5rem; border: 1px solid var(--line); border-radius: 4px;
-  background: #fff; }
-.flow { display: grid; gap: 1.1rem; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); }
-figure { margin: 0; }
-img { display: block; width: 100%; height: auto; border-radius: 6px; background: #5b6066; }
-figcaption { font-size: .82rem; line-height: 1.35; margin-top: .35rem; overflow-wrap: anywhere; }
-figcaption span { display: block; color: var(--soft); }
-.empty { aspect-ratio: 4 / 5; border: 1px dashed var(--line); border-radius: 6px; display: flex;
-  align-items: center; justify-content: center; color: var(--soft); font-size: .82rem; }
-table { border-collapse: collapse; }
-table.pictures td, table.pictures th { padding: 0 .5rem .5rem 0; vertical-align: top;
-  text-align: left; font-weight: 400; font-size: .82rem; color: var(--soft); }
-table.pictures td { width: 150px; }
-table.pictures th[scope=row] { width: 5.5rem; }
-table.coverage { width: 100%; font-size: .88rem; }
-table.coverage th { text-align: left; font-weight: 600; border-bottom: 2px solid var(--line);
-  padding: .4rem .8rem .4rem 0; }
-table.coverage td { border-bottom: 1px solid var(--line); padding: .35rem .8rem .35rem 0;
-  vertical-align: top; }
-table.coverage td:nth-child(-n+4) { white-space: nowrap; }
-table.coverage td.drives { color: var(--soft); font-size: .8rem; }
-.mark { display: inline-block; padding: 0 .5rem; border-radius: 4px; white-space: nowrap;
-  background: #e3eee6; color: #2f5b3f; }
-.mark.limited { background: #f5ecd6; color: #735516; }
-.mark.missing { background: #f3e0dd; color: #813b30; }
-footer { max-width: 1120px; margin: 4rem auto 2rem; padding: 0 1.5rem; color: var(--soft);
-  font-size: .85rem; }
-@media print { nav { position: static; } figure, tr { break-inside: avoid; } }
-)";
 
 /// The names of channels. A channel that both sides have is named once, without its side.
 std::string in_pairs(const std::vector<std::string>& channels) {
@@ -100,7 +52,7 @@ class Page {
     html_ =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-        title + "</title>\n<style>" + std::string(kStyle) +
+        title + "</title>\n<style>\n" + std::string(embedded::gallery_styles().front().bytes) +
         "</style>\n</head>\n<body>\n<header>\n<h1>" + title + "</h1>\n<p>" +
         std::to_string(plan_.pictures.size()) + " pictures, " + std::to_string(setting_.width) +
         " x " + std::to_string(setting_.height) + ", camera " + html_escaped(setting_.viewpoint) +
