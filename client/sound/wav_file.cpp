@@ -43,8 +43,8 @@ void WavFile::add(std::span<const float> samples) {
 
 std::string WavFile::complaint() const {
   if (!dropped_) return {};
-  return at_place(path_.string(),
-                  "a WAV file holds 12 hours of sound at most: what comes after is left out");
+  return at_place(path_.string(), "a WAV file holds " + std::to_string(kHours) +
+                                      " hours of sound at most: what comes after is left out");
 }
 
 Result<void> WavFile::flush() {

@@ -17,9 +17,10 @@ namespace aucast::sound {
 /// Thread: none of its own.
 class WavFile {
  public:
-  /// The most samples, some 12 hours, because a WAV file's sizes have 32 bits. Further samples are
+  /// The most samples, some kHours, because a WAV file's sizes have 32 bits. Further samples are
   /// dropped, which is a complaint().
   static constexpr std::size_t kSamplesMax = std::size_t{0x7fff'0000};
+  static constexpr int kHours = 12;
 
   /// Fails if the file cannot be written there. `samples_max`: at most kSamplesMax.
   [[nodiscard]] static Result<std::unique_ptr<WavFile>> open(const std::filesystem::path& path,

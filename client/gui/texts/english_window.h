@@ -199,6 +199,8 @@ inline constexpr std::array kEnglishWindow = std::to_array<EnglishText>({
     {"said.video_slow",
      "video saved: {file}; ffmpeg was too slow for {pictures} of its pictures, which repeat the "
      "one before"},
+    {"said.video_sound_cut",
+     "{saved}; its sound ends after {hours} hours, the most that there can be"},
     {"said.video_before", "the previous video is still being completed"},
     {"said.au_saved",
      "AU{number} saved in {file}, in your copy of the face, which the window now starts with"},

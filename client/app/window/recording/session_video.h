@@ -37,6 +37,8 @@ class SessionVideo {
   [[nodiscard]] Result<void> show(view::Image picture, Instant now);
   /// How many pictures only repeat the one before because the encoder was too slow.
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
+  /// See VideoSound::cut().
+  [[nodiscard]] bool sound_cut() const { return sound_->cut(); }
   /// See VideoSound::add().
   void hear(Instant heard_at, std::span<const float> samples) {
     sound_->add(begin_ + time_.place_of(heard_at), samples);

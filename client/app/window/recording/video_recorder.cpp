@@ -34,6 +34,7 @@ Result<void> VideoRecorder::record(const Picture& picture, Instant now) {
 Result<std::string> VideoRecorder::end() {
   const std::shared_ptr<SessionVideo> video = let_go();
   repeated_ = video->repeated();
+  sound_cut_ = video->sound_cut();
   const auto complete = [video]() -> Result<std::string> {
     if (auto finished = video->finish(); !finished) return finished.error();
     return std::string();
@@ -52,8 +53,11 @@ std::optional<Result<std::string>> VideoRecorder::ended() {
 
 Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) const {
   if (!outcome) return outcome;
-  if (repeated_ == 0) return gui::tr("said.video", file_.string());
-  return gui::tr("said.video_slow", file_.string(), repeated_);
+  std::string saved = repeated_ == 0
+                          ? std::string(gui::tr("said.video", file_.string()))
+                          : std::string(gui::tr("said.video_slow", file_.string(), repeated_));
+  if (!sound_cut_) return saved;
+  return gui::tr("said.video_sound_cut", saved, sound::WavFile::kHours);
 }
 
 std::unique_ptr<SessionVideo> VideoRecorder::let_go() {

@@ -58,6 +58,7 @@ class VideoRecorder {
   std::filesystem::path file_;  ///< the file of the running or, if none runs, the last video
   std::unique_ptr<SessionVideo> video_;
   std::uint64_t repeated_ = 0;  ///< SessionVideo::repeated() of the last video
+  bool sound_cut_ = false;      ///< SessionVideo::sound_cut() of the last video
   BackgroundWork work_;
 };
 

@@ -16,14 +16,14 @@ constexpr std::int64_t kSilentPortion = sound::kRate;
 }  // namespace
 
 Result<std::unique_ptr<VideoSound>> VideoSound::open(const std::filesystem::path& video,
-                                                     Instant begin) {
-  auto wav = sound::WavFile::open(video);
+                                                     Instant begin, std::size_t samples_max) {
+  auto wav = sound::WavFile::open(video, samples_max);
   if (!wav) return wav.error();
   return std::unique_ptr<VideoSound>(new VideoSound(std::move(*wav), begin));
 }
 
 void VideoSound::add(Instant heard_at, std::span<const float> samples) {
-  if (wav_->full()) return;
+  if (wav_->full()) return wav_->add(samples);  // which only notes that they are left out
   constexpr std::int64_t kSlackSamples = kSlack.count() * sound::kSamplesPerMs;
   const auto written = static_cast<std::int64_t>(wav_->samples());
   std::int64_t missing = sound::samples_of(heard_at - begin_) - written;

@@ -21,11 +21,14 @@ class VideoSound {
 
   /// The video begins at `begin` and is written to `video`. The sound is in a file beside it as
   /// long as this object lives.
-  [[nodiscard]] static Result<std::unique_ptr<VideoSound>> open(const std::filesystem::path& video,
-                                                                Instant begin);
+  [[nodiscard]] static Result<std::unique_ptr<VideoSound>> open(
+      const std::filesystem::path& video, Instant begin,
+      std::size_t samples_max = sound::WavFile::kSamplesMax);
 
   /// Adds samples, the first of which is heard at `heard_at`.
   void add(Instant heard_at, std::span<const float> samples);
+  /// Whether sound was left out because there was no room for it.
+  [[nodiscard]] bool cut() const { return !wav_->complaint().empty(); }
   /// The WAV file with all of the sound; empty: there was no sound.
   [[nodiscard]] Result<std::filesystem::path> file();
 

@@ -63,6 +63,18 @@ TEST_F(VideoSoundTest, AClockThatLeapsALittleTearsNothing) {
   EXPECT_EQ(written(), (std::vector<std::int64_t>{15, 515, 515}));
 }
 
+TEST_F(VideoSoundTest, SaysThatSoundWasLeftOut) {
+  constexpr std::size_t kRoom = std::size_t{300} * sound::kSamplesPerMs;
+  auto small = VideoSound::open(folder_.path() / "small.mp4", kBegin, kRoom);
+  ASSERT_TRUE(small);
+  sound_ = std::move(*small);
+  hear(0ms, 300);
+  EXPECT_FALSE(sound_->cut()) << "it is full, and nothing is lost";
+  hear(300ms, 10);
+  EXPECT_TRUE(sound_->cut());
+  EXPECT_EQ(written()[2], 300);
+}
+
 TEST_F(VideoSoundTest, APauseStaysAPauseAndWhatIsPastIsLeftOut) {
   hear(-50ms, 100);
   EXPECT_EQ(written()[1], 50) << "half of it was heard before the video began";
