@@ -27,6 +27,7 @@
 #include "client/playback/file_source.h"
 #include "client/playback/seekable_playback.h"
 #include "client/playback/source_playback.h"
+#include "client/sound/openal_out.h"
 #include "common/files.h"
 #include "common/log.h"
 #include "common/standard_output.h"
@@ -237,6 +238,7 @@ int report(const Error& error) {
 
 int run_player(std::vector<std::string> arguments) {
   ignore_file_size_signal();
+  sound::quieten_openal();
   // For the build, which installs both.
   const bool page = arguments == std::vector<std::string>{"--help-man"};
   const std::optional<std::string> script = page ? manual_page() : completion(arguments);

@@ -42,12 +42,8 @@ using AlsaHandler = void (*)(const char* file, int line, const char* function, i
 void hear_no_alsa(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
                   const char* /*format*/, ...) {}
 
-/// On a computer without sound both libraries would fill the terminal with what they tried. The
-/// caller reports the outcome.
-void quieten_libraries() {
+void quieten_alsa() {
   if (static bool done = false; std::exchange(done, true)) return;
-  constexpr int kKeep = 0;
-  ::setenv("ALSOFT_LOGLEVEL", "0", kKeep);
   void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
   if (alsa == nullptr) return;
   using SetHandler = int (*)(AlsaHandler);
@@ -170,8 +166,13 @@ std::string named(const std::vector<std::string>& devices) {
 
 }  // namespace
 
+void quieten_openal() {
+  constexpr int kKeep = 0;
+  ::setenv("ALSOFT_LOGLEVEL", "0", kKeep);
+}
+
 std::vector<std::string> sound_devices() {
-  quieten_libraries();
+  quieten_alsa();
   std::vector<std::string> devices;
   const bool all = alcIsExtensionPresent(nullptr, "ALC_ENUMERATE_ALL_EXT") == ALC_TRUE;
   const ALCchar* name =
@@ -184,7 +185,7 @@ std::vector<std::string> sound_devices() {
 }
 
 Result<std::unique_ptr<SoundOut>> open_sound_device(const std::string& name) {
-  quieten_libraries();
+  quieten_alsa();
   Device device(alcOpenDevice(name.empty() ? nullptr : name.c_str()));
   if (!device) {
     const std::string devices = named(sound_devices());

@@ -9,6 +9,11 @@
 
 namespace aucast::sound {
 
+/// Call it before the program has a second thread, since it changes the environment. On a computer
+/// without sound, OpenAL would fill the terminal with what it tried; the functions below say the
+/// outcome.
+void quieten_openal();
+
 /// Opens a device of OpenAL by name; empty: the default device. If there is no device of that name
 /// or it cannot be opened, fails with ErrorKind::Failed and a sentence for the user that names the
 /// available devices. Only one may be open at a time.
