@@ -21,7 +21,7 @@
 #include "server/streams/resampling.h"
 #include "server/streams/source_path.h"
 #include "server/streams/thinning.h"
-#include "server/voice/companions.h"
+#include "server/voice/accompaniment.h"
 
 namespace aucast::server {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <asio/executor_work_guard.hpp>
 
-#include "server/voice/companions.h"
+#include "server/voice/accompaniment.h"
 #include "server/voice/voice_tracks.h"
 #include "tests/support/run_until.h"
 #include "tests/unit/server/voice/voiced_folder.h"
@@ -18,14 +18,31 @@ using VoiceFileTest = VoicedFolder;
 
 TEST_F(VoiceFileTest, ASoundFileOfTheSameNameIsTheVoice) {
   const auto face = write_face("talk.txt", 2);
-  EXPECT_FALSE(companions_of(face).sound);
-  EXPECT_FALSE(companions_of(face).captions);
+  const auto alone = accompaniment_of(face, {}, true);
+  ASSERT_TRUE(alone);
+  EXPECT_FALSE(alone->voice);
+  EXPECT_TRUE(alone->captions.empty());
   folder_.write("talk.mp3", "");
-  folder_.write("talk.flac", "");
-  folder_.write("other.wav", "");
-  folder_.write("talk.vtt", "");
-  EXPECT_EQ(companions_of(face).sound, folder_.path() / "talk.flac");
-  EXPECT_EQ(companions_of(face).captions, folder_.path() / "talk.vtt");
+  std::filesystem::create_directory(folder_.path() / "talk.wav");
+  write_wav("other.wav", voice::test::speech_like(1));
+  write_wav("talk.flac", voice::test::speech_like(1));
+  folder_.write("talk.vtt", "WEBVTT\n\n00:00.000 --> 00:01.000\nHello\n");
+  const auto all = accompaniment_of(face, {}, true);
+  ASSERT_TRUE(all) << all.error().message;
+  EXPECT_EQ(all->voice->path, folder_.path() / "talk.flac");
+  EXPECT_FALSE(all->captions.empty());
+  VoiceOptions asked;
+  asked.file = folder_.path() / "other.wav";
+  EXPECT_EQ(accompaniment_of(face, asked, true)->voice->path, asked.file);
+  EXPECT_EQ(accompaniment_of(face, asked, false)->voice->path, folder_.path() / "talk.flac");
+  asked.none = true;
+  EXPECT_FALSE(accompaniment_of(face, asked, true)->voice);
+}
+
+TEST_F(VoiceFileTest, ALinkToNowhereIsSaid) {
+  const auto face = write_face("talk.txt", 2);
+  std::filesystem::create_symlink("gone.vtt", folder_.path() / "talk.vtt");
+  EXPECT_EQ(accompaniment_of(face, {}, true).error().kind, ErrorKind::Unreadable);
 }
 
 TEST_F(VoiceFileTest, WhatLiesBeforeTheStreamIsLeftOut) {
