@@ -115,6 +115,36 @@ TEST_F(ProgrammeTest, ASourceThatIsBeingWrittenHasTheStreamOfItsName) {
   EXPECT_TRUE(programme.finish());
 }
 
+TEST_F(ProgrammeTest, WhenTheLastFileGoesTheRunningSourceIsServedAlone) {
+  options_.live_source.follow = true;
+  options_.sources = {folder_.write("face.txt", "12:50;100\n")};
+  Programme& programme = begin(repertoire_of({{"face"}, {"a", stream_of("{1}")}}));
+  EXPECT_EQ(names(), (Names{"face", "a"}));
+  EXPECT_TRUE(programme.take_over(repertoire_of({{"face"}})));
+  EXPECT_EQ(names(), Names{"face"});
+}
+
+TEST_F(ProgrammeTest, WhenAllFilesHaveNamesOfRunningSourcesTheseAreServedAlone) {
+  options_.live_source.follow = true;
+  options_.sources = {folder_.write("face.txt", "12:50;100\n")};
+  Programme& programme = begin(repertoire_of({{"face"}, {"a", stream_of("{1}")}}));
+  const auto live = programme.catalogue()->streams[0].live();
+  EXPECT_TRUE(programme.take_over(repertoire_of({{"face", stream_of("{1}")}})));
+  EXPECT_EQ(names(), Names{"face"});
+  EXPECT_EQ(programme.catalogue()->streams[0].live(), live);
+}
+
+TEST_F(ProgrammeTest, TheKeyframeTimeAndTheLoopOutlastAReload) {
+  options_.keyframe_ms = 120;
+  options_.loop = true;
+  Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
+  ASSERT_TRUE(programme.take_over(repertoire_of({{"b", stream_of("{4}")}})));
+  EXPECT_EQ(programme.catalogue()->keyframe_ms, 120U);
+  EXPECT_TRUE(programme.catalogue()->loop);
+  EXPECT_EQ(programme.alone("b")->keyframe_ms, 120U);
+  EXPECT_TRUE(programme.alone("b")->loop);
+}
+
 TEST_F(ProgrammeTest, AStreamThatOnlyBecameALiveSourceIsLeftOut) {
   Programme& programme = begin(repertoire_of({{"a", stream_of("{1}")}}));
   EXPECT_FALSE(programme.take_over(repertoire_of({{"face"}}))) << "nothing is left";
