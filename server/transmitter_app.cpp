@@ -147,9 +147,9 @@ int run_transmitter(std::vector<std::string> arguments) {
 
   if (auto can = check_sources(options); !can) return report(can.error());
   if (options.check || options.estimate) return check(options);
-  auto repertoire = load_repertoire(options);
-  if (!repertoire) return report(repertoire.error());
-  return serve_until_signal(options, std::move(*repertoire));
+  auto loaded = load_repertoire(options);
+  if (!loaded) return report(loaded.error());
+  return serve_until_signal(options, std::move(loaded->repertoire));
 }
 
 }  // namespace aucast::server

@@ -68,8 +68,10 @@ class Programme {
   /// keeps its own.
   [[nodiscard]] std::shared_ptr<const protocol::ServerCatalogue> alone(
       const std::string& name) const;
-  /// Reads the file of --profile again. It holds for what live sources deliver from now on.
-  void condition_sources_anew() { sources_.condition_anew(); }
+  /// Holds for what live sources deliver from now on.
+  void condition_sources(const sources::ConditioningSettings& settings) {
+    sources_.condition(settings);
+  }
   /// Sends what is due now. Call it before something that takes long.
   void catch_up() { beat_.catch_up(); }
 

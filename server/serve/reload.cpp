@@ -86,12 +86,12 @@ void Reload::load(const std::stop_token& stop, const std::shared_ptr<Result<Load
 
 Result<Reload::Loaded> Reload::loaded(const std::stop_token& stop) const {
   auto credentials = load_credentials(files_);
-  auto repertoire = load_(stop);
-  if (credentials && repertoire) return Loaded{*std::move(credentials), *std::move(repertoire)};
-  if (credentials) return repertoire.error();
-  if (repertoire) return credentials.error();
+  auto sources = load_(stop);
+  if (credentials && sources) return Loaded{*std::move(credentials), *std::move(sources)};
+  if (credentials) return sources.error();
+  if (sources) return credentials.error();
   return Error{credentials.error().kind,
-               credentials.error().message + "\n" + repertoire.error().message};
+               credentials.error().message + "\n" + sources.error().message};
 }
 
 bool Reload::post(const std::shared_ptr<Result<Loaded>>& result) {
@@ -117,8 +117,8 @@ bool Reload::take_over(Result<Loaded> loaded) {
   if (loaded) {
     use(std::move(loaded->credentials));
     spdlog::info("certificates and token were read again");
-    programme_.condition_sources_anew();
-    return programme_.take_over(std::move(loaded->repertoire));
+    programme_.condition_sources(loaded->sources.conditioning);
+    return programme_.take_over(std::move(loaded->sources.repertoire));
   }
   log_lines(spdlog::level::err, "", loaded.error().message);
   spdlog::error(

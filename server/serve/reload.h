@@ -12,7 +12,7 @@
 #include "common/result.h"
 #include "server/serve/credentials.h"
 #include "server/serve/programme.h"
-#include "server/streams/repertoire.h"
+#include "server/streams/load_repertoire.h"
 
 namespace aucast::server {
 
@@ -23,16 +23,16 @@ namespace aucast::server {
 /// stop.
 class Reload {
  public:
-  using Load = std::function<Result<Repertoire>(const std::stop_token& stop)>;
+  using Load = std::function<Result<LoadedSources>(const std::stop_token& stop)>;
   struct Outcome {
     bool changed = false;  ///< clients that connect from now on get other streams
     bool last = true;      ///< no other reload was waiting for the end of this one
   };
   using OnDone = std::function<void(const Outcome& outcome)>;
 
-  /// Replaces `certificates`, and the tokens and streams of `programme`. Everything that is passed
-  /// by reference must outlive this object. The destructor stops a load that is under way, and
-  /// waits for it.
+  /// Replaces `certificates`, and tokens, streams and conditioning of `programme`. Everything that
+  /// is passed by reference must outlive this object. The destructor stops a load that is under
+  /// way, and waits for it.
   Reload(asio::io_context& io, const CredentialFiles& files, Certificates& certificates,
          Programme& programme, Load load, OnDone on_done);
   ~Reload();
@@ -55,7 +55,7 @@ class Reload {
  private:
   struct Loaded {
     Credentials credentials;
-    Repertoire repertoire;
+    LoadedSources sources;
   };
 
   void read();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "common/thread.h"
 #include "protocol/endpoint.h"
 #include "server/engine/engine_edge.h"
 #include "server/engine/nats_bus.h"
@@ -116,13 +117,21 @@ Result<void> RunningSources::begin(std::unique_ptr<Upstream> upstream) {
   return upstreams_.back()->start();
 }
 
-void RunningSources::on_neutral(const sources::MeasuredNeutral& neutral) const {
+/// On a thread of its own, so that no client waits for a disk.
+void RunningSources::on_neutral(const sources::MeasuredNeutral& neutral) {
   const SignalOptions& signal = options_.source.signal;
   if (signal.save_profile.empty()) return;
-  if (const auto saved = save_profile(signal, neutral); !saved) {
-    spdlog::error("{}", saved.error().message);
+  auto saving = start_thread([signal, neutral] {
+    if (const auto saved = save_profile(signal, neutral); !saved) {
+      spdlog::error("{}", saved.error().message);
+    } else {
+      spdlog::info("the profile was written to {}", signal.save_profile.string());
+    }
+  });
+  if (saving) {
+    saving_ = std::move(*saving);
   } else {
-    spdlog::info("the profile was written to {}", signal.save_profile.string());
+    spdlog::error("{}: not written: {}", signal.save_profile.string(), saving.error().message);
   }
 }
 
@@ -147,14 +156,9 @@ std::vector<protocol::ServedStream> RunningSources::streams() const {
   return all;
 }
 
-void RunningSources::condition_anew() {
+void RunningSources::condition(const sources::ConditioningSettings& settings) {
   if (options_.source.signal.profile.empty() || live_.empty()) return;
-  const auto conditioning = conditioning_of(options_.source.signal);
-  if (!conditioning) {
-    spdlog::error("{}; the profile in use stays", conditioning.error().message);
-    return;
-  }
-  for (const auto& source : live_) source->streams().condition(*conditioning);
+  for (const auto& source : live_) source->streams().condition(settings);
   spdlog::info("the profile was read again");
 }
 
@@ -163,6 +167,7 @@ void RunningSources::describe(Status& status) const {
 }
 
 Result<void> RunningSources::finish() {
+  if (saving_.joinable()) saving_.join();
   std::optional<Error> first;
   for (const auto& source : live_) {
     // Every record is finished, whatever has become of another.

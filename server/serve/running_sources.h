@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <asio/io_context.hpp>
@@ -49,12 +50,12 @@ class RunningSources {
   /// Whether nothing more can come from any of them; true if there are none.
   [[nodiscard]] bool over() const;
   [[nodiscard]] std::vector<protocol::ServedStream> streams() const;
-  /// Reads the profile of the signals again.
-  void condition_anew();
+  /// Uses other settings for the signals of live sources from their next rows on.
+  void condition(const sources::ConditioningSettings& settings);
   /// Fills in everything about streams of other servers.
   void describe(Status& status) const;
-  /// Waits until the records are written. If a live source had an error that did not end it, fails
-  /// with that error.
+  /// Waits until the records and the profile of --save-profile are written. If a live source had an
+  /// error that did not end it, fails with that error.
   [[nodiscard]] Result<void> finish();
 
  private:
@@ -68,7 +69,7 @@ class RunningSources {
   [[nodiscard]] Result<void> open_edge(const std::string& address);
   [[nodiscard]] Reception::Options reception(const std::string& name, const char* sender) const;
   [[nodiscard]] Result<void> begin(std::unique_ptr<Upstream> upstream);
-  void on_neutral(const sources::MeasuredNeutral& neutral) const;
+  void on_neutral(const sources::MeasuredNeutral& neutral);
 
   asio::io_context& io_;
   const TransmitterOptions& options_;
@@ -77,6 +78,7 @@ class RunningSources {
   Events events_;
   std::vector<std::unique_ptr<LiveSource>> live_;
   std::vector<std::unique_ptr<Upstream>> upstreams_;
+  std::jthread saving_;  ///< writes the profile of --save-profile
 };
 
 }  // namespace aucast::server

@@ -51,12 +51,11 @@ void warn_of_cut_list(const std::vector<Source>& sources) {
       list.streams.size(), list.streams[shown - 1].name, shown);
 }
 
-}  // namespace
-
-Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
-                                       const std::stop_token& stop) {
+Result<std::vector<Source>> load_with(const sources::ConditioningSettings& conditioning,
+                                      const TransmitterOptions& options,
+                                      const std::stop_token& stop) {
   std::vector<Error> skipped;
-  auto sources = load_sources(options.sources, options.source, encoding_of(options),
+  auto sources = load_sources(options.sources, options.source, conditioning, encoding_of(options),
                               options.skip_bad ? &skipped : nullptr, live_sources(options), stop);
   for (const Error& error : skipped) {
     log_lines(spdlog::level::warn, "left out: ", error.message);
@@ -69,8 +68,20 @@ Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
   return sources;
 }
 
-Result<Repertoire> load_repertoire(const TransmitterOptions& options, const std::stop_token& stop) {
-  const auto sources = load_asked(options, stop);
+}  // namespace
+
+Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
+                                       const std::stop_token& stop) {
+  const auto conditioning = conditioning_of(options.source.signal);
+  if (!conditioning) return conditioning.error();
+  return load_with(*conditioning, options, stop);
+}
+
+Result<LoadedSources> load_repertoire(const TransmitterOptions& options,
+                                      const std::stop_token& stop) {
+  auto conditioning = conditioning_of(options.source.signal);
+  if (!conditioning) return conditioning.error();
+  const auto sources = load_with(*conditioning, options, stop);
   if (!sources) return sources.error();
   auto repertoire = make_repertoire(*sources);
   if (options.live && options.loop) {
@@ -81,7 +92,7 @@ Result<Repertoire> load_repertoire(const TransmitterOptions& options, const std:
     return saved.error();
   }
   warn_of_cut_list(*sources);
-  return repertoire;
+  return LoadedSources{std::move(repertoire), *std::move(conditioning)};
 }
 
 std::size_t listed(const std::vector<Source>& sources) {

@@ -279,6 +279,15 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
                                          const std::stop_token& stop) {
   const auto conditioning = conditioning_of(options.signal);
   if (!conditioning) return conditioning.error();
+  return load_sources(paths, options, *conditioning, encoding, skipped, live, stop);
+}
+
+Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
+                                         const SourceOptions& options,
+                                         const sources::ConditioningSettings& conditioning,
+                                         const EncodingOptions& encoding,
+                                         std::vector<Error>* skipped, LiveKinds live,
+                                         const std::stop_token& stop) {
   std::vector<Source> sources;
   std::vector<Error> errors;
   for (const std::filesystem::path& path : paths) {
@@ -289,7 +298,7 @@ Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path
     }
     for (const std::filesystem::path& file : *files) {
       const bool first = &path == &paths.front() && &file == &files->front();
-      auto streams = load_source(file, {options, *conditioning, encoding,
+      auto streams = load_source(file, {options, conditioning, encoding,
                                         file == path ? live : LiveKinds::None, first, stop});
       if (stop.stop_requested()) return stopped_early();
       if (!streams) {

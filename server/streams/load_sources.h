@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/result.h"
+#include "common/sources/conditioning.h"
 #include "common/sources/recording.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/packet.h"
@@ -64,5 +65,10 @@ struct EncodingOptions {
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
     const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
     LiveKinds live = LiveKinds::None, const std::stop_token& stop = {});
+/// The same, with the conditioning that results from options.signal, which was read before.
+[[nodiscard]] Result<std::vector<Source>> load_sources(
+    const std::vector<std::filesystem::path>& paths, const SourceOptions& options,
+    const sources::ConditioningSettings& conditioning, const EncodingOptions& encoding,
+    std::vector<Error>* skipped, LiveKinds live, const std::stop_token& stop);
 
 }  // namespace aucast::server

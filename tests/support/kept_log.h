@@ -17,7 +17,7 @@ class KeptLog {
  public:
   KeptLog() {
     auto logger = std::make_shared<spdlog::logger>(
-        "kept", std::make_shared<spdlog::sinks::ostream_sink_st>(said_));
+        "kept", std::make_shared<spdlog::sinks::ostream_sink_mt>(said_));
     logger->set_pattern("%v");
     spdlog::set_default_logger(std::move(logger));
   }

@@ -1,20 +1,26 @@
 // SIGHUP without a signal or a socket: the test is whoever reads the sources.
 #include "server/serve/reload.h"
 
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <future>
 #include <new>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <asio/executor_work_guard.hpp>
 
+#include "tests/support/kept_log.h"
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/protocol/packets.h"
+#include "tests/unit/sources/tables.h"
 
 namespace aucast::server {
 namespace {
@@ -29,7 +35,16 @@ Repertoire only(const std::string& name) {
 
 class ReloadTest : public ::testing::Test {
  protected:
-  Reload& make(Reload::Load load) {
+  using LoadRepertoire = std::function<Result<Repertoire>(const std::stop_token&)>;
+  Reload& make(LoadRepertoire load) {
+    return make_with_conditioning(
+        [load = std::move(load)](const std::stop_token& stop) -> Result<LoadedSources> {
+          auto repertoire = load(stop);
+          if (!repertoire) return repertoire.error();
+          return LoadedSources{*std::move(repertoire), {}};
+        });
+  }
+  Reload& make_with_conditioning(Reload::Load load) {
     return reload_.emplace(io_, files_, certificates_, programme_, std::move(load),
                            [this](const Reload::Outcome& outcome) {
                              ++times_done_;
@@ -120,6 +135,37 @@ TEST_F(ReloadTest, TokenAndSourcesAreTakenOverTogether) {
   EXPECT_TRUE(reloaded());
   EXPECT_EQ(programme_.catalogue()->token, "0123456789abcdef");
   EXPECT_EQ(served(), "b");
+}
+
+/// The profile is gone when all is taken over: it is not read a second time.
+TEST_F(ReloadTest, TheProfileIsTakenOverAsItWasRead) {
+  using sources::tables::openface2_row;
+  const auto face = folder_.write(
+      "face.csv", sources::tables::kOpenFace2Header + openface2_row(1, "0.00", "0,1,0,0,0,0,0"));
+  options_.sources = {face};
+  options_.live_source.follow = true;
+  options_.source.signal.profile = folder_.write("me.toml", "[gain]\n12 = 1\n");
+  ASSERT_TRUE(programme_.open_sources());
+  programme_.begin();
+  const auto sends = [this](const char* packet) {
+    return test::run_until(io_, [&] {
+      const auto* const moment = programme_.named_or_first("face")->live()->newest();
+      return moment != nullptr && moment->full == packet;
+    });
+  };
+  EXPECT_TRUE(sends("{12:20;40}"));
+  const test::KeptLog log;
+  make_with_conditioning([this](const std::stop_token& stop) {
+    auto loaded = load_repertoire(options_, stop);
+    std::filesystem::remove(options_.source.signal.profile);
+    return loaded;
+  });
+  folder_.write("me.toml", "[gain]\n12 = 2\n");
+  reloaded();
+  EXPECT_EQ(reload_->successes(), 1U);
+  EXPECT_NE(log.said().find("the profile was read again"), std::string::npos) << log.said();
+  std::ofstream(face, std::ios::app) << openface2_row(2, "0.04", "0,1,0,0,0,0,0") << std::flush;
+  EXPECT_TRUE(sends("{12:40;40}"));
 }
 
 TEST_F(ReloadTest, AskedAgainMeanwhileItReadsOnceMore) {

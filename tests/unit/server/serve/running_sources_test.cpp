@@ -14,6 +14,7 @@
 #include "tests/support/quiet_log.h"
 #include "tests/support/run_until.h"
 #include "tests/support/temp_folder.h"
+#include "tests/unit/sources/tables.h"
 
 namespace aucast::server {
 namespace {
@@ -79,16 +80,32 @@ TEST_F(RunningSourcesTest, FilesRunWhenTheyAreFollowedAndPipesAlways) {
   sources().stop();
 }
 
-TEST_F(RunningSourcesTest, AProfileThatCannotBeReadIsAnErrorAtTheStartOnly) {
+TEST_F(RunningSourcesTest, AProfileThatCannotBeReadIsAnError) {
   options_.sources = {fifo("pipe")};
   options_.source.signal.profile = folder_.path() / "p.toml";
   EXPECT_EQ(refused(), ErrorKind::Unreadable);
   EXPECT_TRUE(sources().streams().empty());
   folder_.write("p.toml", "");
   EXPECT_EQ(refused(), std::nullopt);
-  std::filesystem::remove(options_.source.signal.profile);
-  sources().condition_anew();
   EXPECT_EQ(sources().streams().size(), 1U);
+}
+
+TEST_F(RunningSourcesTest, TheMeasuredNeutralFaceIsWrittenByTheEnd) {
+  using sources::tables::openface2_row;
+  std::string table = sources::tables::kOpenFace2Header;
+  for (int i = 0; i < 4; ++i) {
+    table += openface2_row(i, "0." + std::to_string(i), "0.5,0,0,0,0,0,0");
+  }
+  const auto face = fifo("face");
+  options_.sources = {face};
+  options_.source.signal.save_profile = folder_.path() / "p.toml";
+  options_.source.signal.neutral_seconds = 0.2;
+  EXPECT_EQ(refused(), std::nullopt);
+  std::ofstream(face) << table << std::flush;
+  EXPECT_TRUE(test::run_until(io_, [this] { return moments_ > 3; }));
+  sources().stop();
+  EXPECT_TRUE(sources().finish());
+  EXPECT_NE(folder_.read("p.toml").find("\n1 = 10\n"), std::string::npos) << folder_.read("p.toml");
 }
 
 TEST_F(RunningSourcesTest, AVoiceMustLeaveSomethingForTheFace) {

@@ -24,21 +24,21 @@ class LoadRepertoireTest : public ::testing::Test {
 
 TEST_F(LoadRepertoireTest, ServesTheSourcesInTheirOrder) {
   options_.sources = {folder_.write("b.txt", kOne), folder_.write("a.txt", kOne)};
-  const auto repertoire = load_repertoire(options_);
-  ASSERT_TRUE(repertoire) << repertoire.error().message;
-  ASSERT_EQ(repertoire->size(), 2U);
-  EXPECT_EQ((*repertoire)[0].stream.name, "b");
-  EXPECT_EQ((*repertoire)[1].stream.name, "a");
+  const auto loaded = load_repertoire(options_);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  ASSERT_EQ(loaded->repertoire.size(), 2U);
+  EXPECT_EQ(loaded->repertoire[0].stream.name, "b");
+  EXPECT_EQ(loaded->repertoire[1].stream.name, "a");
 }
 
 TEST_F(LoadRepertoireTest, WhatIsBadIsLeftOutOnlyIfThatIsAsked) {
   options_.sources = {folder_.write("a.txt", "6,12"), folder_.write("b.txt", kOne)};
   EXPECT_FALSE(load_repertoire(options_));
   options_.skip_bad = true;
-  const auto repertoire = load_repertoire(options_);
-  ASSERT_TRUE(repertoire);
-  ASSERT_EQ(repertoire->size(), 1U);
-  EXPECT_EQ(repertoire->front().stream.name, "b");
+  const auto loaded = load_repertoire(options_);
+  ASSERT_TRUE(loaded);
+  ASSERT_EQ(loaded->repertoire.size(), 1U);
+  EXPECT_EQ(loaded->repertoire.front().stream.name, "b");
 }
 
 TEST_F(LoadRepertoireTest, WhatCannotBeSentLiveIsAnErrorWhereItIsLive) {
