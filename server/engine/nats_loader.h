@@ -13,8 +13,9 @@ namespace aucast::server {
 [[nodiscard]] std::vector<std::filesystem::path> nats_module_folders();
 
 /// Loads the module from the first of these folders that has it. Fails with a Usage error that says
-/// what to install if none has it; with Unreadable if other users could have put it there, the
-/// system cannot load it, or it is of another build. The module is never unloaded: libnats has
+/// what to install if none has it; with Unreadable if others than root and the owner of this
+/// program could have put it there, the system cannot load it, or it is of another build. A group
+/// in which one of these two is alone counts as they do. The module is never unloaded: libnats has
 /// threads, with destructors, that outlive every connection.
 [[nodiscard]] Result<const NatsModule*> load_nats_module(
     const std::vector<std::filesystem::path>& folders);

@@ -85,6 +85,14 @@ TEST(NatsLoader, LoadsNothingThatOthersCouldHavePutThere) {
   fs::permissions(folder.path() / kFile, fs::perms::others_write, fs::perm_options::remove);
   expect_unreadable(folder, "of-old");
   if (::geteuid() != 0) GTEST_SKIP() << "only root can give it to somebody else";
+  for (const fs::path& path : {folder.path() / kFile, folder.path()}) {
+    ASSERT_EQ(::chown(path.c_str(), 0, 65534), 0);
+    expect_unreadable(folder, "of-old");
+    fs::permissions(path, fs::perms::group_write, fs::perm_options::add);
+    expect_unreadable(folder, why);
+    ASSERT_EQ(::chown(path.c_str(), 0, 0), 0);
+    expect_unreadable(folder, "of-old");
+  }
   ASSERT_EQ(::chown((folder.path() / kFile).c_str(), 65534, 65534), 0);
   expect_unreadable(folder, why);
 }
