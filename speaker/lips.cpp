@@ -35,7 +35,7 @@ struct Target {
 struct Contact {
   double begin;
   double end;
-  bool teeth;
+  const Viseme* viseme;
 
   static constexpr double kAttackMs = 50;
   static constexpr double kReleaseMs = 40;
@@ -70,15 +70,15 @@ void plan_sound(const Phoneme& sound, double begin, double end, Plan& plan) {
     constexpr double kHeldMs = 50;
     const int before = closure_before_ms(sound.ipa);
     if (before > 0) {
-      plan.contacts.push_back({begin - before, begin, false});
+      plan.contacts.push_back({begin - before, begin, viseme});
     } else {
       // The hum of an m is heard that much later than espeak-ng's mark of it.
       constexpr double kHumLateMs = 30;
       const double released = std::max(begin + std::min(kHeldMs, length), end - 20);
-      plan.contacts.push_back({begin + kHumLateMs, released + kHumLateMs, false});
+      plan.contacts.push_back({begin + kHumLateMs, released + kHumLateMs, viseme});
     }
   } else if (viseme->on_teeth) {
-    plan.contacts.push_back({begin, begin + 0.7 * length, true});
+    plan.contacts.push_back({begin, begin + 0.7 * length, viseme});
   }
   if (const Viseme* const glide = glide_of(sound.ipa)) {
     plan.targets.push_back({viseme, begin + 0.1 * length, begin + 0.4 * length});
@@ -123,21 +123,21 @@ class Mouth {
         found->second *= 1 - degree * (1 - share);
       }
     };
-    const auto reach = [&](int number, float intensity) {
-      sum_[number] = std::max(sum_[number], degree * intensity);
-    };
     keep(kJawDrop, 0.2F);
     keep(kTongueShow, 0);
-    if (contact.teeth) {
+    if (contact.viseme->on_teeth) {
       keep(kLipPresser, 0);
       keep(kLipPucker, 0.5F);
       keep(kLipFunneler, 0.5F);
-      reach(kBite, 0.6F);
-      return;
+    } else {
+      for (const int open : {kLowerLipDepressor, kLipStretcher, kLipsPart, kBite}) keep(open, 0);
+      keep(kLipFunneler, 0.4F);
     }
-    for (const int open : {kLowerLipDepressor, kLipStretcher, kLipsPart, kBite}) keep(open, 0);
-    keep(kLipFunneler, 0.4F);
-    reach(kLipPresser, 0.25F);
+    for (const LipAu& au : contact.viseme->aus) {
+      if (au.number == 0) continue;
+      float& reached = sum_[au.number];
+      reached = std::max(reached, degree * au.intensity);
+    }
   }
 
   [[nodiscard]] const std::map<int, float>& aus() const { return sum_; }
