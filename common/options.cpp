@@ -150,4 +150,19 @@ OptionValue log_level(std::string& out) {
   return one_of(out, {"trace", "debug", "info", "warning", "error", "off"});
 }
 
+Result<void> apply_verbosity(TypedWords& typed, const std::vector<std::string>& verbose) {
+  const auto times = [&typed](std::string_view name) -> std::size_t {
+    const auto flag = typed.find(name);
+    return flag == typed.end() || flag->second.back() == "false" ? 0 : flag->second.size();
+  };
+  const std::size_t louder = times("verbose");
+  const bool quiet = times("quiet") > 0;
+  if (louder > 0 && quiet) return usage_error("-v and -q exclude each other");
+  if (louder > 0) {
+    typed.try_emplace("log-level", 1, verbose[std::min(louder, verbose.size()) - 1]);
+  }
+  if (quiet) typed.try_emplace("log-level", 1, "error");
+  return {};
+}
+
 }  // namespace aucast

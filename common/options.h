@@ -195,4 +195,10 @@ template <typename T>
 /// The names of log levels.
 [[nodiscard]] OptionValue log_level(std::string& out);
 
+/// Puts the level that the flags --verbose and --quiet stand for where --log-level was typed,
+/// unless that was typed too. --quiet is "error"; `verbose` has the levels of -v, -vv and so on.
+/// Fails with a Usage error if both flags were typed.
+[[nodiscard]] Result<void> apply_verbosity(TypedWords& typed,
+                                           const std::vector<std::string>& verbose);
+
 }  // namespace aucast

@@ -134,12 +134,8 @@ Result<void> settle_sound(const PlayerOptions& options) {
 Result<void> settle(const TypedWords& typed, PlayerOptions& options) {
   if (auto settled = settle_mirror(typed, options); !settled) return settled;
   if (auto settled = settle_address(typed, options.playback); !settled) return settled;
-  if (options.quiet) options.log_level = "error";
   if (auto png = check_png("--png", options.pose.png); !png) return png;
   if (auto png = check_png("--sheet", options.output.sheet); !png) return png;
-  if (const auto verbose = typed.find("verbose"); verbose != typed.end()) {
-    options.log_level = verbose->second.size() == 1 ? "info" : "debug";
-  }
   if (options.command == Command::Gallery && !options.output.size_given) {
     options.output.width = 300;
     options.output.height = 375;
@@ -272,7 +268,7 @@ Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
   options.playback.buffers.adapt = true;  // unless a delay is given
   options.command = take_command(arguments);
   const std::vector<OptionRow> rows = option_rows(options.command, options);
-  const auto typed = sort_arguments(rows, std::move(arguments));
+  auto typed = sort_arguments(rows, std::move(arguments));
   if (!typed) return typed.error();
   if (typed->contains("help") || typed->contains("version")) {
     options.text =
@@ -281,6 +277,7 @@ Result<PlayerOptions> parse_player_options(std::vector<std::string> arguments) {
     return options;
   }
   for (const auto& [name, words] : *typed) options.given.insert(typed_name(*find_row(rows, name)));
+  if (auto level = apply_verbosity(*typed, {"info", "debug"}); !level) return level.error();
   if (auto read = read_words(rows, *typed); !read) return read.error();
   if (auto settled = settle(*typed, options); !settled) return settled.error();
   options.playback.voice = options.wants_voice();

@@ -35,12 +35,13 @@ std::vector<OptionRow> program_rows(PlayerOptions& options) {
        .value = log_level(options.log_level)},
       {.option = {"verbose"},
        .text = "the same as --log-level info; -vv: debug",
-       .more = "The same as --log-level info; twice, as --log-level debug.",
+       .more = "The same as --log-level info; twice, as --log-level debug. --log-level wins.",
        .value = flag(),
        .letter = 'v'},
       {.option = {"quiet"},
        .text = "errors only, no progress line",
-       .more = "The same as --log-level error, and no progress line.",
+       .more = "The same as --log-level error, and no progress line. --log-level wins. Not with "
+               "-v.",
        .value = flag(options.quiet),
        .letter = 'q'},
   };

@@ -134,11 +134,7 @@ Result<CommandLine> read_command_line(std::vector<std::string> arguments,
   if (!typed) return typed.error();
   if (typed->contains("help")) return CommandLine{help_text(transmitter_page()), {}};
   if (typed->contains("version")) return CommandLine{version_text(), {}};
-  if (typed->contains("verbose") && typed->contains("quiet")) {
-    return usage_error("-v and -q exclude each other");
-  }
-  if (typed->contains("verbose")) typed->try_emplace("log-level", 1, "debug");
-  if (typed->contains("quiet")) typed->try_emplace("log-level", 1, "error");
+  if (auto level = apply_verbosity(*typed, {"debug"}); !level) return level.error();
   Settings settings(rows);
   if (auto added = add_config(settings, *typed, surroundings); !added) return added.error();
   if (auto added = settings.add_environment(surroundings.environment); !added) return added.error();

@@ -63,6 +63,16 @@ TEST(PlayerOptions, OptionsMayStandBeforeTheCommand) {
   EXPECT_EQ(accepted({"--face", "play", "host"}).command, Command::Watch) << "the word of --face";
 }
 
+TEST(PlayerOptions, VerboseAndQuietAreLevels) {
+  EXPECT_EQ(accepted({"host"}).log_level, "warning");
+  EXPECT_EQ(accepted({"-v", "host"}).log_level, "info");
+  EXPECT_EQ(accepted({"-vv", "host"}).log_level, "debug");
+  EXPECT_EQ(accepted({"-q", "host"}).log_level, "error");
+  EXPECT_EQ(accepted({"-q", "--log-level", "trace", "host"}).log_level, "trace");
+  EXPECT_EQ(accepted({"-v", "--log-level", "off", "host"}).log_level, "off");
+  EXPECT_EQ(refused({"-q", "-v", "host"}), "-v and -q exclude each other (try --help)");
+}
+
 TEST(PlayerOptions, TheWordOfAnyCommandsOptionIsNoCommand) {
   const PlayerOptions stream = accepted({"--stream", "pose", "host"});
   EXPECT_EQ(stream.command, Command::Watch) << "pose has no --stream";

@@ -53,6 +53,24 @@ std::string message(std::vector<std::string> arguments) {
   return done.error().message;
 }
 
+TEST(ApplyVerbosity, PutsALevelWhereNoneWasTyped) {
+  using Words = std::vector<std::string>;
+  const auto level = [](TypedWords typed) {
+    EXPECT_TRUE(apply_verbosity(typed, {"info", "debug"}));
+    const auto found = typed.find("log-level");
+    return found == typed.end() ? "" : found->second.front();
+  };
+  EXPECT_EQ(level({}), "");
+  EXPECT_EQ(level({{"verbose", Words{"true"}}}), "info");
+  EXPECT_EQ(level({{"verbose", Words(2, "true")}}), "debug");
+  EXPECT_EQ(level({{"verbose", Words(5, "true")}}), "debug");
+  EXPECT_EQ(level({{"verbose", Words{"false"}}}), "");
+  EXPECT_EQ(level({{"quiet", Words{"true"}}, {"verbose", Words{"false"}}}), "error");
+  EXPECT_EQ(level({{"quiet", Words{"true"}}, {"log-level", Words{"off"}}}), "off");
+  TypedWords both{{"quiet", Words{"true"}}, {"verbose", Words{"true"}}};
+  EXPECT_EQ(apply_verbosity(both, {"info"}).error().kind, ErrorKind::Usage);
+}
+
 TEST(Options, WordsReachTheVariables) {
   const Options options =
       read({"a", "--port", "7", "--fps=25", "b", "-l", "--no-config", "--protocol", "classic",
