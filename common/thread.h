@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "common/result.h"
 #include "common/text.h"
+#include "common/time.h"
 
 namespace aucast {
 
@@ -21,6 +23,9 @@ template <typename Work>
     return Error{ErrorKind::Failed, shortage_text(failure)};
   }
 }
+
+/// Waits until `until`, or until a stop is requested.
+void sleep_until(const std::stop_token& stop, Instant until);
 
 /// Starts a thread that nobody joins, for a call that cannot be interrupted and may take too long
 /// to wait for because a server does not answer: getaddrinfo(), and what libnats does to connect

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "common/log.h"
-#include "common/shared.h"
 #include "common/thread.h"
 #include "common/time.h"
 
@@ -76,11 +75,8 @@ void Reload::load(const std::stop_token& stop, const std::shared_ptr<Result<Load
   } catch (const std::bad_alloc&) {
   }
   // Who waits for the end of the reload must learn of it, if only when there is memory again.
-  Shared<bool> nothing;
   while (!post(result) && !stop.stop_requested()) {
-    nothing.wait_until(
-        stop, std::chrono::steady_clock::now() + kPostAgainAfter, [](bool) { return false; },
-        [](bool) {});
+    sleep_until(stop, std::chrono::steady_clock::now() + kPostAgainAfter);
   }
 }
 
