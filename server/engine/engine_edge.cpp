@@ -40,6 +40,7 @@ Result<void> EngineEdge::start() {
 
 void EngineEdge::stop() {
   stopped_ = true;
+  waits_.cancel();
   timer_.cancel();
   bus_.reset();
   reception_.stop();
@@ -120,12 +121,13 @@ void EngineEdge::handle(const Follower::Say& event) {
 void EngineEdge::wait() {
   const auto deadline = follower_.deadline();
   if (!deadline) {
+    waits_.cancel();
     timer_.cancel();
     return;
   }
   timer_.expires_at(*deadline);
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error && !stopped_) carry_out(follower_.on_time(steady_clock::now()));
+  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+    if (!error && wait.current()) carry_out(follower_.on_time(steady_clock::now()));
   });
 }
 

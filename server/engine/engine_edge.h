@@ -9,6 +9,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/result.h"
+#include "common/waits.h"
 #include "server/engine/bus.h"
 #include "server/engine/follower.h"
 #include "server/engine/joined_link.h"
@@ -54,6 +55,7 @@ class EngineEdge final : public Upstream {
   std::string server_;  ///< the engine's server; empty: none is connected
   std::string reason_;  ///< why the stream ended, as logged last; empty: it has gone on since
   asio::steady_timer timer_;
+  Waits waits_;  ///< for the follower's deadline
   bool stopped_ = false;
 };
 

@@ -12,6 +12,7 @@
 
 #include "common/result.h"
 #include "common/time.h"
+#include "common/waits.h"
 #include "protocol/packet.h"
 #include "protocol/server_session.h"
 #include "server/engine/bus.h"
@@ -68,8 +69,10 @@ class EngineOrigin {
   std::optional<OutgoingBatches> batches_;
   std::string said_why_not_;  ///< why nothing is published, as the log said last
   asio::steady_timer batch_timer_;
-  bool batch_waits_ = false;
+  Waits batch_waits_;         ///< for the end of the batch
+  bool batch_begun_ = false;  ///< something waits for that
   asio::steady_timer beat_timer_;
+  Waits beat_waits_;  ///< for the next empty batch
   Instant second_begin_{};
   std::size_t answers_ = 0;  ///< sent in that second
   std::uint64_t unanswered_ = 0;

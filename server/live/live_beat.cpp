@@ -47,6 +47,7 @@ std::shared_ptr<const protocol::LiveChannel> LiveBeat::play(
 
 void LiveBeat::stop() {
   stopped_ = true;
+  waits_.cancel();
   timer_.cancel();
 }
 
@@ -94,9 +95,8 @@ void LiveBeat::wait(Instant earliest) {
   }
   if (!next || stopped_) return;
   timer_.expires_at(std::max(*next, earliest));
-  timer_.async_wait([held = std::weak_ptr(self_)](const std::error_code& error) {
-    const auto self = held.lock();
-    if (self && !error && !(*self)->stopped_) (*self)->beat();
+  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+    if (!error && wait.current()) beat();
   });
 }
 

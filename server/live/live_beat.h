@@ -9,6 +9,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/time.h"
+#include "common/waits.h"
 #include "server/live/served_replay.h"
 
 namespace aucast::server {
@@ -56,8 +57,7 @@ class LiveBeat {
   std::vector<Playing> playing_;
   Duration lag_{0};
   bool stopped_ = false;
-  /// Queued handlers have a weak pointer to it, and so know when this object is gone.
-  std::shared_ptr<LiveBeat*> self_ = std::make_shared<LiveBeat*>(this);
+  Waits waits_;  ///< for the next beat
 };
 
 }  // namespace aucast::server

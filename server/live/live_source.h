@@ -14,6 +14,7 @@
 #include "common/result.h"
 #include "common/stopped.h"
 #include "common/time.h"
+#include "common/waits.h"
 #include "server/live/live_input.h"
 #include "server/live/live_streams.h"
 
@@ -63,6 +64,7 @@ class LiveSource {
   LiveInput input_;
   std::optional<LiveInput> voice_;
   asio::steady_timer timer_;
+  Waits waits_;  ///< for what is due next
   bool stopped_ = false;
   bool loss_said_ = false;
 };

@@ -67,8 +67,8 @@ void Shutdown::stop(const char* why) {
     return;
   }
   timer_.expires_after(kStopTimeMax);
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error) clients_.abort();
+  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+    if (!error && wait.current()) clients_.abort();
   });
 }
 
@@ -78,8 +78,8 @@ void Shutdown::on_empty() {
   } else if (phase_ == Phase::Leaving) {
     // Not now: what tells us may be a part of a stream that stops.
     timer_.expires_after({});
-    timer_.async_wait([this](const std::error_code& error) {
-      if (!error) stop("all clients are gone");
+    timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
+      if (!error && wait.current()) stop("all clients are gone");
     });
   }
 }

@@ -8,6 +8,7 @@
 #include <asio/steady_timer.hpp>
 
 #include "common/time.h"
+#include "common/waits.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/departure.h"
 
@@ -57,6 +58,7 @@ class Shutdown {
 
   asio::signal_set signals_;
   asio::steady_timer timer_;
+  Waits waits_;  ///< for what the timer is set for
   Milliseconds drain_time_;
   ClientRegistry& clients_;
   Hooks hooks_;

@@ -1,15 +1,18 @@
 // What --publish does, and says, with a bus that the test holds.
 #include "server/engine/engine_origin.h"
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <asio/io_context.hpp>
+#include <asio/steady_timer.hpp>
 
 #include "protocol/encoded_stream.h"
 #include "protocol/engine_message.h"
@@ -111,6 +114,31 @@ TEST_F(EngineOriginTest, AnswersSoManyQuestionsASecondAndCountsTheRest) {
   ASSERT_TRUE(status.engine);
   EXPECT_EQ(status.engine->questions_left_out, 1U);
   EXPECT_EQ(status.engine->messages_left_out, 7U) << "by the bus";
+}
+
+TEST_F(EngineOriginTest, MayEndWhileTheEndOfABatchIsQueued) {
+  serve(feed_);
+  auto origin = std::make_unique<EngineOrigin>(
+      io_, EngineOrigin::Options{"batched", Milliseconds(1)}, [this] { return catalogue_; });
+  Bus::Events bus;
+  ASSERT_TRUE(origin->start([&](Bus::Events events) {
+    bus = std::move(events);
+    return Result<std::unique_ptr<Bus>>(std::make_unique<KeepingBus>(said_));
+  }));
+  bus.on_connected("a");
+  protocol::Keyframe face;
+  face.terms.push_back({12, Side::Both, 50});
+  feed_->add(face);
+  origin->on_moment();
+  asio::steady_timer first(io_);
+  first.expires_at(std::chrono::steady_clock::now() - std::chrono::hours(1));
+  first.async_wait([&](const std::error_code& /*error*/) { origin.reset(); });
+  // Both are due: the loop queues both handlers at once.
+  const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(5);
+  while (std::chrono::steady_clock::now() < until) std::this_thread::yield();
+  io_.poll();
+  EXPECT_FALSE(origin);
+  EXPECT_TRUE(said_.empty());
 }
 
 TEST_F(EngineOriginTest, SaysOnceThatARecordedStreamIsNotPublished) {

@@ -115,6 +115,18 @@ TEST_F(ShutdownTest, TheDrainIsOverWhenAllHaveGone) {
   EXPECT_EQ(happened_, (std::vector<std::string>{"stop", "end"}));
 }
 
+TEST_F(ShutdownTest, MayEndWhileItsHandlerIsQueued) {
+  shutdown(1h);
+  const auto viewer = this->viewer();
+  shutdown().on_signal(SIGTERM);
+  asio::steady_timer first(io_);
+  first.expires_at(std::chrono::steady_clock::now() - 1h);  // queued before the other
+  first.async_wait([this](const std::error_code& /*error*/) { shutdown_.reset(); });
+  viewer->end({});
+  io_.run();
+  EXPECT_TRUE(happened_.empty());
+}
+
 TEST_F(ShutdownTest, AServerThatWasDialledIsNeitherSentAwayNorWaitedFor) {
   shutdown(1h);
   const auto campus = std::make_shared<FakeLink>();
