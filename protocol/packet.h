@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/action_unit.h"
+#include "protocol/limits.h"
 
 namespace aucast::protocol {
 
@@ -74,13 +75,14 @@ struct HelloGranted {
   std::string stream;
   bool live = false;
   std::optional<std::uint64_t> duration_ms;  ///< of the whole stream; nullopt: unknown
-  std::uint32_t keyframe_ms = 250;           ///< time of a keyframe without one of its own
-  std::uint64_t from_ms = 0;  ///< of a recorded stream: where the first keyframe begins
-  std::string voice{};        ///< kVoiceCodec: voice packets may come; empty: none will
-  bool text = false;          ///< captions may come
-  bool loop = false;          ///< only one turn of a looped stream is sent
-  std::string title{};        ///< of the stream, for people; UTF-8
-  std::string servers{};      ///< the stream's chain (server_chain.h); for relays only
+  std::uint32_t keyframe_ms =
+      kDefaultKeyframeTime.count();  ///< time of a keyframe without one of its own
+  std::uint64_t from_ms = 0;         ///< of a recorded stream: where the first keyframe begins
+  std::string voice{};               ///< kVoiceCodec: voice packets may come; empty: none will
+  bool text = false;                 ///< captions may come
+  bool loop = false;                 ///< only one turn of a looped stream is sent
+  std::string title{};               ///< of the stream, for people; UTF-8
+  std::string servers{};             ///< the stream's chain (server_chain.h); for relays only
   friend bool operator==(const HelloGranted&, const HelloGranted&) = default;
 };
 

@@ -11,6 +11,7 @@
 
 #include "common/time.h"
 #include "protocol/delivery.h"
+#include "protocol/limits.h"
 #include "protocol/packet.h"
 #include "protocol/publishers.h"
 #include "protocol/session_events.h"
@@ -25,8 +26,8 @@ struct ServerCatalogue {
   /// The first is what a classic client gets. Empty only if `patience` says that a stream may come
   /// later.
   std::vector<ServedStream> streams;
-  std::uint32_t keyframe_ms = 250;  ///< told in the hello
-  bool loop = false;                ///< recorded streams start again at the end instead of {-2}
+  std::uint32_t keyframe_ms = kDefaultKeyframeTime.count();  ///< told in the hello
+  bool loop = false;  ///< recorded streams start again at the end instead of {-2}
   /// What a client must show in its hello; empty: no token is needed.
   std::string token{};
   /// A program that started this server to see its own camera, as face-player --mirror does, must

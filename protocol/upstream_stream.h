@@ -8,6 +8,7 @@
 #include "common/time.h"
 #include "protocol/encoded_stream.h"
 #include "protocol/encoded_track.h"
+#include "protocol/limits.h"
 #include "protocol/live_channel.h"
 
 namespace aucast::protocol {
@@ -41,9 +42,9 @@ struct UpstreamStream {
   std::string name;  ///< empty: not known yet
   /// monostate: it is not known yet.
   std::variant<std::monostate, RecordedStream, std::shared_ptr<const LiveChannel>> content;
-  bool loop = false;                ///< if recorded: it starts again at its end
-  std::string title;                ///< to show to people; empty: none
-  std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
+  bool loop = false;  ///< if recorded: it starts again at its end
+  std::string title;  ///< to show to people; empty: none
+  std::uint32_t keyframe_ms = kDefaultKeyframeTime.count();  ///< time of an untimed keyframe
   std::string servers;  ///< the chain through which it comes (server_chain.h), without this server
   Milliseconds patience{0};  ///< how long a client waits for a stream that is not known yet
 

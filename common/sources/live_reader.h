@@ -16,6 +16,7 @@
 #include "common/sources/recording.h"
 #include "common/sources/row_reading.h"
 #include "common/time.h"
+#include "protocol/limits.h"
 
 namespace aucast::sources {
 
@@ -23,7 +24,8 @@ struct LiveOptions {
   RecordingOptions recording;
   std::optional<double> rate;  ///< keyframes a second, at most
   ConditioningSettings conditioning;
-  std::uint32_t keyframe_ms = 250;  ///< the most that a line without a time lasts
+  std::uint32_t keyframe_ms =
+      protocol::kDefaultKeyframeTime.count();  ///< the most that a line without a time lasts
 };
 
 /// A message about a live source, for the log.

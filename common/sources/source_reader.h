@@ -11,6 +11,7 @@
 #include "common/result.h"
 #include "common/sources/conditioning.h"
 #include "common/sources/recording.h"
+#include "protocol/limits.h"
 #include "protocol/stream_file.h"
 
 namespace aucast::sources {
@@ -32,7 +33,8 @@ struct ReadOptions {
   RecordingOptions recording;
   std::optional<double> rate;         ///< keyframes a second, (0, kRateMax]; nullopt: as they are
   ConditioningSettings conditioning;  ///< its dead band is not applied
-  std::uint32_t keyframe_ms = 250;    ///< the time of an untimed keyframe
+  std::uint32_t keyframe_ms =
+      protocol::kDefaultKeyframeTime.count();  ///< the time of an untimed keyframe
 };
 
 /// The content of a file of either kind.

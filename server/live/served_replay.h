@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/time.h"
+#include "protocol/limits.h"
 #include "protocol/live_feed.h"
 #include "protocol/live_replay.h"
 #include "server/streams/live_thinning.h"
@@ -13,8 +14,9 @@ namespace aucast::server {
 
 struct ReplayLimits {
   LinkLimits link;
-  std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
-  int classic_min = 20;             ///< percent, as in encode_classic()
+  std::uint32_t keyframe_ms =
+      protocol::kDefaultKeyframeTime.count();  ///< time of an untimed keyframe
+  int classic_min = 20;                        ///< percent, as in encode_classic()
 };
 
 /// A recorded stream that is sent live. With a voice and a limit on the link, its keyframes are

@@ -38,14 +38,15 @@ struct TransmitterOptions {
   std::vector<std::filesystem::path> sources;   ///< may be empty if publishers send streams
   std::string bind = "127.0.0.1";               ///< address or name of this host
   std::uint16_t port = protocol::kDefaultPort;  ///< 0: any free one
-  Milliseconds drain_time{0};       ///< in which clients are sent away; 0: they get {-2}
-  bool reuse_port = false;          ///< other processes may listen at the same port
-  std::uint32_t keyframe_ms = 250;  ///< 1 to kKeyframeTimeMsMax; for untimed keyframes
-  bool loop = false;                ///< start again at the end instead of {-2}
-  bool live = false;                ///< one clock for all clients
-  int classic_min = 20;             ///< percent 0-100; weaker AUs are left out for classic clients
-  Milliseconds client_timeout{0};   ///< longest wait for an answer that is owed; 0: no limit
-  std::size_t max_clients = 0;      ///< at a time; 0: clients_with_room()
+  Milliseconds drain_time{0};  ///< in which clients are sent away; 0: they get {-2}
+  bool reuse_port = false;     ///< other processes may listen at the same port
+  std::uint32_t keyframe_ms =
+      protocol::kDefaultKeyframeTime.count();  ///< 1 to kKeyframeTimeMsMax; for untimed keyframes
+  bool loop = false;                           ///< start again at the end instead of {-2}
+  bool live = false;                           ///< one clock for all clients
+  int classic_min = 20;            ///< percent 0-100; weaker AUs are left out for classic clients
+  Milliseconds client_timeout{0};  ///< longest wait for an answer that is owed; 0: no limit
+  std::size_t max_clients = 0;     ///< at a time; 0: clients_with_room()
   std::size_t max_clients_per_address = 0;  ///< the same from one address; 0: no limit
   CredentialFiles credentials;              ///< certificates and tokens
   std::uint32_t max_kbits = 0;              ///< kilobits a second for each client; 0: no limit

@@ -31,7 +31,7 @@ struct ConvertOptions {
   std::filesystem::path out;                ///< "-": stdout
   std::vector<std::filesystem::path> more;  ///< with `to`: OUT and these are sources too
   std::filesystem::path to;                 ///< a folder; empty: there is OUT
-  std::uint32_t keyframe_ms = 250;
+  std::uint32_t keyframe_ms = protocol::kDefaultKeyframeTime.count();
   SourceOptions source;
   bool mend = false;  ///< the input is a stream file that may have been cut off
 };

@@ -12,6 +12,7 @@
 #include "common/sources/conditioning.h"
 #include "common/sources/recording.h"
 #include "protocol/encoded_stream.h"
+#include "protocol/limits.h"
 #include "protocol/packet.h"
 #include "server/settings/source_options.h"
 #include "server/settings/voice_options.h"
@@ -45,10 +46,11 @@ enum class LiveKinds : std::uint8_t {
 
 /// How streams are encoded.
 struct EncodingOptions {
-  std::uint32_t keyframe_ms = 250;  ///< time of an untimed keyframe
-  int classic_min = 20;             ///< percent; AUs below it are left out for classic clients
-  std::uint32_t max_kbits = 0;      ///< a second, headers included; 0: no limit
-  bool summarise = true;  ///< whether to fill in Source::summary, which only --check needs
+  std::uint32_t keyframe_ms =
+      protocol::kDefaultKeyframeTime.count();  ///< time of an untimed keyframe
+  int classic_min = 20;         ///< percent; AUs below it are left out for classic clients
+  std::uint32_t max_kbits = 0;  ///< a second, headers included; 0: no limit
+  bool summarise = true;        ///< whether to fill in Source::summary, which only --check needs
   VoiceOptions voice{};
   /// Streams will be sent live: those with a voice are thinned to max_kbits then, not here.
   bool live = false;
