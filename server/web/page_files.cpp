@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 /// More than a page with all its faces takes; a larger folder is no page.
 constexpr std::size_t kFileBytesMax = std::size_t{64} << 20U;
 constexpr std::size_t kFilesMax = 2000;
+constexpr std::uintmax_t kMebibytesMax = 256;  ///< of all files, which are kept in memory
 
 /// Nothing from other sites may run or be shown; `wasm-unsafe-eval` allows only WebAssembly. A page
 /// may be hosted apart from its server, so it may connect to any WebSocket.
@@ -45,9 +47,16 @@ std::string tag_of(std::string_view bytes) {
   return tag + "\"";
 }
 
+Error too_much(const fs::path& folder, std::uintmax_t most, const char* of_what) {
+  return {ErrorKind::Unreadable,
+          at_place(folder.string(), "holds more than " + std::to_string(most) + " " + of_what +
+                                        "; take out what does not belong to the page")};
+}
+
 /// The paths below `folder`, as in a request.
 Result<std::vector<std::string>> paths_below(const fs::path& folder) {
   std::vector<std::string> paths;
+  std::uintmax_t bytes = 0;
   std::error_code error;
   const auto fail = [&error](const fs::path& place) {
     return Error{
@@ -62,13 +71,12 @@ Result<std::vector<std::string>> paths_below(const fs::path& folder) {
     if (hidden) entry.disable_recursion_pending();
     if (!hidden && !entry->is_directory(error)) {
       paths.push_back("/" + path.lexically_relative(folder).generic_string());
+      std::error_code unknown;  // what has no size is said when it is read
+      const std::uintmax_t size = entry->file_size(unknown);
+      if (!unknown) bytes += size;
     }
-    if (paths.size() > kFilesMax) {
-      return Error{
-          ErrorKind::Unreadable,
-          at_place(folder.string(), "holds more than " + std::to_string(kFilesMax) +
-                                        " files; take out what does not belong to the page")};
-    }
+    if (paths.size() > kFilesMax) return too_much(folder, kFilesMax, "files");
+    if (bytes > kMebibytesMax << 20U) return too_much(folder, kMebibytesMax, "MiB");
     entry.increment(error);
     if (error) return fail(folder);
   }

@@ -119,6 +119,19 @@ TEST_F(PageFilesTest, AFolderThatIsNoPageIsRefused) {
                 ": holds more than 2000 files; take out what does not belong to the page");
 }
 
+/// The files are sparse, and none is read.
+TEST_F(PageFilesTest, AFolderThatTakesTooMuchMemoryIsRefused) {
+  for (const char* const name : {"a", "b", "c", "d"}) {
+    std::filesystem::resize_file(folder_.write(name, ""), std::uintmax_t{64} << 20U);
+  }
+  const auto files = PageFiles::read(folder_.path());
+  ASSERT_FALSE(files);
+  EXPECT_EQ(files.error().kind, ErrorKind::Unreadable);
+  EXPECT_EQ(files.error().message,
+            folder_.path().string() +
+                ": holds more than 256 MiB; take out what does not belong to the page");
+}
+
 TEST_F(PageFilesTest, AFileThatCannotBeReadIsNamed) {
   std::filesystem::create_symlink(folder_.path() / "nowhere", folder_.path() / "broken.js");
   const auto files = PageFiles::read(folder_.path());
