@@ -141,7 +141,7 @@ Result<EngineMessage> parse_engine_message(std::string_view bytes) {
   if (message.kind == EngineMessage::Kind::Since) {
     const auto after = line.number("after");
     if (!after) return after.error();
-    if (*after > message.seq) return broken("its after= is behind its seq=");
+    if (*after > message.seq) return broken("its after= is greater than its seq=");
     message.after = *after;
   }
   const bool whole = bytes.empty() || (bytes.front() == '{' && bytes.back() == '}');

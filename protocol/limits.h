@@ -51,7 +51,8 @@ inline constexpr std::chrono::milliseconds kTlsHandshakeTimeMax{10'000};
 /// longest wait for the peer to close; and the most bytes that are read from the peer meanwhile.
 inline constexpr std::chrono::milliseconds kDrainTimeMax{2000};
 inline constexpr std::size_t kDrainBytesMax = 65536;
-/// Changes-only form: the most keyframe time between the beginnings of two full keyframes.
+/// Changes-only form: the longest sum of times from a full keyframe to any changes-only one that
+/// builds on it, both included.
 inline constexpr std::chrono::milliseconds kFullKeyframeEvery{10'000};
 /// Live: keyframe time that may be in flight to one client; limits the client's window.
 inline constexpr std::chrono::milliseconds kLiveWindowTime{2000};

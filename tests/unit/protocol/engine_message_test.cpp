@@ -52,7 +52,7 @@ TEST(EngineMessage, SaysWhatIsWrong) {
       {"batch origin=a seq=9007199254740992 place=0\n", "seq= is no number"},
       {"batch origin=a seq=1\n", "no place="},
       {"since origin=a seq=1 place=0\n", "no after="},
-      {"since origin=a seq=1 place=0 after=2\n", "after= is behind"},
+      {"since origin=a seq=1 place=0 after=2\n", "after= is greater than"},
       {"batch origin=a seq=1 place=0\n{12", "no whole packets"},
       {"batch origin=a seq=1 place=0\n12}", "no whole packets"},
       {"state origin=a seq=1 place=0\n{12}", "without a hello"},
