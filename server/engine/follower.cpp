@@ -43,7 +43,7 @@ std::vector<Follower::Event> Follower::on_answer(std::string_view bytes, Instant
   } else if (!asking_) {
     // Several origins answer who asks all of them: the first one counts.
     if (message->origin != origin_) {
-      complain(other_origin_, "origin " + message->origin + " sends it too and is left out", now);
+      complain_of_other(message->origin, now);
     }
   } else if (message->kind == EngineMessage::Kind::State) {
     take_state(*message, now);
@@ -61,7 +61,7 @@ void Follower::take_batch(Message message, Instant now) {
     return;
   }
   if (message.origin != *origin_) {
-    complain(other_origin_, "origin " + message.origin + " sends it too and is left out", now);
+    complain_of_other(message.origin, now);
     return;
   }
   heard_at_ = now;
@@ -198,6 +198,10 @@ std::optional<Instant> Follower::deadline() const {
   if (asking_ && connected_) first = ask_times_.next();
   if (origin_) first = std::min(first.value_or(heard_at_ + kSilence), heard_at_ + kSilence);
   return first;
+}
+
+void Follower::complain_of_other(const std::string& origin, Instant now) {
+  complain(other_origin_, "origin " + origin + " sends it too and is left out", now);
 }
 
 void Follower::complain(RecurringComplaint& complaint, const std::string& text, Instant now) {

@@ -84,6 +84,7 @@ class Follower {
   void want(Instant now);
   void answered(Instant now);
   void complain(RecurringComplaint& complaint, const std::string& text, Instant now);
+  void complain_of_other(const std::string& origin, Instant now);
 
   std::string id_;
   std::optional<std::string> origin_;

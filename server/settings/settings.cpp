@@ -124,7 +124,7 @@ Result<void> Settings::add_file(std::string_view text, const std::string& file) 
       return bad(entry.value.place,
                  entry.key + " is not " + std::string(type_name(row->value.kind)));
     }
-    settings_[entry.key] = {std::move(*words), Layer::File, file, entry.value.place};
+    settings_[entry.key] = {std::move(*words), Origin::File, file, entry.value.place};
   }
   return {};
 }
@@ -148,13 +148,13 @@ Result<void> Settings::add_environment(const Environment& environment) {
       const auto parts = split(value, ',');
       words.assign(parts.begin(), parts.end());
     }
-    settings_[std::string(row->option.name)] = {std::move(words), Layer::Variable};
+    settings_[std::string(row->option.name)] = {std::move(words), Origin::Variable};
   }
   return {};
 }
 
 void Settings::add_typed(const TypedWords& typed) {
-  for (const auto& [name, words] : typed) settings_[name] = {words, Layer::CommandLine};
+  for (const auto& [name, words] : typed) settings_[name] = {words, Origin::CommandLine};
 }
 
 Result<void> Settings::read() const {
@@ -172,12 +172,12 @@ Result<void> Settings::read() const {
 
 Error Settings::wrong(const OptionRow& row, const Setting& setting, const std::string& word,
                       const std::string& complaint) {
-  if (setting.layer == Layer::File) {
+  if (setting.origin == Origin::File) {
     return {ErrorKind::BadData,
             at_place(setting.file, setting.place.line, setting.place.column,
                      std::string(row.option.name) + " '" + escaped(word) + "' " + complaint)};
   }
-  return wrong_word(setting.layer == Layer::Variable ? variable_name(row) : typed_name(row), word,
+  return wrong_word(setting.origin == Origin::Variable ? variable_name(row) : typed_name(row), word,
                     complaint);
 }
 
@@ -193,14 +193,14 @@ std::string Settings::value_text(const OptionRow& row, const Setting& setting) {
 }
 
 std::string Settings::origin(const OptionRow& row, const Setting& setting) {
-  switch (setting.layer) {
-    case Layer::Default:
+  switch (setting.origin) {
+    case Origin::Default:
       return "default";
-    case Layer::File:
+    case Origin::File:
       return escaped(setting.file, 200) + ":" + std::to_string(setting.place.line);
-    case Layer::Variable:
+    case Origin::Variable:
       return "environment " + variable_name(row);
-    case Layer::CommandLine:
+    case Origin::CommandLine:
       return "command line";
   }
   return "";

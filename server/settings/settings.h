@@ -46,13 +46,13 @@ class Settings {
   [[nodiscard]] std::string print() const;
 
  private:
-  enum class Layer : std::uint8_t { Default, File, Variable, CommandLine };
+  enum class Origin : std::uint8_t { Default, File, Variable, CommandLine };
 
   /// The words of one option, and where they come from.
   struct Setting {
     std::vector<std::string> words;
-    Layer layer = Layer::Default;
-    std::string file = {};    ///< if Layer::File
+    Origin origin = Origin::Default;
+    std::string file = {};    ///< if Origin::File
     LinePosition place = {};  ///< in that file
   };
 

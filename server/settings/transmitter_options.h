@@ -92,7 +92,8 @@ struct Surroundings {
 [[nodiscard]] Result<CommandLine> read_command_line(std::vector<std::string> arguments,
                                                     const Surroundings& surroundings = {});
 
-/// Checks each range and the combinations of options. read_command_line() does so itself.
+/// Checks what depends on more than one option; ranges are checked when words are read.
+/// read_command_line() does so itself.
 [[nodiscard]] Result<void> validate(const TransmitterOptions& options);
 
 /// "0.2.0"

@@ -57,7 +57,7 @@ void Totals::add(const ClientRecord& record) {
 }
 
 void Stats::add(ClientRecord record) {
-  add_pushed(record);
+  totals_.add(record);
   ++clients_;
   ++end_reasons_[std::string(name(record.end_reason))];
   records_.push_back(std::move(record));
