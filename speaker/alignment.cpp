@@ -99,7 +99,7 @@ void add_cosines(const std::array<float, kBands>& bands, std::vector<float>& row
 }
 
 void normalise(Cepstrum& cepstrum) {
-  const std::size_t n = cepstrum.frames();
+  const std::size_t n = cepstrum.windows();
   for (std::size_t k = 0; n > 0 && k < Cepstrum::kCoefficients; ++k) {
     double sum = 0;
     double squares = 0;
@@ -125,23 +125,23 @@ float distance(const Cepstrum& a, std::size_t i, const Cepstrum& b, std::size_t 
   return std::sqrt(sum);
 }
 
-/// Which frames of b are considered for each frame of a: [first, last).
+/// Which windows of b are considered for each of a: [first, last).
 struct Band {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/// Where the cheapest way to a pair of frames comes from.
+/// Where the cheapest way to a pair of windows comes from.
 enum class Step : std::uint8_t { None, Both, OfA, OfB };
 
-/// Dynamic time warping within a band for each frame of a. No path is found through sounds whose
+/// Dynamic time warping within a band for each window of a. No path is found through sounds whose
 /// samples are no numbers: none of their distances is less than another.
 AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>& bands) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
-  std::vector<std::vector<Step>> steps(a.frames());
+  std::vector<std::vector<Step>> steps(a.windows());
   std::vector<float> before;
   Band band_before{};
-  for (std::size_t i = 0; i < a.frames(); ++i) {
+  for (std::size_t i = 0; i < a.windows(); ++i) {
     const Band band = bands[i];
     std::vector<float> costs(band.last - band.first, kNever);
     steps[i].resize(costs.size());
@@ -166,7 +166,7 @@ AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>
     band_before = band;
   }
   // Back from the end. Each step leads to a pair that has a cost, so it stays within the bands.
-  AlignmentPath path{{a.frames() - 1, b.frames() - 1}};
+  AlignmentPath path{{a.windows() - 1, b.windows() - 1}};
   while (true) {
     auto [i, j] = path.back();
     const Step step = steps[i][j - bands[i].first];
@@ -180,11 +180,11 @@ AlignmentPath warp(const Cepstrum& a, const Cepstrum& b, const std::vector<Band>
   return path;
 }
 
-/// A coarser cepstrum: each frame is the mean of `by` frames.
+/// A coarser cepstrum: each window is the mean of `by` windows.
 Cepstrum coarser(const Cepstrum& fine, std::size_t by) {
   Cepstrum coarse;
-  for (std::size_t begin = 0; begin < fine.frames(); begin += by) {
-    const std::size_t end = std::min(begin + by, fine.frames());
+  for (std::size_t begin = 0; begin < fine.windows(); begin += by) {
+    const std::size_t end = std::min(begin + by, fine.windows());
     for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) {
       float sum = 0;
       for (std::size_t i = begin; i < end; ++i) sum += fine.rows[i * Cepstrum::kCoefficients + k];
@@ -194,7 +194,7 @@ Cepstrum coarser(const Cepstrum& fine, std::size_t by) {
   return coarse;
 }
 
-/// Bands around the diagonal, of `reach` frames to either side, or of more where b is so much
+/// Bands around the diagonal, of `reach` windows to either side, or of more where b is so much
 /// longer that neighbouring bands would not touch.
 std::vector<Band> diagonal(std::size_t a, std::size_t b, std::size_t reach) {
   reach = std::max(reach, b / a + 1);
@@ -226,8 +226,8 @@ std::vector<Band> around(const AlignmentPath& coarse, std::size_t by, std::size_
 }
 
 float likeness(const Cepstrum& a, const Cepstrum& b, const AlignmentPath& path) {
-  const auto loudness = [](const Cepstrum& sound, std::size_t frame) {
-    return static_cast<double>(sound.rows[frame * Cepstrum::kCoefficients]);
+  const auto loudness = [](const Cepstrum& sound, std::size_t window) {
+    return static_cast<double>(sound.rows[window * Cepstrum::kCoefficients]);
   };
   const auto n = static_cast<double>(path.size());
   double x = 0;
@@ -257,13 +257,13 @@ float likeness(const Cepstrum& a, const Cepstrum& b, const AlignmentPath& path) 
 
 Cepstrum cepstrum_of(std::span<const float> samples, int rate) {
   const auto per_ms = [rate](std::size_t ms) { return ms * static_cast<std::size_t>(rate) / 1000; };
-  const std::size_t window = per_ms(32);
+  const std::size_t length = per_ms(32);
   Cepstrum cepstrum;
-  Spectrum spectrum(window, rate);
-  for (std::size_t frame = 0;; ++frame) {
-    const std::size_t at = per_ms(frame * static_cast<std::size_t>(Cepstrum::kHop.count()));
-    if (at + window > samples.size()) break;
-    add_cosines(spectrum.bands(samples.subspan(at, window), at == 0 ? 0 : samples[at - 1]),
+  Spectrum spectrum(length, rate);
+  for (std::size_t window = 0;; ++window) {
+    const std::size_t at = per_ms(window * static_cast<std::size_t>(Cepstrum::kHop.count()));
+    if (at + length > samples.size()) break;
+    add_cosines(spectrum.bands(samples.subspan(at, length), at == 0 ? 0 : samples[at - 1]),
                 cepstrum.rows);
   }
   normalise(cepstrum);
@@ -274,13 +274,13 @@ AlignmentPath align(const Cepstrum& a, const Cepstrum& b) {
   constexpr std::size_t kCoarser = 20;       // 200 ms
   constexpr std::size_t kCoarseReach = 300;  // a minute beside the diagonal
   constexpr std::size_t kReach = 100;        // a second beside the coarse path
-  if (a.frames() == 0 || b.frames() == 0) return {};
+  if (a.windows() == 0 || b.windows() == 0) return {};
   const Cepstrum coarse_a = coarser(a, kCoarser);
   const Cepstrum coarse_b = coarser(b, kCoarser);
   const AlignmentPath coarse =
-      warp(coarse_a, coarse_b, diagonal(coarse_a.frames(), coarse_b.frames(), kCoarseReach));
+      warp(coarse_a, coarse_b, diagonal(coarse_a.windows(), coarse_b.windows(), kCoarseReach));
   if (coarse.empty()) return {};
-  return warp(a, b, around(coarse, kCoarser, a.frames(), b.frames(), kReach));
+  return warp(a, b, around(coarse, kCoarser, a.windows(), b.windows(), kReach));
 }
 
 CarriedOver carried_over(const Speech& synthesised, std::vector<float> narration, int rate) {
@@ -289,10 +289,10 @@ CarriedOver carried_over(const Speech& synthesised, std::vector<float> narration
   const AlignmentPath path = align(made, read);
   const auto moved = [&path](Milliseconds time) {
     const auto hop = Cepstrum::kHop;
-    const auto frame = static_cast<std::size_t>(time / hop);
-    // Where one frame belongs to several the middle one is the likeliest.
+    const auto window = static_cast<std::size_t>(time / hop);
+    // Where one window belongs to several the middle one is the likeliest.
     const auto [first, last] =
-        std::equal_range(path.begin(), path.end(), std::pair{frame, std::size_t{0}},
+        std::equal_range(path.begin(), path.end(), std::pair{window, std::size_t{0}},
                          [](const auto& x, const auto& y) { return x.first < y.first; });
     if (first == last) return path.empty() ? time : hop * static_cast<int>(path.back().second);
     const std::size_t middle = (first->second + std::prev(last)->second) / 2;

@@ -9,24 +9,25 @@
 
 namespace aucast::speaker {
 
-/// Which frames of two sounds belong together: pairs of frame numbers, one of each sound. Neither
+/// Which windows of two sounds belong together: pairs of their numbers, one of each sound. Neither
 /// number decreases from pair to pair.
 using AlignmentPath = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// A description of a sound by which voices can be compared: its mel-frequency cepstrum, frame by
-/// frame.
+/// A description of a sound by which voices can be compared: its mel-frequency cepstrum, window
+/// by window.
 struct Cepstrum {
   static constexpr std::size_t kCoefficients = 13;
   static constexpr Milliseconds kHop{10};
 
-  /// One row of kCoefficients for each frame; each coefficient is normalised to mean 0 and standard
-  /// deviation 1 over the whole sound.
+  /// One row of kCoefficients for each window; each coefficient is normalised to mean 0 and
+  /// standard deviation 1 over the whole sound.
   std::vector<float> rows;
 
-  [[nodiscard]] std::size_t frames() const { return rows.size() / kCoefficients; }
+  [[nodiscard]] std::size_t windows() const { return rows.size() / kCoefficients; }
 };
 
-/// The cepstrum of mono samples in [-1,1], at `rate` samples a second; a frame of 32 ms every kHop.
+/// The cepstrum of mono samples in [-1,1], at `rate` samples a second; a window of 32 ms every
+/// kHop.
 [[nodiscard]] Cepstrum cepstrum_of(std::span<const float> samples, int rate);
 
 /// The cheapest path through both (dynamic time warping), from both beginnings to both ends. A

@@ -81,7 +81,7 @@ TEST(CarriedOver, TellsHowAlikeBothAre) {
   spoken.samples = tones({200, 900, 400, 1500}, {300, 300, 300, 300}, spoken.rate);
   EXPECT_GT(carried_over(spoken, spoken.samples, spoken.rate).likeness, 0.999F);
   EXPECT_EQ(carried_over(spoken, std::vector<float>(64000), 16000).likeness, 0) << "silence";
-  EXPECT_EQ(carried_over(spoken, std::vector<float>(10), 16000).likeness, 0) << "no frame";
+  EXPECT_EQ(carried_over(spoken, std::vector<float>(10), 16000).likeness, 0) << "no window";
 }
 
 TEST(Align, ASoundWithItselfIsTheDiagonal) {
@@ -90,7 +90,7 @@ TEST(Align, ASoundWithItselfIsTheDiagonal) {
 }
 
 /// Frames of which each differs from its neighbours.
-Cepstrum frames(std::size_t count) {
+Cepstrum windows(std::size_t count) {
   Cepstrum cepstrum;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < Cepstrum::kCoefficients; ++k) {
@@ -111,7 +111,7 @@ TEST(Align, APathGoesFromBothBeginningsToBothEndsWithoutALeap) {
                                                                              {2000, 500},
                                                                              {3000, 2999},
                                                                              {30'000, 41}}) {
-    const AlignmentPath path = align(frames(a), frames(b));
+    const AlignmentPath path = align(windows(a), windows(b));
     ASSERT_FALSE(path.empty()) << a << " and " << b;
     EXPECT_EQ(path.front(), (std::pair<std::size_t, std::size_t>(0, 0)));
     EXPECT_EQ(path.back(), (std::pair<std::size_t, std::size_t>(a - 1, b - 1)));
@@ -145,7 +145,7 @@ TEST(CepstrumOf, HasAFrameEachHundredthOfASecondThatFitsWhole) {
   for (const int rate : {16000, 22050, 48000}) {
     const auto ms = [rate](int time) { return static_cast<std::size_t>(time * rate / 1000); };
     const auto count = [rate](std::size_t samples) {
-      return cepstrum_of(std::vector<float>(samples, 0.1F), rate).frames();
+      return cepstrum_of(std::vector<float>(samples, 0.1F), rate).windows();
     };
     EXPECT_EQ(count(ms(32) - 1), 0U) << rate;
     EXPECT_EQ(count(ms(32)), 1U) << rate;
@@ -163,7 +163,7 @@ TEST(CepstrumOf, EachCoefficientHasMeanZeroAndDeviationOne) {
       sum += static_cast<double>(sound.rows[i]);
       squares += std::pow(static_cast<double>(sound.rows[i]), 2);
     }
-    const auto n = static_cast<double>(sound.frames());
+    const auto n = static_cast<double>(sound.windows());
     EXPECT_NEAR(sum / n, 0, 1e-4) << k;
     EXPECT_NEAR(squares / n, 1, 1e-3) << k;
   }
