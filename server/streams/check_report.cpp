@@ -79,16 +79,12 @@ std::string au_lines(const StreamSummary& summary) {
   return text;
 }
 
-double in_seconds(Milliseconds time) {
-  return static_cast<double>(time.count()) / 1000;
-}
-
 std::string silence_lines(const std::vector<Silence>& silences) {
   constexpr std::size_t kShownMax = 5;
   std::string text;
   for (std::size_t i = 0; i < std::min(silences.size(), kShownMax); ++i) {
-    text += formatted("  %-11s %.3f s to %.3f s\n", "silence", in_seconds(silences[i].begin),
-                      in_seconds(silences[i].end));
+    text += formatted("  %-11s %.3f s to %.3f s\n", "silence", seconds(silences[i].begin),
+                      seconds(silences[i].end));
   }
   if (silences.size() > kShownMax) {
     text += formatted("  %-11s and %zu times more for 3 s and longer\n", "",
@@ -103,18 +99,18 @@ std::string voice_lines(const VoiceFile& file, const VoiceSummary& voice, Millis
   const std::size_t bytes = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   const double ms = std::max(static_cast<double>(voice.end.count()), 1.0);
   std::string text = formatted("  %-11s ", "voice") + printable(file.path.string()) +
-                     formatted(": %.3f s, %.1f kbit/s in %zu packets\n", in_seconds(voice.end),
+                     formatted(": %.3f s, %.1f kbit/s in %zu packets\n", seconds(voice.end),
                                static_cast<double>(bytes) * 8 / ms, sizes.size());
   const Milliseconds promised = file.begin + file.duration;
   if (promised - voice.end > kMuch) {
     text += formatted("  %-11s it can be read up to %.3f s only, and should last %.3f s\n", "",
-                      in_seconds(voice.end), in_seconds(promised));
+                      seconds(voice.end), seconds(promised));
   }
   if (!voice.complaint.empty()) text += formatted("  %-11s ", "") + voice.complaint + "\n";
   const Milliseconds longer = voice.end - face;
   if (longer > kMuch || -longer > kMuch) {
     text += formatted("  %-11s the voice ends at %.3f s, the face at %.3f s\n", "lengths",
-                      in_seconds(voice.end), in_seconds(face));
+                      seconds(voice.end), seconds(face));
   }
   return text + silence_lines(voice.silences);
 }
@@ -124,8 +120,8 @@ std::string caption_lines(const std::vector<protocol::CaptionData>& captions) {
   const auto shown = std::count_if(captions.begin(), captions.end(),
                                    [](const auto& caption) { return !caption.text.empty(); });
   return formatted("  %-11s %td, from %.3f s to %.3f s\n", "captions", shown,
-                   in_seconds(Milliseconds(captions.front().place_ms)),
-                   in_seconds(Milliseconds(captions.back().place_ms)));
+                   seconds(Milliseconds(captions.front().place_ms)),
+                   seconds(Milliseconds(captions.back().place_ms)));
 }
 
 }  // namespace

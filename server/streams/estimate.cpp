@@ -78,8 +78,8 @@ std::size_t peak_bytes(const std::vector<Sent>& all) {
   return most;
 }
 
-double kbits(std::size_t bytes, double seconds) {
-  return static_cast<double>(bytes) * 8 / 1000 / seconds;
+double kbits(std::size_t bytes, double in_seconds) {
+  return static_cast<double>(bytes) * 8 / 1000 / in_seconds;
 }
 
 std::string line_of(const char* form, const std::vector<std::size_t>& sizes, const Times& times,
@@ -88,11 +88,11 @@ std::string line_of(const char* form, const std::vector<std::size_t>& sizes, con
   const std::vector<Sent> headed = sendings(sizes, times, batch, kHeaderBytes);
   const Milliseconds whole = std::accumulate(times.begin(), times.end(), Milliseconds::zero());
   // A stream of no length goes out at once: then the peak says it all.
-  const double seconds = std::max(static_cast<double>(whole.count()) / 1000, 1.0);
+  const double length = std::max(seconds(whole), 1.0);
   std::array<char, 160> line{};
   std::snprintf(line.data(), line.size(), "  %-13s %10zu %9.1f %9.1f %12zu %9.1f %9.1f\n", form,
-                bytes_of(plain), kbits(bytes_of(plain), seconds), kbits(peak_bytes(plain), 1),
-                bytes_of(headed), kbits(bytes_of(headed), seconds), kbits(peak_bytes(headed), 1));
+                bytes_of(plain), kbits(bytes_of(plain), length), kbits(peak_bytes(plain), 1),
+                bytes_of(headed), kbits(bytes_of(headed), length), kbits(peak_bytes(headed), 1));
   return line.data();
 }
 
@@ -105,13 +105,11 @@ std::vector<std::size_t> sum_of(std::vector<std::size_t> a, const std::vector<st
 
 std::string estimate_report(const Source& source, Milliseconds batch, const VoiceSummary* voice) {
   const protocol::EncodedStream& served = *source.stream;
-  const Milliseconds whole =
-      std::accumulate(served.times.begin(), served.times.end(), Milliseconds::zero());
   std::array<char, 200> head{};
   std::snprintf(head.data(), head.size(),
                 "  %zu keyframes in %.3f s            kbit/s       with TCP/IP          kbit/s\n"
                 "  form               bytes      mean      peak        bytes      mean      peak\n",
-                served.negotiated.size(), static_cast<double>(whole.count()) / 1000);
+                served.negotiated.size(), seconds(protocol::length_of(served)));
   std::string text = at_place(source.path.string(), source.name) + "\n" + head.data();
   const auto add = [&](const char* form, const protocol::EncodedStream& stream,
                        const std::vector<std::size_t>& sizes) {
