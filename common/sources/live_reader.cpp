@@ -149,7 +149,7 @@ void LiveReader::read_line(LineSplitter::Line& line, SteadyTime now) {
     return;
   }
   if (trimmed(line.text, kBlanks).empty() || (!text_ && is_preamble(line.text))) return;
-  if (trimmed(line.text, kBlanks) == "Beg_Stream" && table_) {
+  if (trimmed(line.text, kBlanks) == protocol::kBeginTag && table_) {
     table_.reset();
     timeline_.restart();
   }
@@ -217,10 +217,10 @@ bool LiveReader::read_text(const LineSplitter::Line& line, SteadyTime now) {
   const std::string_view content =
       trimmed(std::string_view(line.text).substr(0, line.text.find('#')), kBlanks);
   if (content.empty()) return true;
-  if (content == "Beg_Stream" || content == "End_Stream") {
+  if (content == protocol::kBeginTag || content == protocol::kEndTag) {
     text_ = true;
     understood();
-    if (content == "End_Stream" && arrived_) silent_since_ = now;
+    if (content == protocol::kEndTag && arrived_) silent_since_ = now;
     return true;
   }
   protocol::Keyframe keyframe;
