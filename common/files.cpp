@@ -206,6 +206,18 @@ bool keep_mode(int file, const fs::file_status& before) {
   return !fs::exists(before) || ::fchmod(file, mode) == 0;
 }
 
+/// Gives the temporary file the name and mode of the file that it replaces once it is on the disk.
+/// If that fails, or it is not `whole`, removes it; errno has the reason.
+Result<void> give_name(Descriptor& file, bool whole, const fs::path& temporary,
+                       const fs::path& path, const fs::file_status& before) {
+  const bool done = whole && keep_mode(file.get(), before) && ::fsync(file.get()) == 0 &&
+                    file.close() && ::rename(temporary.c_str(), path.c_str()) == 0;
+  if (done) return {};
+  const int error_number = errno;
+  ::unlink(temporary.c_str());
+  return unwritable(path, system_reason(error_number));
+}
+
 }  // namespace
 
 Result<std::string> read_file(const fs::path& path, std::size_t bytes_max, const StopToken& stop) {
@@ -270,13 +282,8 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view bytes)
   if (is_special(path, status)) return write_special(path, status, bytes);
   auto temporary = open_temporary_beside(path);
   if (!temporary) return temporary.error();
-  const int file = temporary->file.get();
-  const bool done = keep_mode(file, status) && write_all(file, bytes) && ::fsync(file) == 0 &&
-                    temporary->file.close() && ::rename(temporary->path.c_str(), path.c_str()) == 0;
-  if (done) return {};
-  const int error_number = errno;
-  ::unlink(temporary->path.c_str());
-  return unwritable(path, system_reason(error_number));
+  const bool whole = write_all(temporary->file.get(), bytes);
+  return give_name(temporary->file, whole, temporary->path, path, status);
 }
 
 Result<void> check_writable(const fs::path& path) {
@@ -315,14 +322,10 @@ Result<fs::path> create_temporary_beside(const fs::path& path) {
 }
 
 Result<void> replace_file(const fs::path& temporary, const fs::path& path) {
-  const Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   std::error_code ignored;
-  const bool done = file.open() && keep_mode(file.get(), fs::status(path, ignored)) &&
-                    ::fsync(file.get()) == 0 && ::rename(temporary.c_str(), path.c_str()) == 0;
-  if (done) return {};
-  const int error_number = errno;
-  ::unlink(temporary.c_str());
-  return unwritable(path, system_reason(error_number));
+  const fs::file_status before = fs::status(path, ignored);
+  Descriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  return give_name(file, file.open(), temporary, path, before);
 }
 
 fs::path whole_path(const fs::path& path) {
