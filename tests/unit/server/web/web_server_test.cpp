@@ -52,7 +52,9 @@ TEST(WebServer, OfALargeFileTheSystemHoldsSoLittleThatASlowClientIsSeenToTakeIt)
   asio::write(client, asio::buffer(std::string("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")));
   const tcp::endpoint us = client.local_endpoint();
   ASSERT_TRUE(test::run_until(io, [&] { return held_for(us) > 10'000; }));
-  io.run_for(std::chrono::milliseconds(50));
+  // All that the server can do until somebody reads.
+  while (io.poll() > 0) {
+  }
   EXPECT_LT(held_for(us), 500'000);
 }
 
