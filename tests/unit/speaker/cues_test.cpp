@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "common/au_numbers.h"
-#include "speaker/performance.h"
+#include "tests/unit/speaker/performed.h"
 
 namespace aucast::speaker {
 namespace {
@@ -98,67 +96,6 @@ TEST(CheckCues, TellThatMusclesAreNotCarried) {
       << "nor is it proposed";
 }
 
-/// Says the script's words one second apart, from 2 s on, without a sound that moves the lips.
-Speech a_word_each_second(const Script& script) {
-  Speech speech;
-  const Characters text(script.text);
-  Milliseconds begin{2000};
-  for (std::size_t i = 0; i < text.count(); ++i) {
-    if (text.part(i, 1) == " " || text.part(i, 1) == "\n") continue;
-    std::size_t length = 1;
-    while (text.part(i + length, 1) != " " && text.part(i + length, 1) != "\n") ++length;
-    speech.words.push_back({begin, i, length});
-    begin += Milliseconds(1000);
-    i += length;
-  }
-  speech.samples.resize(static_cast<std::size_t>((begin.count() + 2000) * speech.rate / 1000));
-  return speech;
-}
-
-class Performed {
- public:
-  explicit Performed(const std::string& text, float amount = 0) {
-    const Expressions expressions{{"brows", {{kOuterBrowRaiser, Side::Both, 80}}},
-                                  {"smirk", {{kLipCornerPuller, Side::Left, 100}}},
-                                  {"gape", {{kJawDrop, Side::Both, 100}}},
-                                  {"neutral", {{0, Side::Both, 100}}}};
-    auto script = parse_script(text, "t");
-    EXPECT_TRUE(script);
-    EXPECT_TRUE(check_cues(*script, expressions, "t"));
-    const Speech speech = a_word_each_second(*script);
-    length_ = speech.length();
-    stream_ = perform(speech, *script, expressions, {.seed = 1, .amount = amount});
-  }
-
-  [[nodiscard]] const std::vector<protocol::Keyframe>& keyframes() const {
-    return stream_.keyframes;
-  }
-  [[nodiscard]] Milliseconds length() const { return length_; }
-
-  /// In percent, as a player shows it that draws straight lines.
-  [[nodiscard]] double at(int ms, int au, Side side = Side::Both) const {
-    double from = 0;
-    std::uint32_t begin = 0;
-    for (const protocol::Keyframe& keyframe : stream_.keyframes) {
-      double to = 0;
-      for (const AuTerm& term : keyframe.terms) {
-        if (term.number == au && term.side == side) to = term.percent;
-      }
-      const std::uint32_t end = begin + *keyframe.time_ms;
-      if (static_cast<std::uint32_t>(ms) <= end) {
-        return from + (to - from) * (ms - static_cast<double>(begin)) / *keyframe.time_ms;
-      }
-      from = to;
-      begin = end;
-    }
-    return from;
-  }
-
- private:
-  protocol::StreamFile stream_;
-  Milliseconds length_{0};
-};
-
 constexpr double kNear = 8;  ///< percent: the tolerance of the keyframes, and what is rounded
 
 TEST(Cues, ShowWhollyFromTheirWordAndBeginBeforeIt) {
@@ -202,78 +139,6 @@ TEST(Cues, AfterTheLastWordAskForNothing) {
   for (int ms = 0; ms < face.length().count(); ms += 100) {
     EXPECT_EQ(face.at(ms, kOuterBrowRaiser), 0) << ms;
   }
-}
-
-TEST(Perform, GivesAStreamFileThatReadsBackWhateverTheAmount) {
-  for (const float amount : {0.0F, 1.0F, 2.0F}) {
-    const Performed face("[smirk] one [brows] two three? four\n\nfive. [L12:100,R12:20] six",
-                         amount);
-    protocol::StreamFile stream;
-    stream.keyframes = face.keyframes();
-    const auto read = protocol::parse_stream_file(protocol::format_stream_file(stream), "t");
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->keyframes.size(), face.keyframes().size());
-    std::uint64_t ms = 0;
-    for (const protocol::Keyframe& keyframe : face.keyframes()) {
-      ASSERT_TRUE(keyframe.time_ms);
-      EXPECT_GT(*keyframe.time_ms, 0U);
-      EXPECT_LE(*keyframe.time_ms, 1000U) << "who joins waits no longer for a whole face";
-      ms += *keyframe.time_ms;
-    }
-    EXPECT_EQ(ms, static_cast<std::uint64_t>(face.length().count()) / 20 * 20);
-  }
-}
-
-std::vector<AuTerm> last_terms(Curves curves) {
-  return keyframes_of(curves, 0.01F).back().terms;
-}
-
-TEST(KeyframesOf, AFaceThatDoesNothingIsNeutral) {
-  const Curves still(Milliseconds(500));
-  const auto keyframes = keyframes_of(still, 0.01F);
-  ASSERT_EQ(keyframes.size(), 1U);
-  EXPECT_EQ(keyframes.front().terms, (std::vector<AuTerm>{{0, Side::Both, 100}}));
-  EXPECT_EQ(keyframes.front().time_ms, 500U);
-}
-
-TEST(KeyframesOf, ASideIsNamedWhereItIsStrongerThanBoth) {
-  Curves curves(Milliseconds(100));
-  curves.of(12).back() = 0.5F;
-  curves.of(12, Side::Left).back() = 0.8F;
-  curves.of(12, Side::Right).back() = 0.4F;
-  curves.of(14, Side::Right).back() = 0.3F;
-  curves.of(26).back() = 0.014F;
-  EXPECT_EQ(
-      last_terms(curves),
-      (std::vector<AuTerm>{{12, Side::Both, 50}, {12, Side::Left, 80}, {14, Side::Right, 30}}))
-      << "a percent is nothing";
-}
-
-TEST(KeyframesOf, AJumpIsWhereItIsAndNotBefore) {
-  Curves curves(Milliseconds(2000));
-  std::vector<float>& samples = curves.of(45);
-  std::fill(samples.begin() + 30, samples.begin() + 33, 1.0F);
-  std::uint32_t at = 0;
-  std::vector<std::uint32_t> shut;
-  for (const protocol::Keyframe& keyframe : keyframes_of(curves, 0.07F)) {
-    at += *keyframe.time_ms;
-    if (keyframe.terms.front().number == 45) shut.push_back(at);
-  }
-  EXPECT_EQ(shut, (std::vector<std::uint32_t>{600, 640}));
-  EXPECT_EQ(at, 2000U);
-}
-
-TEST(KeyframesOf, ASpeechShorterThanAStepHasNone) {
-  EXPECT_TRUE(keyframes_of(Curves(Milliseconds(10)), 0.05F).empty());
-}
-
-TEST(CurvesIndex, StaysWithinTheCurve) {
-  const Curves curves(Milliseconds(100));
-  EXPECT_EQ(curves.steps, 6U);
-  EXPECT_EQ(curves.index(Milliseconds(-300)), 0U);
-  EXPECT_EQ(curves.index(Milliseconds(39)), 1U);
-  EXPECT_EQ(curves.index(Milliseconds(100)), 5U);
-  EXPECT_EQ(curves.index(Milliseconds(5000)), 5U);
 }
 
 }  // namespace

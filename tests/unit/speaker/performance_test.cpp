@@ -9,6 +9,7 @@
 #include "common/au_numbers.h"
 #include "speaker/espeak_voice.h"
 #include "speaker/gestures.h"
+#include "tests/unit/speaker/performed.h"
 
 namespace aucast::speaker {
 namespace {
@@ -273,6 +274,78 @@ TEST(KeyframesOf, StayWithinTheToleranceOfTheCurves) {
     const Milliseconds at = Curves::kStep * static_cast<int>(i);
     EXPECT_NEAR(shown(stream, 12, at), samples[i], 0.06F + 0.02F) << at.count() << " ms";
   }
+}
+
+TEST(Perform, GivesAStreamFileThatReadsBackWhateverTheAmount) {
+  for (const float amount : {0.0F, 1.0F, 2.0F}) {
+    const Performed face("[smirk] one [brows] two three? four\n\nfive. [L12:100,R12:20] six",
+                         amount);
+    protocol::StreamFile stream;
+    stream.keyframes = face.keyframes();
+    const auto read = protocol::parse_stream_file(protocol::format_stream_file(stream), "t");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->keyframes.size(), face.keyframes().size());
+    std::uint64_t ms = 0;
+    for (const protocol::Keyframe& keyframe : face.keyframes()) {
+      ASSERT_TRUE(keyframe.time_ms);
+      EXPECT_GT(*keyframe.time_ms, 0U);
+      EXPECT_LE(*keyframe.time_ms, 1000U) << "who joins waits no longer for a whole face";
+      ms += *keyframe.time_ms;
+    }
+    EXPECT_EQ(ms, static_cast<std::uint64_t>(face.length().count()) / 20 * 20);
+  }
+}
+
+std::vector<AuTerm> last_terms(Curves curves) {
+  return keyframes_of(curves, 0.01F).back().terms;
+}
+
+TEST(KeyframesOf, AFaceThatDoesNothingIsNeutral) {
+  const Curves still(Milliseconds(500));
+  const auto keyframes = keyframes_of(still, 0.01F);
+  ASSERT_EQ(keyframes.size(), 1U);
+  EXPECT_EQ(keyframes.front().terms, (std::vector<AuTerm>{{0, Side::Both, 100}}));
+  EXPECT_EQ(keyframes.front().time_ms, 500U);
+}
+
+TEST(KeyframesOf, ASideIsNamedWhereItIsStrongerThanBoth) {
+  Curves curves(Milliseconds(100));
+  curves.of(12).back() = 0.5F;
+  curves.of(12, Side::Left).back() = 0.8F;
+  curves.of(12, Side::Right).back() = 0.4F;
+  curves.of(14, Side::Right).back() = 0.3F;
+  curves.of(26).back() = 0.014F;
+  EXPECT_EQ(
+      last_terms(curves),
+      (std::vector<AuTerm>{{12, Side::Both, 50}, {12, Side::Left, 80}, {14, Side::Right, 30}}))
+      << "a percent is nothing";
+}
+
+TEST(KeyframesOf, AJumpIsWhereItIsAndNotBefore) {
+  Curves curves(Milliseconds(2000));
+  std::vector<float>& samples = curves.of(45);
+  std::fill(samples.begin() + 30, samples.begin() + 33, 1.0F);
+  std::uint32_t at = 0;
+  std::vector<std::uint32_t> shut;
+  for (const protocol::Keyframe& keyframe : keyframes_of(curves, 0.07F)) {
+    at += *keyframe.time_ms;
+    if (keyframe.terms.front().number == 45) shut.push_back(at);
+  }
+  EXPECT_EQ(shut, (std::vector<std::uint32_t>{600, 640}));
+  EXPECT_EQ(at, 2000U);
+}
+
+TEST(KeyframesOf, ASpeechShorterThanAStepHasNone) {
+  EXPECT_TRUE(keyframes_of(Curves(Milliseconds(10)), 0.05F).empty());
+}
+
+TEST(CurvesIndex, StaysWithinTheCurve) {
+  const Curves curves(Milliseconds(100));
+  EXPECT_EQ(curves.steps, 6U);
+  EXPECT_EQ(curves.index(Milliseconds(-300)), 0U);
+  EXPECT_EQ(curves.index(Milliseconds(39)), 1U);
+  EXPECT_EQ(curves.index(Milliseconds(100)), 5U);
+  EXPECT_EQ(curves.index(Milliseconds(5000)), 5U);
 }
 
 }  // namespace
