@@ -1,6 +1,5 @@
 #include "client/app/window/making/editor_session.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <variant>
@@ -9,35 +8,12 @@
 #include "client/gui/editing/channel_groups.h"
 #include "client/gui/model/view_text.h"
 #include "client/gui/texts/texts.h"
-#include "client/pipeline/expression_muscles.h"
 #include "common/action_unit.h"
 #include "common/files.h"
 #include "common/overloaded.h"
 #include "protocol/codec.h"
 
 namespace aucast::app {
-namespace {
-
-std::vector<gui::ExpressionButton> buttons_of(const std::vector<Expression>& expressions) {
-  using gui::ExpressionKind;
-  std::vector<gui::ExpressionButton> buttons;
-  for (const Expression& expression : expressions) {
-    const auto same = [&](const gui::ExpressionButton& one) {
-      return one.kind == ExpressionKind::Main && one.label == expression.label;
-    };
-    gui::ExpressionButton button{expression.label, protocol::format_au_set(expression.aus),
-                                 ExpressionKind::Main, expression.source, expression.name};
-    if (!expression.muscles.empty()) {
-      button.kind = ExpressionKind::Macro;
-    } else if (std::any_of(buttons.begin(), buttons.end(), same)) {
-      button.kind = ExpressionKind::Other;
-    }
-    buttons.push_back(std::move(button));
-  }
-  return buttons;
-}
-
-}  // namespace
 
 EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping, Notices& notices,
                              const std::vector<float>& shown)
@@ -46,8 +22,8 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
       notices_(notices),
       shown_(shown),
       own_(assets, mapping),
+      chosen_(assets, mapping),
       editor_(mapping.face, mapping.recordings) {
-  expressions_.buttons = buttons_of(assets.expressions);
   list_aus();
 }
 
@@ -56,7 +32,7 @@ EditorSession::EditorSession(const Assets& assets, pipeline::AuMapping& mapping,
 void EditorSession::begin_with_shown() {
   if (edits() || editor_.activations() == shown_) return;
   transition_.reset();
-  show_none_of_them();
+  chosen_.clear();
   editor_.take(shown_, false);
 }
 
@@ -67,17 +43,16 @@ bool EditorSession::apply(const gui::EditorCommand& command, bool active, Instan
   // What is edited is shown at once, and is no longer the expression or the combined AUs.
   const auto edit = [&](auto change) {
     transition_.reset();
-    show_none_of_them();
+    chosen_.clear();
     change();
     return true;
   };
   const Overloaded carry_out{
-      [&](const gui::ShowExpression& one) {
-        // What another one was weakened to says nothing about this one.
-        if (strength_of_ && *strength_of_ != one.index) expressions_.percent = 100;
-        return show_expression(one.index, false, now);
+      [&](const gui::ShowExpression& one) { return show_expression(one.index, false, now); },
+      [&](const gui::ChangeStrength& one) {
+        const auto chosen = chosen_.set_strength(one.percent);
+        return chosen && show_expression(*chosen, one.continued, now);
       },
-      [&](const gui::ChangeStrength& one) { return change_strength(one, now); },
       [&](const gui::ShowAus& one) { return show_aus(one.aus, now); },
       [&](const gui::ChangeTransition& one) {
         transition_settings_ = one.settings;
@@ -120,29 +95,13 @@ bool EditorSession::apply(const gui::EditorCommand& command, bool active, Instan
 
 bool EditorSession::show_expression(std::size_t index, bool continued, Instant now) {
   if (index >= assets_.expressions.size()) return false;
-  const Expression expression =
-      at_strength(assets_.expressions[index], static_cast<float>(expressions_.percent) / 100.0F);
-  std::vector<float> target = put_together(expression.aus);
-  if (const auto set = pipeline::apply_muscles(mapping_.face, expression, target); !set) {
-    notices_.say(set.error().message, true, now);
+  auto target = chosen_.choose(index);
+  if (!target) {
+    notices_.say(target.error().message, true, now);
     return false;
   }
-  go_to(std::move(target), continued, now);
-  expressions_.chosen = static_cast<int>(index);
-  strength_of_ = index;
-  if (expression.muscles.empty()) {
-    expressions_.aus = protocol::format_au_set(expression.aus);
-  } else {
-    aus_.reset();
-  }
+  go_to(*std::move(target), continued, now);
   return true;
-}
-
-bool EditorSession::change_strength(const gui::ChangeStrength& change, Instant now) {
-  expressions_.percent = std::clamp(change.percent, 0, 100);
-  const int chosen = expressions_.chosen;
-  if (chosen < 0) strength_of_.reset();
-  return chosen >= 0 && show_expression(static_cast<std::size_t>(chosen), change.continued, now);
 }
 
 bool EditorSession::show_aus(const std::string& text, Instant now) {
@@ -153,40 +112,13 @@ bool EditorSession::show_aus(const std::string& text, Instant now) {
     return false;
   }
   if (notices_.view().text == complaint_) notices_.clear();
-  go_to(put_together(*aus), false, now);
+  go_to(chosen_.put_together(*aus), false, now);
   return true;
-}
-
-std::vector<float> EditorSession::put_together(const AuFrame& aus) {
-  show_none_of_them();
-  std::vector<float> target(shown_.size());
-  asked_ = aus;
-  aus_ = explained(target);
-  return target;
-}
-
-/// Sets `target` to the activations for asked_ and notes what rules changed. Returns the AUs after
-/// the rules.
-AuFrame EditorSession::explained(std::span<float> target) {
-  std::vector<face::RuleFired> fired;
-  const AuFrame blended = mapping_.apply(asked_, target, &fired);
-  compound_ = gui::au_rows(asked_, blended, face::explain(fired), mapping_.recordings);
-  return blended;
 }
 
 void EditorSession::change_language() {
   list_aus();
-  if (compound_.empty()) return;
-  std::vector<float> unused(shown_.size());
-  static_cast<void>(explained(unused));
-}
-
-/// Notes that the face is no longer an expression or combined AUs.
-void EditorSession::show_none_of_them() {
-  aus_.reset();
-  compound_.clear();
-  expressions_.chosen = -1;
-  expressions_.aus.clear();
+  chosen_.change_language();
 }
 
 /// A sentence for when another face comes into the editor; empty if what is there is saved.
@@ -211,10 +143,11 @@ void EditorSession::change_face(const std::vector<std::string>& before) {
   names_.change_face();
   editor_.change_face(before);
   list_aus();
-  if (!aus_) return;
+  const std::optional<AuFrame>& chosen = chosen_.aus();
+  if (!chosen) return;
   // What is made of AUs is made of the same ones.
   std::vector<float> target(mapping_.face.channels.size());
-  face::mix(mapping_.face.channels, mapping_.recordings, *aus_, mapping_.mixer, target);
+  face::mix(mapping_.face.channels, mapping_.recordings, *chosen, mapping_.mixer, target);
   editor_.take(target, true);
 }
 
@@ -253,7 +186,7 @@ Result<std::string> EditorSession::import_aus(const std::filesystem::path& file)
   if (!saved) return saved.error();
   const std::string lost = replaced();
   transition_.reset();
-  show_none_of_them();
+  chosen_.clear();
   editor_.recorded_anew(recordings->begin()->first);
   saved_in(*saved);
   std::string numbers;
@@ -274,7 +207,7 @@ bool EditorSession::remove_au(int number, Instant now) {
   }
   names_.removed(number, shipped ? std::string() : name);
   transition_.reset();
-  show_none_of_them();
+  chosen_.clear();
   editor_.recorded_anew(number);
   list_aus();
   notices_.say(shipped ? gui::tr("said.au_shipped", number) : gui::tr("said.au_deleted", number),
@@ -300,21 +233,19 @@ std::optional<Instant> EditorSession::next_frame_at(Instant now) const {
 }
 
 std::optional<AuFrame> EditorSession::aus() const {
-  if (aus_ || !editor_.au() || editor_.unsaved()) return aus_;
+  if (chosen_.aus() || !editor_.au() || editor_.unsaved()) return chosen_.aus();
   const std::array terms = {AuTerm{static_cast<std::uint8_t>(*editor_.au()), Side::Both, 100}};
   return frame_from_terms(terms);
 }
 
 std::vector<gui::AuRow> EditorSession::au_rows() const {
-  const auto made_of_aus = compound_.empty() ? aus() : std::nullopt;
+  const auto made_of_aus = chosen_.au_rows().empty() ? aus() : std::nullopt;
   return made_of_aus ? gui::au_rows(*made_of_aus, *made_of_aus, {}, mapping_.recordings)
-                     : compound_;
+                     : chosen_.au_rows();
 }
 
 std::string EditorSession::made_of() const {
-  if (expressions_.chosen >= 0) {
-    return assets_.expressions[static_cast<std::size_t>(expressions_.chosen)].name;
-  }
+  if (std::string name = chosen_.name(); !name.empty()) return name;
   return editor_.au() ? "au" + std::to_string(*editor_.au()) + "_edited" : "edited";
 }
 
@@ -331,7 +262,7 @@ gui::EditorView EditorSession::view(bool active) const {
   view.names = names_.view();
   view.can_undo = editor_.can_undo();
   view.can_redo = editor_.can_redo();
-  view.compound = compound_;
+  view.compound = chosen_.au_rows();
   return view;
 }
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "client/app/assets.h"
 #include "client/app/notices.h"
 #include "client/app/window/making/au_names.h"
+#include "client/app/window/making/chosen_expression.h"
 #include "client/app/window/making/own_aus.h"
 #include "client/gui/editing/expression_editor.h"
 #include "client/gui/editing/transition.h"
@@ -18,9 +18,9 @@
 
 namespace aucast::app {
 
-/// The expression panel and the expression editor in the window: named expressions, combined AUs,
-/// and the recording of one AU. What is saved also goes into the mapping's recordings. The
-/// constructor's arguments must outlive it. Thread: the player's.
+/// The expression editor in the window: the recording of one AU, and the face on its way to what
+/// the expressions panel has chosen, which can be edited too. What is saved also goes into the
+/// mapping's recordings. The constructor's arguments must outlive it. Thread: the player's.
 class EditorSession {
  public:
   /// `shown`: the activations of the face in the window, whichever session they come from. A
@@ -39,7 +39,7 @@ class EditorSession {
 
   /// Call it when another face than the editor's is shown: no expression is chosen any more. What
   /// was edited stays.
-  void put_away() { show_none_of_them(); }
+  void put_away() { chosen_.clear(); }
 
   /// Call it when the language has changed: makes all texts anew.
   void change_language();
@@ -75,7 +75,7 @@ class EditorSession {
   /// `active`: whether the editor's face is shown.
   [[nodiscard]] gui::EditorView view(bool active) const;
   /// One button for each expression of the assets, in their order.
-  [[nodiscard]] const gui::ExpressionsView& expressions() const { return expressions_; }
+  [[nodiscard]] const gui::ExpressionsView& expressions() const { return chosen_.view(); }
   /// The AUs of the face with what they drive.
   [[nodiscard]] const std::shared_ptr<const std::vector<gui::AuEntry>>& known_aus() const {
     return known_aus_;
@@ -84,12 +84,7 @@ class EditorSession {
  private:
   void begin_with_shown();
   bool show_expression(std::size_t index, bool continued, Instant now);
-  bool change_strength(const gui::ChangeStrength& change, Instant now);
   bool show_aus(const std::string& text, Instant now);
-  /// The activations for these AUs. Also notes what rules did to each of them.
-  [[nodiscard]] std::vector<float> put_together(const AuFrame& aus);
-  AuFrame explained(std::span<float> target);
-  void show_none_of_them();
   /// The name that an AU is saved with; empty: none.
   [[nodiscard]] std::string note_of(int number) const;
   bool remove_au(int number, Instant now);
@@ -105,19 +100,13 @@ class EditorSession {
   Notices& notices_;
   const std::vector<float>& shown_;
   OwnAus own_;
+  ChosenExpression chosen_;
   gui::ExpressionEditor editor_;
   std::optional<gui::Transition> transition_;
   gui::TransitionSettings transition_settings_;
   std::string saved_face_;
   AuNames names_;
   std::string complaint_;  ///< what is wrong with the AUs that were typed last
-  std::optional<AuFrame> aus_;
-  AuFrame asked_;                     ///< aus_, before the rules
-  std::vector<gui::AuRow> compound_;  ///< asked_, and what the rules made of each AU
-  gui::ExpressionsView expressions_;
-  /// The expression whose strength is expressions_.percent; nullopt: the next expression that is
-  /// shown gets that strength.
-  std::optional<std::size_t> strength_of_;
   std::shared_ptr<const std::vector<gui::AuEntry>> known_aus_;
 };
 
