@@ -30,7 +30,7 @@ MaterialBlock block_of(const view::Material& material, bool grained) {
   // Shadows on skin go red, not grey. With less green and blue round the edge, a red ring lies
   // there and the shade behind it looks blue.
   constexpr glm::vec3 kSkinWrap{0.61F, 0.47F, 0.415F};
-  constexpr glm::vec3 kSkinShadow{0.27F, 0.165F, 0.14F};
+  constexpr glm::vec3 kSkinShadow{0.248F, 0.170F, 0.149F};
   return {.wrap = kSkinWrap * material.wrap,
           .specular = material.specular,
           .shadow_kept = glm::max(kSkinShadow * material.wrap, glm::vec3(material.shadow_kept)),

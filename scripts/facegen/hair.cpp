@@ -53,13 +53,13 @@ void add_stray(Part& hair, const Identity& who, std::size_t number,
 void add_wisp(Part& hair, const Identity& who, double light, const std::function<Vec3(double)>& at,
               const std::function<Vec3(double)>& up) {
   // It lies flat, as it is seen from above.
-  constexpr double kHalfWidth = 0.015;
-  add_sheet(hair, kStray, [&](double u, double v) {
+  constexpr double kHalfWidth = 0.010;
+  add_sheet(hair, kWisp, [&](double u, double v) {
     const double next = std::min(v + 0.05, 1.0);
     const Vec3 aside = glm::normalize(glm::cross(at(next) - at(next - 0.1), up(v)));
     HairPoint point{at(v) + aside * ((1 - 2 * u) * kHalfWidth * mix(1, 0.4, v)),
                     1.3 * shade_of(who, light)};
-    point.alpha = 0.60 * smooth_step(0, 0.25, v) * smooth_step(1, 0.4, v);
+    point.alpha = 0.50 * smooth_step(0, 0.35, v) * smooth_step(1, 0.4, v);
     point.strand = mix(0.1, 0.9, light);
     point.gloss = 0.2;
     return point;

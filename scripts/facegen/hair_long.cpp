@@ -126,6 +126,7 @@ double waves(double s, double t) {
   const double astray = value_noise({s * 17, 2.2 * t, 11.5}) - 0.5;
   return free * (0.13 * std::sin(2 * kPi * (5.3 * s + 0.7 * t)) +
                  0.13 * std::sin(2 * kPi * (3.1 * s - 1.5 * t) + 1) + 0.30 * astray +
+                 0.20 * (value_noise({s * 37 + 1.5 * t, 1.6 * t, 17.5}) - 0.5) +
                  0.035 * std::sin(2 * kPi * (13.7 * s - 0.9 * t) + 2 * std::sin(17 * s)));
 }
 
@@ -172,11 +173,13 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double jagged = value_noise({from_edge * 70, 0.5, 15.5}) +
                           0.6 * value_noise({from_edge * 170, 0.5, 16.5}) - 0.8;
     p.x += 0.22 * jagged * std::exp(-std::pow(t / 0.05, 2)) * smooth_step(0.03, 0.08, from_edge);
-    const double deep = 1 - 0.32 * std::exp(-std::pow(t / 0.016, 2));
+    // What lies between the waves is the darker layer below.
+    const double valley = smooth_step(0.06, -0.22, waves(s, t));
+    const double deep = (1 - 0.14 * std::exp(-std::pow(t / 0.016, 2))) * (1 - 0.50 * valley);
     const double tuft = value_noise({s * 60 + 2.5 * t, 1.5 * t, 0.5});
     // The left side of the parting turns away from the lamp: of one colour, both meet in a step.
     const double parted =
-        mix(0.24, 0.05, smooth_step(0.2, 0.8, s)) * std::exp(-std::pow(t / 0.13, 2));
+        mix(0.24, 0.16, smooth_step(0.2, 0.8, s)) * std::exp(-std::pow(t / 0.13, 2));
     const double light = 0.30 * tuft + 0.60 * t - 0.18 * at.rolled * rolls(t) + parted;
     const double loose = smooth_step(0.14, 0.34, t);
     const double soft = mix(0.025, 0.075, value_noise({0.5, 26 * t, 9.5}));
@@ -193,8 +196,8 @@ void add_outside(Part& hair, const Identity& who, const Sheet& sheet) {
     const double ragged =
         0.5 * value_noise({s * 38, 0.5, 3.5}) + 0.5 * value_noise({s * 11, 0.5, 6.5});
     const double full =
-        0.75 + 0.22 * mix(ragged, 1, whole) - 0.03 * smooth_step(0.06, 0, from_edge);
-    const double ends = smooth_step(full + 0.10, full - 0.01, t) * smooth_step(1, 0.95, t);
+        0.80 + 0.18 * mix(ragged, 1, whole) - 0.03 * smooth_step(0.06, 0, from_edge);
+    const double ends = smooth_step(full + 0.10, full - 0.06, t) * smooth_step(1, 0.95, t);
     // Not quite whole, the edge is drawn before a cheek that a wide mouth pushes out.
     const double edge = from_edge < 0.06 && t > 0.4 ? 0.99 : 1;
     return HairPoint{p, deep * shade_of(who, light), edge * hairline * parting * ends,
@@ -247,7 +250,7 @@ void add_loose(Part& hair, const Identity& who, const Sheet& sheet, std::size_t 
   const double begin = mix(0.04, 0.62, chance(2) * chance(2));
   const double length = mix(0.18, 0.42, chance(3));
   const double drift = 0.09 * (chance(4) - 0.5);
-  const double height = mix(0.10, 0.46, chance(5) * chance(5));
+  const double height = mix(0.05, 0.34, chance(5) * chance(5));
   const auto across = [&](double v) { return s + drift * v * v; };
   const auto along = [&](double v) { return begin + length * v; };
   const auto up = [&](double v) { return sheet.up(across(v), along(v)); };

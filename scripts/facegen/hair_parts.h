@@ -20,9 +20,10 @@ struct SheetSize {
 inline constexpr SheetSize kUnderSheet{65, 29};
 inline constexpr SheetSize kOuterSheet{161, 41};
 inline constexpr SheetSize kLock{6, 17};
-inline constexpr SheetSize kStray{2, 7};
-inline constexpr std::size_t kStrays = 36;
-inline constexpr std::size_t kWisps = 38;
+inline constexpr SheetSize kStray{2, 6};
+inline constexpr SheetSize kWisp{2, 4};
+inline constexpr std::size_t kStrays = 56;
+inline constexpr std::size_t kWisps = 100;
 
 struct HairPoint {
   Vec3 place{0};

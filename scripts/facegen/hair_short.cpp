@@ -65,17 +65,18 @@ class Sides {
         thickness(cut_, root) * grown * (0.75 + 0.5 * tuft) * (1 - 0.8 * forehead) *
         (1 - 0.65 * smooth_step(9.0, 6.0, std::abs(round)) * smooth_step(3.0, 1.0, from_edge));
     // Grey begins at the temples.
-    const double temple = smooth_step(6.2, 4.0, root.y) * smooth_step(-3, 1, root.z);
-    const double light = 0.06 + 0.46 * temple + 0.12 * tuft + 0.05 * (1 - grown);
+    const double temple = smooth_step(7.4, 4.6, root.y) * smooth_step(-5, 0, root.z);
+    const double light = 0.05 + 0.54 * temple + 0.12 * tuft + 0.05 * (1 - grown);
     HairPoint point{root + direction * (mix(0.012, 0.03, grown) + thick), shade_of(who, light)};
     const double low = smooth_step(0.9, 2.2, root.z) * smooth_step(3.0, 0.4, root.y);
     // No hairline is drawn with a compass.
-    const double astray = 1.2 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
+    const double astray = 0.8 * (value_noise({round * 2.6, 0.5, 14.5}) - 0.5);
     point.alpha = thinned((from_edge + astray) / taper) * (1 - 0.25 * low);
     // In front the top's own line is the hairline: here strands fork, and would be a notch in it.
+    // It ends far behind that line, or its even edge shows between the first strands of the top.
     // Over the temples it must not thin so far back, or one looks through under it from below.
     const double front = smooth_step(4.2, 2.6, std::abs(round));
-    point.alpha *= 1 - forehead * smooth_step(mix(0.9, 1.3, front), mix(0.3, 0.4, front),
+    point.alpha *= 1 - forehead * smooth_step(mix(1.3, 2.6, front), mix(0.3, 0.9, front),
                                               from_edge + front * astray);
     point.strand = number(direction, s, t);
     point.gloss = mix(0.2, 0.6, grown);
@@ -126,21 +127,20 @@ class Top {
     // It springs from the hairline and bends back: a round outline from the side.
     // No two of its tufts stand up alike, or the front is a brim.
     const double stands = value_noise({u * 11, 0.6 * v, 5.5});
-    const double front = power(saturate((way - 0.30) / mix(3.6, 1.9, stands)), 0.85);
-    const double quiff =
-        mix(0.02, 0.50, stands) * bell(way - 2.2, 1.7) * smooth_step(0.3, 2.0, way);
+    const double front = power(saturate((way - 0.50) / mix(4.2, 2.4, stands)), 0.85);
+    const double quiff = 0.42 * stands * bell(way - 2.6, 1.7) * smooth_step(0.3, 2.0, way);
     const double tuft = value_noise({u * 7 + 0.9 * v, 2.6 * v, 7.5});
     const double lock = value_noise({u * 17 + 1.2 * v, 4.5 * v, 9.5});
     const double height =
         0.03 + front * (1.18 * thickness(cut_, root) +
                         (quiff + 0.46 * (tuft - 0.5) + 0.25 * (lock - 0.5)) * sides);
-    const double light = 0.02 + 0.03 * front + 0.06 * tuft;
+    const double light = 0.02 + 0.03 * front + 0.10 * tuft;
     HairPoint point{root + direction * height, shade_of(who, light)};
     // Here and there it begins a little further back.
-    const double begin = way + 0.25 - 0.40 * value_noise({u * 48, 0.5, 4.5}) -
-                         0.75 * value_noise({u * 13, 0.5, 8.5});
+    const double begin = way + 0.30 - 0.60 * value_noise({u * 48, 0.5, 4.5}) -
+                         0.95 * value_noise({u * 13, 0.5, 8.5});
     const double ends = whole - way - 4 * (tuft - 0.2);
-    point.alpha = thinned(std::min({begin / 0.7, ends / 3, u / 0.12, (1 - u) / 0.22}));
+    point.alpha = thinned(std::min({begin / 1.8, ends / 3, u / 0.12, (1 - u) / 0.22}));
     point.gloss = 0.5;
     point.strand = 0.30 * saturate(u + 0.05 * (value_noise({u * 9, 5 * v, 2.5}) - 0.5) *
                                            smooth_step(0, 0.1, u) * smooth_step(1, 0.9, u));
@@ -203,13 +203,29 @@ void add_loose(Part& hair, const Identity& who, const Top& top, std::size_t numb
   add_stray(hair, who, number, at, up);
 }
 
+/// A hair of the sides or the back that does not lie as flat as the rest.
+void add_loose(Part& hair, const Identity& who, const Sides& sides, std::size_t number) {
+  const auto chance = [&](int of) { return hash(static_cast<int>(number) * 73 + of * 7717); };
+  const double s = mix(0.02, 0.98, (static_cast<double>(number) + chance(1)) / kStrays);
+  const double begin = mix(0.35, 0.78, chance(2));
+  const double length = mix(0.08, 0.16, chance(3));
+  const double drift = 0.03 * (chance(4) - 0.5);
+  const double height = mix(0.03, 0.14, chance(5) * chance(5));
+  const auto root = [&](double v) {
+    return sides.at(who, s + drift * v, begin + length * v).place;
+  };
+  const auto up = [&](double v) { return glm::normalize(root(v) - kInsideHead); };
+  const auto at = [&](double v) { return root(v) + up(v) * (height * v); };
+  add_stray(hair, who, number, at, up);
+}
+
 /// A fine hair of the hairline: it grows out of the forehead before the rest and joins it.
 void add_first(Part& hair, const Identity& who, const Top& top, std::size_t number) {
   const auto chance = [&](int of) { return hash(static_cast<int>(number) * 67 + of * 5003); };
   const double u = mix(0.05, 0.95, (static_cast<double>(number) + chance(1)) / kWisps);
-  const double drift = 0.10 * (chance(2) - 0.4);
-  const double begin = mix(0.20, 0.60, chance(3));
-  const double length = mix(0.5, 1.0, chance(4));
+  const double drift = 0.16 * (chance(2) - 0.45);
+  const double begin = mix(-0.10, 0.9, chance(3));
+  const double length = mix(0.45, 1.05, chance(4));
   const auto up = [&](double v) {
     return glm::normalize(top.at(who, u + drift * v, 0.08 * v).place - kInsideHead);
   };
@@ -218,9 +234,9 @@ void add_first(Part& hair, const Identity& who, const Top& top, std::size_t numb
     const Vec3 from = top.at(who, u + drift * v, 0).place;
     const Vec3 on = top.at(who, u + drift * v, 0.12).place;
     const Vec3 ahead = glm::normalize(on - from);
-    return from + ahead * way + up(v) * 0.08;
+    return from + ahead * way + up(v) * mix(0.01, 0.10, v);
   };
-  add_wisp(hair, who, mix(0.1, 0.5, chance(5)), at, up);
+  add_wisp(hair, who, mix(0.1, 0.7, chance(5)), at, up);
 }
 
 }  // namespace
@@ -235,7 +251,13 @@ Part make_short_hair(const Identity& who) {
   for (std::size_t i = 0; i < kLocks; ++i) {
     add_lock(hair, who, top, i);
   }
-  for (std::size_t i = 0; i < kStrays; ++i) add_loose(hair, who, top, i);
+  for (std::size_t i = 0; i < kStrays; ++i) {
+    if (i % 2 == 0) {
+      add_loose(hair, who, top, i);
+    } else {
+      add_loose(hair, who, sides, i);
+    }
+  }
   for (std::size_t i = 0; i < kWisps; ++i) add_first(hair, who, top, i);
   return hair;
 }

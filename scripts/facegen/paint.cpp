@@ -17,11 +17,11 @@ double flush(const HalfVertex& v, const Vec3& mirrored_position, double mottled)
              mix(0.10, 0.34, mottled) * (value_noise(mirrored_position * 1.7) - 0.5);
   if (p.z > 3) {
     f += 0.55 * bell(Vec3{(p.x - 2.75) / 1.25, (p.y - 0.15) / 1.05, (p.z - 6.5) / 2.2});
-    f += 0.30 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
-    f += 0.16 * bell(Vec3{(p.x - 0.95) / 0.5, (p.y + 0.25) / 0.5, 0});
+    f += 0.42 * bell(Vec3{p.x / 0.85, (p.y - 0.10) / 0.7, 0}) * smooth_step(8.2, 9.2, p.z);
+    f += 0.28 * bell(Vec3{(p.x - 0.95) / 0.5, (p.y + 0.25) / 0.5, 0});
     f += 0.10 * bell(Vec3{p.x / 0.9, (p.y + 4.6) / 0.7, 0});
   }
-  if (v.patch == Patch::Ear) f += 0.16 * smooth_step(0, 4, v.ring);
+  if (v.patch == Patch::Ear) f += 0.34 * smooth_step(0, 4, v.ring);
   return saturate(f);
 }
 
@@ -66,7 +66,7 @@ void paint_ear(Vertex& vertex, const HalfVertex& v) {
   const double furrow = bell(v.ring - 5.0, 1.3) * smooth_step(14, 10, std::abs(v.spoke - 22.0));
   const double deep = std::max(shell, 0.55 * furrow);
   vertex.colour *= Vec3{1.0, 1.01, 1.01};
-  vertex.colour *= mix(Vec3{1}, Vec3{0.42, 0.33, 0.30}, deep);
+  vertex.colour *= mix(Vec3{1}, Vec3{0.47, 0.38, 0.35}, deep);
   vertex.gloss *= 1 - 0.7 * deep;
 }
 
@@ -269,15 +269,15 @@ void paint_skin(const Identity& who, Skin& skin) {
     Vec3 c =
         mix(who.colours.skin, who.colours.flush, flush(v, vertex.position, who.colours.mottled));
     if (p.z > 4)
-      c = mix(c, who.colours.forehead_skin, 0.5 * bell(Vec3{p.x / 2.2, (p.y - 6) / 1.6, 0}));
+      c = mix(c, who.colours.forehead_skin, 0.85 * bell(Vec3{p.x / 3.0, (p.y - 5.8) / 1.8, 0}));
     c = mix(c, who.colours.neck_skin, 0.55 * smooth_step(-5, -7, p.y));
-    c = cooled(c, p) * (Vec3{1} - Vec3{0.22, 0.29, 0.31} * under_chin(p));
-    c *= Vec3{1} - Vec3{0.30, 0.37, 0.39} * below_jaw(p);
+    c = cooled(c, p) * (Vec3{1} - Vec3{0.24, 0.28, 0.29} * under_chin(p));
+    c *= Vec3{1} - Vec3{0.33, 0.37, 0.38} * below_jaw(p);
     c *= Vec3{1} - Vec3{0.11, 0.13, 0.13} * under_jaw(who, p);
     c *= Vec3{1} + Vec3{0.14, 0.21, 0.23} * below_chin(who, p);
     c *= Vec3{1} - Vec3{0.15, 0.20, 0.21} * beside_rope(who, p);
     c *= Vec3{1} - Vec3{1.15, 1.75, 1.75} * std::max(0.0, fold_depth(who, p));
-    c *= Vec3{1} - Vec3{0.10, 0.145, 0.145} * beside_nose(who, p);
+    c *= Vec3{1} - Vec3{0.075, 0.11, 0.11} * beside_nose(who, p);
     c *= Vec3{1} - Vec3{0.05, 0.08, 0.08} * on_bridge(p);
     c *= Vec3{1} - Vec3{0.10, 0.13, 0.13} * cheek_planes(p);
     c *= Vec3{1} - Vec3{-0.20, -0.13, -0.10} * inner_socket(p);
@@ -373,7 +373,7 @@ void shade_under_hair(const Identity& who, Skin& skin, const Part& hair) {
       near += piece.weight * std::exp(-far2 / (kReach * kReach)) / (kReach * kReach);
       beside += piece.weight * std::exp(-far2 / (kFar * kFar)) / (kFar * kFar);
     }
-    const double shade = 1 - std::exp(-2.2 * near);
+    const double shade = 1 - std::exp(-3.0 * near);
     const double wide = 1 - std::exp(-1.1 * beside);
     vertex.occlusion *= (1 - 0.68 * strength * shade) * (1 - 0.30 * wide);
     vertex.colour *= mix(Vec3{1}, under, shade) * mix(Vec3{1}, Vec3{0.86, 0.82, 0.81}, wide);

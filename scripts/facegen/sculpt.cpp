@@ -267,9 +267,9 @@ double torso_distance(const Form& form, const Vec3& p) {
   const Vec3 q{soft_abs(p.x, 0.2), p.y, p.z};
   const double collar = neck_column(form, q) - 0.22;
   const double wide = form.neck_width;
-  double body = round_cone(q, {2.4, -12.0, -1.5}, {9.2 + 2.5 * wide, -13.3, -1.9}, 2.6, 2.3);
+  double body = round_cone(q, {2.4, -11.6, -1.5}, {9.2 + 2.5 * wide, -12.2, -1.9}, 2.6, 2.3);
   // The slope from neck to shoulder.
-  body = melt(body, round_cone(q, {1.5, -9.0, -2.4}, {8.5, -12.0, -2.2}, 1.1, 1.4), 1.6);
+  body = melt(body, round_cone(q, {1.2, -8.9, -2.6}, {8.5, -11.2, -2.2}, 0.9, 1.3), 1.6);
   body = melt(body, ellipsoid(q - Vec3{0, -16.5, -0.1}, {9.5, 5.2, 4.4}), 2.0);
   return melt(collar, body, 1.4);
 }

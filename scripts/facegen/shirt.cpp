@@ -106,7 +106,7 @@ Part make_shirt(const Identity& who) {
       const double elevation = mix(0.02, -0.95, at.down);
       // The collar stands lower under the chin.
       const double low = mix(0.80, 0.95, turned) * (front * 0.5 + 0.5);
-      const Vec3 origin{0, mix(-7.95, -7.30, turned) - low, -0.8};
+      const Vec3 origin{0, mix(-7.50, -7.25, turned) - low, -0.8};
       const Vec3 direction{std::sin(angle) * std::cos(elevation),
                            std::sin(elevation) - 0.22 * front * (1 - at.down),
                            front * std::cos(elevation)};

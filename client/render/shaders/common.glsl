@@ -28,7 +28,7 @@ const float kSecondRimStrength = 0.28;
 const vec3 kSecondRimDirection = vec3(-0.766261041, 0.287347883, -0.574695766);
 const vec3 kSecondRimColour = vec3(0.90, 0.75, 0.60);
 const vec3 kSky = vec3(0.182, 0.181, 0.196);
-const vec3 kGround = vec3(0.126, 0.101, 0.094);
+const vec3 kGround = vec3(0.121, 0.105, 0.101);
 
 layout(std140) uniform Material {
   vec3 u_wrap;         // how far the key reaches round into the shade, per colour

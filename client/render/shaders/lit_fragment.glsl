@@ -146,7 +146,7 @@ vec3 key_light(vec3 normal, float occlusion, out float arriving) {
 }
 
 #ifdef SURFACE
-const float kRelief = 0.31;  // how far pores tilt what has grain
+const float kRelief = 0.33;  // how far pores tilt what has grain
 #endif
 
 #ifdef EYE
@@ -239,7 +239,7 @@ void main() {
 #ifdef HAIR
   result += specular + rim * (edge * occlusion * 0.18);
 #else
-  result += vec3(1.0, 0.98, 0.95) * (specular * (1.0 + 1.3 * grain.g)) +
+  result += vec3(1.0, 0.98, 0.95) * (specular * max(1.0 + 1.9 * grain.g, 0.0)) +
             rim * (0.05 + 0.95 * colour) * (edge * occlusion * occlusion * occlusion);
 #endif
 #endif

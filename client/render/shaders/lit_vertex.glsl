@@ -85,7 +85,7 @@ void main() {
   vec3 place = a_position;
 #endif
   // Light that bounces about in skin comes out red: less of the red is lost in the creases.
-  vec3 arriving = vec3(pow(max(occlusion, 1e-4), 0.75), occlusion, occlusion);
+  vec3 arriving = vec3(pow(max(occlusion, 1e-4), 0.82), occlusion, occlusion);
   v_ambient = arriving * ambient_light(a_normal);
 #ifdef EYE
   v_position = place;
