@@ -68,7 +68,7 @@ Vec3 brow_spine(const Identity& who, double t) {
 }
 
 double brow_half_width(const Identity& who, double t) {
-  return who.form.brow_width * (1 - 0.72 * power(t, 1.7)) * smooth_step(-0.30, 0.30, t);
+  return who.form.brow_width * (1 - 0.74 * power(t, 1.7)) * smooth_step(-0.24, 0.34, t);
 }
 
 }  // namespace aucast::facegen

@@ -38,7 +38,7 @@ void add_lash_line(Part& part, const Identity& who, const Skin& skin, int side, 
     const Vertex& edge = on_lid(skin, kLidMarginRing, side, upper, k);
     const Vertex& inner = on_lid(skin, kLidInnerRing, side, upper, k);
     const Vertex& above = on_lid(skin, kLidMarginRing - 1, side, upper, k);
-    const double dark = (upper ? mix(0.70, 0.95, who.form.lash) * smooth_step(0.0, 0.35, t)
+    const double dark = (upper ? mix(0.58, 0.84, who.form.lash) * smooth_step(0.0, 0.35, t)
                                : 0.34 * smooth_step(0.15, 0.75, t)) *
                         smooth_step(1.03, 0.90, t);
     // The lower lashes stand on the outer edge of their lid: its rim shows between them and the
@@ -106,11 +106,11 @@ void add_lid_band(Part& part, const Identity& who, const Skin& skin, int side) {
     double alpha;
     double dark;  ///< 1: as dark as the fold
   };
-  static constexpr std::array<Row, 7> kBand{{{-1.1, 0.66, 0.85},
+  static constexpr std::array<Row, 7> kBand{{{-1.1, 0.54, 0.75},
                                              {-0.80, 0.46, 0.55},
                                              {-0.45, 0.34, 0.40},
-                                             {-0.12, 0.66, 0.90},
-                                             {0.03, 0.84, 1.0},
+                                             {-0.12, 0.60, 0.85},
+                                             {0.03, 0.78, 0.95},
                                              {0.085, 0.46, 0.85},
                                              {0.26, 0.0, 0.40}}};
   const Vec3 deep = who.colours.lid_skin * Vec3{0.36, 0.27, 0.25};
@@ -293,9 +293,8 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
       const double s = 2.0 * j / kAcross - 1;
       const Vec3 flat = place.spine + place.across * (half_width * s);
       // The inner end is single hairs on bare skin: with as much ground it is a grey haze.
-      const double fade = smooth_step(-0.01, 0.34, t) * smooth_step(1.0, 0.72, t);
-      // The lower edge is the softer one.
-      const double alpha = 0.66 * fade * smooth_step(1.0, s < 0 ? 0.0 : 0.22, std::abs(s));
+      const double fade = smooth_step(0.00, 0.36, t) * smooth_step(1.02, 0.76, t);
+      const double alpha = 0.74 * fade * smooth_step(1.0, 0.06, std::abs(s));
       row.push_back(brow.add(laid_on_skin(who, flat, 0.022, side), who.colours.brow, alpha));
       weigh_by_spine(who, brow.vertices.back());
     }
@@ -312,13 +311,13 @@ void add_brow_ground(Part& brow, const Identity& who, int side) {
 
 /// Which way a hair lies: up at the nose, then along the brow, from both edges towards its ridge.
 Vec3 hair_direction(const BrowPlace& place, double t, double s, double astray) {
-  const double upright = mix(0.50, 0.10, smooth_step(0.0, 0.45, t));
-  const double angle = upright - 0.42 * s * smooth_step(0.05, 0.4, t) + 0.30 * (astray - 0.5);
+  const double upright = mix(1.25, 0.12, smooth_step(-0.05, 0.36, t));
+  const double angle = upright - 0.46 * s * smooth_step(0.08, 0.4, t) + 0.32 * (astray - 0.5);
   return place.along * std::cos(angle) + place.across * std::sin(angle);
 }
 
 void add_brow_hairs(Part& brow, const Identity& who, int side) {
-  constexpr int kHairs = 190;
+  constexpr int kHairs = 196;
   for (int i = 0; i < kHairs; ++i) {
     const auto chance = [&](int of) { return hash(i * 97 + of * 7919); };
     // Both sides stand alike and are not equally dark: no face is its own mirror image.
@@ -326,21 +325,22 @@ void add_brow_hairs(Part& brow, const Identity& who, int side) {
     // More of them where no ground is under them.
     const double even = (i + chance(1)) / kHairs;
     const double t = 0.94 * mix(even * even, even, 0.55);
-    const double s = 1.7 * (chance(2) - 0.5) - 0.10;
+    // At the head they stand up from the lower edge.
+    const double s = 1.7 * (chance(2) - 0.5) - mix(0.30, 0.10, smooth_step(0.05, 0.35, t));
     const BrowPlace place = brow_place(who, t);
-    const double half_width = brow_half_width(who, std::max(t, 0.10));
+    const double half_width = brow_half_width(who, std::max(t, 0.06));
     const Vec3 root = place.spine + place.across * (half_width * s);
     const Vec3 direction = hair_direction(place, t, s, chance(3));
     const Vec3 aside{-direction.y, direction.x, 0};
     const double length = (0.25 + 0.46 * half_width) * (0.75 + 0.5 * chance(4)) *
-                          mix(0.50, 1.0, smooth_step(0.0, 0.35, t)) *
+                          mix(0.62, 1.0, smooth_step(0.0, 0.35, t)) *
                           mix(1.0, 0.72, smooth_step(0.6, 1.0, t));
     // As dark at the edges as in the middle, they are a comb.
     const double alpha = mix(0.30, 0.70, smooth_step(0.0, 0.28, t)) * (0.6 + 0.4 * on_side(5)) *
                          (1 - 0.55 * smooth_step(0.35, 0.90, std::abs(s))) *
                          (1 - 0.35 * smooth_step(0.55, 0.95, t));
     const Vec3 colour = who.colours.brow * (0.7 + 0.6 * on_side(6));
-    const double thick = mix(0.0100, 0.0135, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
+    const double thick = mix(0.0090, 0.0115, smooth_step(0.0, 0.25, t)) * (0.8 + 0.4 * chance(7));
     std::array<std::uint32_t, 3> corner{};
     const std::array<Vec3, 3> flat{root - aside * thick, root + aside * thick,
                                    root + direction * length};

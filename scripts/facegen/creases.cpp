@@ -34,17 +34,17 @@ std::vector<Crease> creases() {
       // the outer lines lie on the same curves, so that AU1 and AU2 together draw them across the
       // whole forehead.
       {"crease_forehead_inner",
-       {{{{-0.7, 5.15}, {0.3, 5.12}, {1.1, 5.14}, {1.9, 5.30}, {2.5, 5.30}}, 0.30, 0.66, 0.4, 0.6},
-        {{{-0.7, 5.60}, {0.3, 5.55}, {1.2, 5.60}, {2.0, 5.76}, {2.7, 5.76}}, 0.34, 0.80, 0.4, 0.6},
-        {{{-0.7, 6.01}, {0.2, 5.95}, {0.9, 6.06}, {1.5, 6.22}, {2.0, 6.26}},
-         0.29,
-         0.56,
+       {{{{-0.7, 5.03}, {0.3, 5.01}, {1.1, 4.88}, {1.9, 4.91}, {2.5, 4.93}}, 0.30, 0.70, 0.4, 0.6},
+        {{{-0.7, 5.52}, {0.3, 5.50}, {1.2, 5.38}, {2.0, 5.42}, {2.7, 5.43}}, 0.35, 0.85, 0.4, 0.6},
+        {{{-0.7, 6.01}, {0.2, 6.00}, {0.9, 5.92}, {1.7, 5.95}, {2.4, 5.97}},
+         0.32,
+         0.66,
          0.4,
          0.6}}},
       {"crease_forehead_outer",
-       {{{{0.4, 5.12}, {1.1, 5.14}, {1.9, 5.30}, {2.7, 5.26}, {3.4, 4.98}}, 0.30, 0.66, 0.5, 0.75},
-        {{{0.3, 5.55}, {1.2, 5.60}, {2.0, 5.76}, {2.8, 5.73}, {3.4, 5.48}}, 0.34, 0.80, 0.5, 0.75},
-        {{{0.4, 5.97}, {0.9, 6.06}, {1.6, 6.23}, {2.3, 6.24}, {2.9, 6.08}}, 0.29, 0.48, 0.5, 0.7}}},
+       {{{{0.4, 5.00}, {1.1, 4.88}, {1.9, 4.91}, {2.7, 4.89}, {3.4, 4.68}}, 0.30, 0.70, 0.5, 0.6},
+        {{{0.3, 5.50}, {1.2, 5.38}, {2.0, 5.42}, {2.8, 5.40}, {3.4, 5.18}}, 0.35, 0.85, 0.5, 0.6},
+        {{{0.4, 5.98}, {0.9, 5.92}, {1.7, 5.95}, {2.5, 5.93}, {3.1, 5.76}}, 0.32, 0.62, 0.5, 0.6}}},
       // They bulge towards the brows: with the bulge between them they are a pillar.
       {"crease_glabella",
        {{{{0.46, 4.40}, {0.42, 4.14}, {0.43, 3.84}, {0.53, 3.50}}, 0.20, 1.05, 0.6, 0.45},
@@ -102,7 +102,7 @@ class Hand {
       // Both sides meet in the middle.
       const double free = smooth_step(0.2, 1.2, std::abs(line.points[i].x));
       const int at = key_ + static_cast<int>(i) * 7;
-      const double forehead = smooth_step(4.8, 5.2, line.points[i].y);
+      const double forehead = smooth_step(4.45, 4.75, line.points[i].y);
       line.points[i] += who_.uneven * mix(0.4, 1.0, forehead) * free *
                         glm::dvec2{0.6 * (hash(at) - 0.5), hash(at + 3) - 0.5};
       line.points[i].y += who_.forehead_up * forehead;
@@ -224,7 +224,7 @@ void add_line(Part& part, const Line& drawn, const Hand& hand, const Draper& dra
       const OnSkin on = draper.drape(middle - to_bulge * (across.at * width));
       const Vec3 p = on.position + on.normal * kLift;
       // The light on a forehead ends the range of red: what loses red there looks green.
-      const Vec3 colour = mix(kCrease, kForeheadCrease, smooth_step(4.6, 5.2, middle.y));
+      const Vec3 colour = mix(kCrease, kForeheadCrease, smooth_step(4.4, 4.9, middle.y));
       row.push_back(part.add({p.x * side, p.y, p.z}, colour, kShade * across.dark * depth));
       Vertex& vertex = part.vertices.back();
       vertex.occlusion = (across.at - kCreaseAcross.front().at) /

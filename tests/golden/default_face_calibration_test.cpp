@@ -168,6 +168,14 @@ TEST_F(FaceCalibration, RaisesTheBrowsStraightAndTogetherInFear) {
   EXPECT_LT(way_mm("mid_brow", 1, fear).y, 0.4F * way_mm("mid_brow", 1, surprise).y) << "arched";
 }
 
+// Heads of brows that rise more than the rest, or come together, plead.
+TEST_F(FaceCalibration, RaisesTheBrowsAsAnArchInSurprise) {
+  const Positions surprise = posed({{1}, {2}});
+  EXPECT_GT(way_mm("mid_brow", 1, surprise).y, 0.9F * way_mm("inner_brow", 1, surprise).y);
+  EXPECT_GT(way_mm("outer_brow", 1, surprise).y, 0.75F * way_mm("inner_brow", 1, surprise).y);
+  EXPECT_GT(way_mm("inner_brow", 1, surprise).x, -0.5F);
+}
+
 TEST_F(FaceCalibration, MovesTheNamedSideAsItsMirrorImage) {
   // No side is quite the other's mirror image at rest, so the muscles find it elsewhere.
   constexpr float kSameMm = 1.0F;

@@ -28,8 +28,8 @@ constexpr std::array kRegions = {kBrow, kEyes, kNose, kMouth, kJaw, kHead, kOthe
 
 constexpr std::array<Clue, 40> kClues = {{
     {"forehead", kBrow}, {"crows_feet", kEyes},  {"nose", kNose},       {"neck", kJaw},
-    {"head_", kHead},    {"lid", kEyes},         {"gaze", kEyes},       {"oculi", kEyes},
-    {"cheek", kEyes},    {"frontalis", kBrow},   {"brow", kBrow},       {"corrugat", kBrow},
+    {"brow", kBrow},     {"head_", kHead},       {"lid", kEyes},        {"gaze", kEyes},
+    {"oculi", kEyes},    {"cheek", kEyes},       {"frontalis", kBrow},  {"corrugat", kBrow},
     {"procerus", kBrow}, {"glabella", kBrow},    {"supercili", kBrow},  {"alaeque_nasi", kNose},
     {"nasalis", kNose},  {"nostril", kNose},     {"nasolabial", kNose}, {"nasi", kNose},
     {"jaw", kJaw},       {"mentalis", kJaw},     {"platysma", kJaw},    {"masseter", kJaw},

@@ -261,7 +261,7 @@ float slider_of(const gui::EditorView& editor, int channel) {
 TEST_F(EditedSessionTest, AnAuStaysWhatIsEditedWhileAStreamPlays) {
   open({frame({{26, Side::Both, 100}})});
   ask(gui::LoadAu{4});
-  const float brow = slider_of(model().editor, channel("left_corrugator"));
+  const float brow = slider_of(model().editor, channel("left_brow_adductor"));
   ASSERT_GT(brow, 0);
   EXPECT_FALSE(model().editor.aside);
   ask(gui::Resume{});
@@ -270,11 +270,11 @@ TEST_F(EditedSessionTest, AnAuStaysWhatIsEditedWhileAStreamPlays) {
   ASSERT_GT(shown("jaw"), 0) << "the face is the stream's";
   EXPECT_TRUE(model().editor.aside);
   EXPECT_EQ(model().editor.au, 4);
-  EXPECT_EQ(slider_of(model().editor, channel("left_corrugator")), brow);
+  EXPECT_EQ(slider_of(model().editor, channel("left_brow_adductor")), brow);
   EXPECT_EQ(slider_of(model().editor, channel("jaw")), 0) << "the stream's face is not saved";
-  ask(gui::SetChannel{channel("left_corrugator"), brow / 2, false});
+  ask(gui::SetChannel{channel("left_brow_adductor"), brow / 2, false});
   EXPECT_EQ(model().editor.au, 4) << "it is still the one that is chosen";
-  EXPECT_FLOAT_EQ(shown("left_corrugator"), brow / 2);
+  EXPECT_FLOAT_EQ(shown("left_brow_adductor"), brow / 2);
   EXPECT_EQ(shown("jaw"), 0);
   EXPECT_FALSE(model().editor.aside);
 }
