@@ -68,7 +68,7 @@ std::vector<Crease> creases() {
         {{{0.22, 2.36}, {0.54, 2.12}, {0.92, 1.72}, {1.18, 1.30}}, 0.18, 1.00, 0.6, 0.7},
         {{{0.40, 1.96}, {0.66, 1.70}, {0.90, 1.36}, {1.06, 1.00}}, 0.17, 0.85, 0.6, 0.7}}},
       {"crease_nasolabial",
-       {{{std::vector<glm::dvec2>(kFurrow.rbegin(), kFurrow.rend()), 0.36, 1.3, 0.42, 0.14}}}},
+       {{{std::vector<glm::dvec2>(kFurrow.rbegin(), kFurrow.rend()), 0.46, 0.95, 0.42, 0.30}}}},
       {"crease_mouth_corner",
        {{{{1.98, -2.84}, {2.11, -2.56}, {2.11, -2.24}, {1.97, -1.94}}, 0.22, 1.0, 0.5, 0.5}}},
       // Across the skin round the red, where the tightened ring of muscle gathers it.

@@ -241,7 +241,7 @@ void add_gum(Part& part, const Arch& arch, const ArchCurve& curve) {
 /// behind. The lips darken what they cover, also where they part. Not baked: with the mouth shut
 /// all is black.
 double light_behind_lips(const Vec3& p) {
-  return smooth_step(4.9, 7.6, p.z) * smooth_step(2.15, 0.25, std::abs(p.x));
+  return smooth_step(4.9, 7.6, p.z) * smooth_step(2.25, 0.40, std::abs(p.x));
 }
 
 constexpr Vec3 kLightOnLowerTeeth{0.84, 0.76, 0.69};
@@ -278,8 +278,8 @@ void shade_tongue(Part& tongue) {
     const Vec3& p = vertex.position;
     vertex.occlusion = mix(0.15, 0.85, smooth_step(5.0, 7.0, p.z));
     vertex.gloss = mix(0.1, 2.6, smooth_step(5.9, 6.9, p.z));
-    vertex.colour *= mix(0.20, 1.7, smooth_step(4.9, 7.2, p.z)) *
-                     mix(0.45, 1.0, smooth_step(1.30, 0.50, std::abs(p.x))) *
+    vertex.colour *= mix(0.34, 1.6, smooth_step(4.9, 7.2, p.z)) *
+                     mix(0.62, 1.0, smooth_step(1.30, 0.50, std::abs(p.x))) *
                      (1 - 0.36 * bell(p.x, 0.17) * smooth_step(7.4, 6.9, p.z));
   }
 }

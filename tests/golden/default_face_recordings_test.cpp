@@ -215,6 +215,24 @@ TEST_F(DefaultFaceRecordings, FillsASmileWithTeethThatFollowTheLowerLip) {
   EXPECT_GT(edge(1.2F, 1.5F) - edge(0, 0.5F), 0.075F) << "the row is straight";
 }
 
+TEST_F(DefaultFaceRecordings, OpensTheMouthOfFearAsARectangleWithTheLowerTeeth) {
+  const auto positions = posed({{1}, {2}, {4}, {5}, {20}, {26}});
+  const auto place = [&](int spoke) {
+    return positions[skin_vertex(Patch::Mouth, facegen::kLipContactRing, spoke)];
+  };
+  const auto opening = [&](int spoke) {
+    return place(spoke).y - place(facegen::kMouthSpokes - 1 - spoke).y;
+  };
+  // Three quarters of the way to its corner, a lens is not half as high.
+  EXPECT_GT(opening(9), 0.55F * opening(0));
+  const face::MeshPart& teeth = part("lower_teeth");
+  float edge = -100;
+  for (std::uint32_t i = teeth.vertex_begin; i < teeth.vertex_begin + teeth.vertex_count; ++i) {
+    if (std::abs(positions[i].x) < 0.4F) edge = std::max(edge, positions[i].y);
+  }
+  EXPECT_GT(edge - place(facegen::kMouthSpokes - 1).y, 0.05F);
+}
+
 TEST_F(DefaultFaceRecordings, RaisesTheBrowByTheFrontalisWithoutAPeak) {
   const auto positions = driven("frontalis_major", 0.6F);  // Waters' fear
   const auto up = [&](double t) { return way(brow(t), positions).y; };
