@@ -187,7 +187,7 @@ std::vector<OptionRow> engine_rows(EngineSettings& engine) {
 std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credentials) {
   return {
       {.option = {"push", "URL"},
-       .text = "send URL's stream, or the first, to a server",
+       .text = "push the stream that URL names, or the first",
        .more = "Brings a stream to another au-transmitter, which must run with --accept-push. It "
                "is dialled from here, such as from behind a home router: URL is "
                "aucast://HOST[:PORT][,HOST...][/NAME], or aucasts:// over TLS. NAME is the "
@@ -222,7 +222,7 @@ std::vector<OptionRow> push_rows(PushSettings& push, CredentialFiles& credential
 OptionRow preview_row(TransmitterOptions& options) {
   return {
       .option = {"preview"},
-      .text = "tell a program on stdout what the camera sees",
+      .text = "write to stdout what the camera sees",
       .more =
           "For a program that starts this one: standard output tells what the camera sees, as "
           "small pictures with landmarks and AUs, and standard input takes orders to let others in "
@@ -268,7 +268,7 @@ std::vector<OptionRow> sending_rows(TransmitterOptions& options) {
                "fits, and a newer one replaces it.",
        .value = whole(options.max_kbits, 0, 1'000'000)},
       {.option = {"batch", "MS", "0"},
-       .text = "fewer packets, up to MS late (0: each by itself)",
+       .text = "hold packets up to MS, send them together (0: no)",
        .more = "Most packets are smaller than their TCP and IP headers, so what is written within "
                "this time, up to 1000 milliseconds, goes out together. The face is delayed by up "
                "to as much.",

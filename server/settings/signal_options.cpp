@@ -92,7 +92,7 @@ Complaint read_filter(const std::string& word, std::optional<sources::OneEuroSet
 std::vector<OptionRow> signal_rows(SignalOptions& options) {
   return {
       {.option = {"distance"},
-       .text = "the distance of the head, too, as AUs 57, 58",
+       .text = "the head's distance, too, becomes AUs 57, 58",
        .more =
            "OpenFace's distance between head and camera becomes AUs 57 (forward) and 58 (back), "
            "100 % for 14 mm, relative to the neutral face or, without one, to the first second. "
@@ -115,7 +115,7 @@ std::vector<OptionRow> signal_rows(SignalOptions& options) {
                "neutral face is subtracted; the result is limited to 100 %.",
        .value = parsed(OptionValue::Kind::Number, read_gain, options.gain)},
       {.option = {"filter", "CUTOFF[,BETA]"},
-       .text = "smooth: less Hz, smoother (one euro), such as 1,5",
+       .text = "One Euro filter, such as 1,5; fewer Hz: smoother",
        .more = "CUTOFF[,BETA[,CUTOFF]]: the cutoff in Hz for a signal at rest, above 0, up to 100; "
                "the Hz added to it at a speed of 100 % a second, 0 to 100 (5); the cutoff of the "
                "speed in Hz (1). A lower cutoff smooths more, a higher beta delays less. Casiez, "

@@ -28,7 +28,7 @@ Complaint read_frame(const std::string& word, Milliseconds& frame) {
 std::vector<OptionRow> voice_rows(VoiceOptions& options) {
   return {
       {.option = {"voice", "FILE"},
-       .text = "sound of the first source (NAME.wav, .opus... there)",
+       .text = "the first source's sound (NAME.wav... beside it)",
        .more = "A sound file (WAV, FLAC, Ogg Opus, Ogg Vorbis, MP3) beside a source, with the same "
                "name but .wav, .flac, .opus, .ogg or .mp3, is its voice, which clients that ask "
                "for it get with the face. A .vtt file there has the captions. This option names "
