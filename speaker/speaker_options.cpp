@@ -67,7 +67,7 @@ std::vector<OptionRow> option_rows(Options& options) {
        .text = "name of the files (that of TEXT; stdin: \"speech\")",
        .value = parsed(OptionValue::Kind::Word, read_name, options.name)},
       {.option = {"voice", "FILE"},
-       .text = "TEXT as somebody reads it aloud (WAV, FLAC, Ogg, MP3)",
+       .text = "a recording of TEXT read aloud (WAV, FLAC, Ogg, MP3)",
        .more = "A narration in place of espeak-ng's voice: a recording of somebody who reads TEXT "
                "(WAV, FLAC, Ogg, MP3), of at most three hours. It becomes the voice of the stream.",
        .value = word(options.narration)},
