@@ -76,7 +76,7 @@ std::vector<OptionRow> pose_rows(PoseOptions& pose) {
       {.option = {"list"}, .text = "list channels, AUs and expressions", .value = flag(pose.list)},
       {.option = {"png", "FILE"}, .text = "write the picture", .value = word(pose.png)},
       {.option = {"obj", "FILE"},
-       .text = "write the skin's mesh, not smoothed as for pictures",
+       .text = "write the skin's mesh, without picture smoothing",
        .more = "Writes the deformed skin as Wavefront OBJ, with the vertices in the order of the "
                "face's mesh. Pictures round off this mesh for a smooth outline, with a further "
                "vertex at each edge that bends.",

@@ -96,14 +96,14 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
   playback::BufferOptions& buffers = playback.buffers;
   std::vector<OptionRow> rows{
       {.option = {"buffer", "SIZE", "100"},
-       .text = "Receiver buffer: sets (100), 300ms or auto",
+       .text = "Receiver buffer: N sets (100), 300ms or auto",
        .more = "Capacity of the Receiver buffer, 1 to 10000 sets. With auto the buffer is counted "
                "in time instead, as much as the link needs; with a time such as 300ms, up to "
                "60000ms, it holds that much.",
        .value = parsed(Kind::Word, read_buffer, buffers),
        .heading = "Receiving"},
       {.option = {"playout", "N", "30"},
-       .text = "sets about to be played: Playout buffer (30)",
+       .text = "Playout buffer: N sets about to be played (30)",
        .more = "Capacity of the Playout buffer, in sets; no larger than --buffer.",
        .value = whole(buffers.playout_capacity, 1, playback::BufferOptions::kSetsMax)},
       {.option = {"threshold", "PERCENT", "40"},
@@ -115,7 +115,7 @@ std::vector<OptionRow> receiving_rows(PlaybackOptions& playback) {
        .more = "The lowest delay of a live stream that the link allows, at the risk of stalls.",
        .value = flag(buffers.low_delay)},
       {.option = {"live-delay", "MS"},
-       .text = "fixed delay for live streams (adapts to the link)",
+       .text = "fixed delay for live streams (default: adaptive)",
        .more = "A fixed delay for live streams, up to 60000 ms. Without it the delay adapts to the "
                "link.",
        .value = parsed(Kind::Number, read_live_delay, buffers)},
