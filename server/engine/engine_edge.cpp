@@ -1,7 +1,6 @@
 #include "server/engine/engine_edge.h"
 
 #include <chrono>
-#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -40,7 +39,6 @@ Result<void> EngineEdge::start() {
 
 void EngineEdge::stop() {
   stopped_ = true;
-  waits_.cancel();
   timer_.cancel();
   bus_.reset();
   reception_.stop();
@@ -121,14 +119,10 @@ void EngineEdge::handle(const Follower::Say& event) {
 void EngineEdge::wait() {
   const auto deadline = follower_.deadline();
   if (!deadline) {
-    waits_.cancel();
     timer_.cancel();
     return;
   }
-  timer_.expires_at(*deadline);
-  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-    if (!error && wait.current()) carry_out(follower_.on_time(steady_clock::now()));
-  });
+  timer_.at(*deadline, [this] { carry_out(follower_.on_time(steady_clock::now())); });
 }
 
 }  // namespace aucast::server

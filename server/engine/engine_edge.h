@@ -6,10 +6,9 @@
 #include <vector>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
+#include "common/link/loop_timer.h"
 #include "common/result.h"
-#include "common/waits.h"
 #include "server/engine/bus.h"
 #include "server/engine/follower.h"
 #include "server/engine/joined_link.h"
@@ -51,11 +50,10 @@ class EngineEdge final : public Upstream {
   Follower follower_;
   std::unique_ptr<Bus> bus_;
   std::shared_ptr<JoinedLink> link_;  ///< null: the stream has not begun
-  bool over_ = false;   ///< the Reception has ended the connection during the running call
-  std::string server_;  ///< the engine's server; empty: none is connected
-  std::string reason_;  ///< why the stream ended, as logged last; empty: it has gone on since
-  asio::steady_timer timer_;
-  Waits waits_;  ///< for the follower's deadline
+  bool over_ = false;      ///< the Reception has ended the connection during the running call
+  std::string server_;     ///< the engine's server; empty: none is connected
+  std::string reason_;     ///< why the stream ended, as logged last; empty: it has gone on since
+  link::LoopTimer timer_;  ///< for the follower's deadline
   bool stopped_ = false;
 };
 

@@ -1,7 +1,6 @@
 #include "server/engine/engine_origin.h"
 
 #include <chrono>
-#include <system_error>
 #include <utility>
 
 #include "common/log.h"
@@ -52,8 +51,6 @@ Result<void> EngineOrigin::start(const OpenBus& open) {
 void EngineOrigin::stop() {
   end();
   stopped_ = true;
-  batch_waits_.cancel();
-  beat_waits_.cancel();
   batch_timer_.cancel();
   beat_timer_.cancel();
   bus_.reset();
@@ -131,16 +128,12 @@ void EngineOrigin::flush_soon() {
     return;
   }
   if (std::exchange(batch_begun_, true)) return;
-  batch_timer_.expires_after(options_.batch);
-  batch_timer_.async_wait([this, wait = batch_waits_.begin()](const std::error_code& error) {
-    if (!error && wait.current()) flush();
-  });
+  batch_timer_.after(options_.batch, [this] { flush(); });
 }
 
 /// Without a connection too: who misses it asks for it later, and nothing old is sent by itself.
 void EngineOrigin::flush() {
   batch_begun_ = false;
-  batch_waits_.cancel();
   batch_timer_.cancel();
   const std::string batch = batches_->next_batch();
   if (connected_) bus_->send({batch_subject(options_.stream), "", batch});
@@ -148,9 +141,7 @@ void EngineOrigin::flush() {
 }
 
 void EngineOrigin::await_beat() {
-  beat_timer_.expires_after(kBeat);
-  beat_timer_.async_wait([this, wait = beat_waits_.begin()](const std::error_code& error) {
-    if (error || !wait.current()) return;
+  beat_timer_.after(kBeat, [this] {
     if (batches_ && batches_->running()) {
       flush();
     } else {

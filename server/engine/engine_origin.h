@@ -8,11 +8,10 @@
 #include <string>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
+#include "common/link/loop_timer.h"
 #include "common/result.h"
 #include "common/time.h"
-#include "common/waits.h"
 #include "protocol/packet.h"
 #include "protocol/server_session.h"
 #include "server/engine/bus.h"
@@ -67,12 +66,10 @@ class EngineOrigin {
   std::shared_ptr<const protocol::LiveChannel> channel_;  ///< the one that is sent; null: none
   protocol::HelloGranted hello_;
   std::optional<OutgoingBatches> batches_;
-  std::string said_why_not_;  ///< why nothing is published, as the log said last
-  asio::steady_timer batch_timer_;
-  Waits batch_waits_;         ///< for the end of the batch
-  bool batch_begun_ = false;  ///< something waits for that
-  asio::steady_timer beat_timer_;
-  Waits beat_waits_;  ///< for the next empty batch
+  std::string said_why_not_;     ///< why nothing is published, as the log said last
+  link::LoopTimer batch_timer_;  ///< for the end of the batch
+  bool batch_begun_ = false;     ///< something waits for that
+  link::LoopTimer beat_timer_;   ///< for the next empty batch
   Instant second_begin_{};
   std::size_t answers_ = 0;  ///< sent in that second
   std::uint64_t unanswered_ = 0;

@@ -47,12 +47,11 @@ std::shared_ptr<const protocol::LiveChannel> LiveBeat::play(
 
 void LiveBeat::stop() {
   stopped_ = true;
-  waits_.cancel();
   timer_.cancel();
 }
 
 void LiveBeat::catch_up() {
-  if (!stopped_ && now() >= timer_.expiry()) beat();
+  if (!stopped_ && now() >= timer_.when()) beat();
 }
 
 void LiveBeat::beat() {
@@ -94,10 +93,7 @@ void LiveBeat::wait(Instant earliest) {
     if (replay) next = earlier(next, replay->next_at());
   }
   if (!next || stopped_) return;
-  timer_.expires_at(std::max(*next, earliest));
-  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-    if (!error && wait.current()) beat();
-  });
+  timer_.at(std::max(*next, earliest), [this] { beat(); });
 }
 
 }  // namespace aucast::server

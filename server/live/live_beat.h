@@ -6,10 +6,9 @@
 #include <vector>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
+#include "common/link/loop_timer.h"
 #include "common/time.h"
-#include "common/waits.h"
 #include "server/live/served_replay.h"
 
 namespace aucast::server {
@@ -51,13 +50,12 @@ class LiveBeat {
   void beat();
   void wait(Instant earliest);
 
-  asio::steady_timer timer_;
+  link::LoopTimer timer_;  ///< for the next beat
   OnMoment on_moment_;
   ReplayLimits limits_;
   std::vector<Playing> playing_;
   Duration lag_{0};
   bool stopped_ = false;
-  Waits waits_;  ///< for the next beat
 };
 
 }  // namespace aucast::server

@@ -86,7 +86,6 @@ Result<void> LiveSource::start() {
 
 void LiveSource::stop() {
   stopped_ = true;
-  waits_.cancel();
   timer_.cancel();
   input_.stop();
   if (voice_) voice_->stop();
@@ -109,13 +108,10 @@ void LiveSource::go_on() {
   input_.set_reading(!streams_.full());
   const auto next = streams_.next();
   if (!next) {
-    waits_.cancel();
     timer_.cancel();
     return;
   }
-  timer_.expires_after(*next - clock_());
-  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-    if (error || !wait.current()) return;
+  timer_.after(*next - clock_(), [this] {
     streams_.advance(clock_());
     go_on();
   });

@@ -6,15 +6,14 @@
 #include <optional>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
 #include "common/camera/camera_feed.h"
 #include "common/camera/film_reader.h"
 #include "common/camera/picture_source.h"
+#include "common/link/loop_timer.h"
 #include "common/result.h"
 #include "common/stopped.h"
 #include "common/time.h"
-#include "common/waits.h"
 #include "server/live/live_input.h"
 #include "server/live/live_streams.h"
 
@@ -63,8 +62,7 @@ class LiveSource {
   std::unique_ptr<camera::CameraFeed> camera_;
   LiveInput input_;
   std::optional<LiveInput> voice_;
-  asio::steady_timer timer_;
-  Waits waits_;  ///< for what is due next
+  link::LoopTimer timer_;  ///< for what is due next
   bool stopped_ = false;
   bool loss_said_ = false;
 };

@@ -32,10 +32,7 @@ void Departure::go_on() {
     on_over_();
     return;
   }
-  timer_.expires_after(std::min<Duration>(kStep, time_ - passed));
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error) go_on();
-  });
+  timer_.after(std::min<Duration>(kStep, time_ - passed), [this] { go_on(); });
 }
 
 }  // namespace aucast::server

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
+#include "common/link/loop_timer.h"
 #include "common/time.h"
 
 namespace aucast::server {
@@ -33,7 +33,7 @@ class Departure {
  private:
   void go_on();
 
-  asio::steady_timer timer_;
+  link::LoopTimer timer_;
   SendAway send_away_;
   OnOver on_over_;
   Instant begin_{};

@@ -66,10 +66,7 @@ void Shutdown::stop(const char* why) {
     hooks_.on_end();
     return;
   }
-  timer_.expires_after(kStopTimeMax);
-  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-    if (!error && wait.current()) clients_.abort();
-  });
+  timer_.after(kStopTimeMax, [this] { clients_.abort(); });
 }
 
 void Shutdown::on_empty() {
@@ -77,10 +74,7 @@ void Shutdown::on_empty() {
     hooks_.on_end();
   } else if (phase_ == Phase::Leaving) {
     // Not now: what tells us may be a part of a stream that stops.
-    timer_.expires_after({});
-    timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-      if (!error && wait.current()) stop("all clients are gone");
-    });
+    timer_.after({}, [this] { stop("all clients are gone"); });
   }
 }
 

@@ -5,10 +5,9 @@
 
 #include <asio/io_context.hpp>
 #include <asio/signal_set.hpp>
-#include <asio/steady_timer.hpp>
 
+#include "common/link/loop_timer.h"
 #include "common/time.h"
-#include "common/waits.h"
 #include "server/serve/client_registry.h"
 #include "server/serve/departure.h"
 
@@ -57,8 +56,7 @@ class Shutdown {
   void leave(const char* why);
 
   asio::signal_set signals_;
-  asio::steady_timer timer_;
-  Waits waits_;  ///< for what the timer is set for
+  link::LoopTimer timer_;
   Milliseconds drain_time_;
   ClientRegistry& clients_;
   Hooks hooks_;

@@ -1,7 +1,6 @@
 #include "server/status/service_beat.h"
 
 #include <algorithm>
-#include <system_error>
 
 namespace aucast::server {
 
@@ -15,10 +14,7 @@ void ServiceBeat::beat() {
   manager_.status(summary_());
   Duration pause = kStatusEvery;
   if (const auto watchdog = manager_.watchdog()) pause = std::min(pause, *watchdog / 2);
-  timer_.expires_after(pause);
-  timer_.async_wait([this](const std::error_code& error) {
-    if (!error) beat();
-  });
+  timer_.after(pause, [this] { beat(); });
 }
 
 }  // namespace aucast::server

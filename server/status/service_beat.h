@@ -4,8 +4,8 @@
 #include <string>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
+#include "common/link/loop_timer.h"
 #include "common/time.h"
 #include "server/status/service_manager.h"
 
@@ -36,7 +36,7 @@ class ServiceBeat {
   void beat();
 
   ServiceManager manager_;
-  asio::steady_timer timer_;
+  link::LoopTimer timer_;
   std::function<std::string()> summary_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "common/log.h"
@@ -40,7 +39,7 @@ void Reception::start() {
 
 void Reception::stop() {
   state_ = State::Stopped;
-  stop_waiting();
+  timer_.cancel();
   drop_parent();
 }
 
@@ -92,7 +91,7 @@ void Reception::on_moved_on() {
   const bool whole = state_ == State::Whole;
   if (state_ != State::Receiving && !whole && parent_->keyframes() > 0) {
     state_ = State::Receiving;
-    stop_waiting();
+    timer_.cancel();
     say_goes_on();
     ever_received_ = true;
     events_.on_first();
@@ -131,7 +130,7 @@ void Reception::on_over(const Parent::Outcome& outcome) {
   if (stream_.whole() && state_ != State::Whole) {
     state_ = State::Whole;
     spdlog::info("{}: it is here whole, {} s", name(), seconds(stream_.place()));
-    stop_waiting();
+    timer_.cancel();
   }
   events_.on_over(outcome);
 }
@@ -144,15 +143,9 @@ void Reception::drop_parent() {
 }
 
 void Reception::await_giving_up() {
-  timer_.expires_at(silent_since_ + options_.wait);
-  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-    if (!error && wait.current() && !stream_.whole()) give_up();
+  timer_.at(silent_since_ + options_.wait, [this] {
+    if (!stream_.whole()) give_up();
   });
-}
-
-void Reception::stop_waiting() {
-  waits_.cancel();
-  timer_.cancel();
 }
 
 void Reception::give_up() {

@@ -6,11 +6,10 @@
 #include <string>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
 #include "common/link/link.h"
+#include "common/link/loop_timer.h"
 #include "common/time.h"
-#include "common/waits.h"
 #include "protocol/server_session.h"
 #include "server/status/status.h"
 #include "server/upstream/parent.h"
@@ -90,14 +89,12 @@ class Reception {
   void drop_parent();
   void say_goes_on();
   void await_giving_up();
-  void stop_waiting();
   void give_up();
 
   Options options_;
   Events events_;
   RelayedStream stream_;
-  asio::steady_timer timer_;
-  Waits waits_;                     ///< for a keyframe
+  link::LoopTimer timer_;           ///< for a keyframe
   std::unique_ptr<Parent> parent_;  ///< null: none is connected
   std::string peer_;
   State state_ = State::Waiting;

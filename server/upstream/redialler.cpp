@@ -1,7 +1,6 @@
 #include "server/upstream/redialler.h"
 
 #include <random>
-#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -26,7 +25,6 @@ Redialler::Redialler(asio::io_context& io, Options options, std::function<std::s
 void Redialler::stop() {
   stopped_ = true;
   dialler_.cancel();
-  waits_.cancel();
   timer_.cancel();
 }
 
@@ -78,10 +76,7 @@ void Redialler::failed(const std::string& reason) {
 
 void Redialler::again_in(Milliseconds wait) {
   if (stopped_) return;
-  timer_.expires_after(wait);
-  timer_.async_wait([this, wait = waits_.begin()](const std::error_code& error) {
-    if (!error && wait.current()) dial();
-  });
+  timer_.after(wait, [this] { dial(); });
 }
 
 }  // namespace aucast::server

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include <asio/io_context.hpp>
-#include <asio/steady_timer.hpp>
 
 #include "common/link/dialler.h"
 #include "common/link/link.h"
+#include "common/link/loop_timer.h"
 #include "common/time.h"
 #include "common/tls/context.h"
-#include "common/waits.h"
 #include "protocol/endpoint.h"
 #include "server/upstream/host_turns.h"
 
@@ -63,8 +62,7 @@ class Redialler {
   OnLink on_link_;
   HostTurns turns_;
   link::Dialler dialler_;
-  asio::steady_timer timer_;
-  Waits waits_;  ///< before the next host
+  link::LoopTimer timer_;  ///< before the next host
   bool stopped_ = false;
   std::vector<std::string> reasons_;  ///< for each host, the reason that was last logged
 };
