@@ -45,9 +45,12 @@ int check(const TransmitterOptions& options) {
   const auto pushes = check_pushes(options);
   if (!pushes) return report(pushes.error());
   if (const auto printed = print_now(*pushes); !printed) return report(printed.error());
-  const auto sources = load_asked(options);
+  const SignalOptions& signal = options.source.signal;
+  const auto conditioning = conditioning_of(signal);
+  if (!conditioning) return report(conditioning.error());
+  const auto sources = load_asked(options, *conditioning);
   if (!sources) return report(sources.error());
-  if (const auto saved = save_measured_profile(options.source.signal, *sources); !saved) {
+  if (const auto saved = save_measured_profile(signal, *conditioning, *sources); !saved) {
     return report(saved.error());
   }
   for (const Source& source : *sources) {

@@ -82,8 +82,8 @@ class Programme {
   [[nodiscard]] int held_back_max() const { return may_be_live() ? held_back_max_ : 0; }
   /// Fills in everything about streams.
   void describe(Status& status) const;
-  /// Waits until the records are written. Fails with the first error of a live source, also if
-  /// that source went on after it.
+  /// Waits until the records and the profile of --save-profile are written. Fails with the first
+  /// error of a live source, also if that source went on after it.
   [[nodiscard]] Result<void> finish() { return sources_.finish(); }
 
  private:

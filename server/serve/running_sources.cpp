@@ -1,6 +1,7 @@
 #include "server/serve/running_sources.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -32,8 +33,9 @@ RunningSources::RunningSources(asio::io_context& io, const TransmitterOptions& o
       events_(std::move(events)) {}
 
 Result<void> RunningSources::open(const GivenUp& given_up) {
-  const auto conditioning = conditioning_of(options_.source.signal);
+  auto conditioning = conditioning_of(options_.source.signal);
   if (!conditioning) return conditioning.error();
+  conditioning_ = *std::move(conditioning);
   for (const std::filesystem::path& path : options_.sources) {
     Result<void> opened;
     if (protocol::is_stream_address(path.string())) {
@@ -41,7 +43,7 @@ Result<void> RunningSources::open(const GivenUp& given_up) {
     } else if (protocol::is_engine_address(path.string())) {
       opened = open_edge(path.string());
     } else if (is_live(path, options_.live_source.follow)) {
-      opened = open_live(path, *conditioning, given_up);
+      opened = open_live(path, given_up);
     }
     if (!opened) return opened;
   }
@@ -49,13 +51,12 @@ Result<void> RunningSources::open(const GivenUp& given_up) {
 }
 
 /// How each stream of a source that is being written is served.
-Result<LiveStreamOptions> RunningSources::stream_options(
-    const std::filesystem::path& path, const sources::ConditioningSettings& conditioning,
-    bool voice) const {
+Result<LiveStreamOptions> RunningSources::stream_options(const std::filesystem::path& path,
+                                                         bool voice) const {
   LiveStreamOptions stream;
   stream.path = path;
   stream.reader = {options_.source.recording, options_.source.rate,
-                   conditioning_for(path, conditioning), options_.keyframe_ms};
+                   conditioning_for(path, conditioning_), options_.keyframe_ms};
   stream.classic_min = options_.classic_min;
   stream.timeout = options_.live_source.timeout;
   stream.link = link_limits(options_);
@@ -68,12 +69,10 @@ Result<LiveStreamOptions> RunningSources::stream_options(
   return stream;
 }
 
-Result<void> RunningSources::open_live(const std::filesystem::path& path,
-                                       const sources::ConditioningSettings& conditioning,
-                                       const GivenUp& given_up) {
+Result<void> RunningSources::open_live(const std::filesystem::path& path, const GivenUp& given_up) {
   const bool first = path == options_.sources.front();
   const bool voice = first && !options_.voice.none && !options_.voice.file.empty();
-  auto each = stream_options(path, conditioning, voice);
+  auto each = stream_options(path, voice);
   if (!each) return each.error();
   LiveStreamsOptions streams{*std::move(each), options_.live_source.follow, options_.record,
                              live_.empty(), take_name_};
@@ -117,21 +116,25 @@ Result<void> RunningSources::begin(std::unique_ptr<Upstream> upstream) {
   return upstreams_.back()->start();
 }
 
-/// On a thread of its own, so that no client waits for a disk.
+/// On a thread of its own, so that no client waits for a disk. The face is measured again when a
+/// source turns out to have another scale; what was measured last is written last.
 void RunningSources::on_neutral(const sources::MeasuredNeutral& neutral) {
-  const SignalOptions& signal = options_.source.signal;
-  if (signal.save_profile.empty()) return;
-  auto saving = start_thread([signal, neutral] {
-    if (const auto saved = save_profile(signal, neutral); !saved) {
+  const std::filesystem::path& file = options_.source.signal.save_profile;
+  if (file.empty()) return;
+  auto before = std::make_shared<std::jthread>(std::move(saving_));
+  auto saving = start_thread([file, settings = conditioning_, neutral, before] {
+    if (before->joinable()) before->join();
+    if (const auto saved = save_profile(file, settings, neutral); !saved) {
       spdlog::error("{}", saved.error().message);
     } else {
-      spdlog::info("the profile was written to {}", signal.save_profile.string());
+      spdlog::info("the profile was written to {}", file.string());
     }
   });
   if (saving) {
     saving_ = std::move(*saving);
   } else {
-    spdlog::error("{}: not written: {}", signal.save_profile.string(), saving.error().message);
+    saving_ = std::move(*before);
+    spdlog::error("{}: not written: {}", file.string(), saving.error().message);
   }
 }
 
@@ -158,6 +161,7 @@ std::vector<protocol::ServedStream> RunningSources::streams() const {
 
 void RunningSources::condition(const sources::ConditioningSettings& settings) {
   if (options_.source.signal.profile.empty() || live_.empty()) return;
+  conditioning_ = settings;
   for (const auto& source : live_) source->streams().condition(settings);
   spdlog::info("the profile was read again");
 }

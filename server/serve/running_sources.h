@@ -50,7 +50,8 @@ class RunningSources {
   /// Whether nothing more can come from any of them; true if there are none.
   [[nodiscard]] bool over() const;
   [[nodiscard]] std::vector<protocol::ServedStream> streams() const;
-  /// Uses other settings for the signals of live sources from their next rows on.
+  /// Uses other settings for the signals of live sources from their next rows on, if the options
+  /// have a profile, which is the only thing that can have changed.
   void condition(const sources::ConditioningSettings& settings);
   /// Fills in everything about streams of other servers.
   void describe(Status& status) const;
@@ -59,12 +60,9 @@ class RunningSources {
   [[nodiscard]] Result<void> finish();
 
  private:
-  [[nodiscard]] Result<LiveStreamOptions> stream_options(
-      const std::filesystem::path& path, const sources::ConditioningSettings& conditioning,
-      bool voice) const;
-  [[nodiscard]] Result<void> open_live(const std::filesystem::path& path,
-                                       const sources::ConditioningSettings& conditioning,
-                                       const GivenUp& given_up);
+  [[nodiscard]] Result<LiveStreamOptions> stream_options(const std::filesystem::path& path,
+                                                         bool voice) const;
+  [[nodiscard]] Result<void> open_live(const std::filesystem::path& path, const GivenUp& given_up);
   [[nodiscard]] Result<void> open_dialled(const std::string& address);
   [[nodiscard]] Result<void> open_edge(const std::string& address);
   [[nodiscard]] Reception::Options reception(const std::string& name, const char* sender) const;
@@ -76,6 +74,7 @@ class RunningSources {
   const std::string id_;
   const RelayedStream::TakeName take_name_;
   Events events_;
+  sources::ConditioningSettings conditioning_;  ///< of live sources
   std::vector<std::unique_ptr<LiveSource>> live_;
   std::vector<std::unique_ptr<Upstream>> upstreams_;
   std::jthread saving_;  ///< writes the profile of --save-profile

@@ -176,16 +176,16 @@ bool measures_neutral(const SignalOptions& options) {
   return options.neutral_auto || options.neutral_seconds.value_or(0) > 0;
 }
 
-Result<void> save_profile(const SignalOptions& options,
+Result<void> save_profile(const std::filesystem::path& file,
+                          const sources::ConditioningSettings& settings,
                           const std::optional<sources::MeasuredNeutral>& measured) {
   if (measured && measured->rows == 0) {
-    return Error{ErrorKind::BadData, at_place(options.save_profile.string(),
-                                              "not written, because no face was seen to measure")};
+    return Error{ErrorKind::BadData,
+                 at_place(file.string(), "not written, because no face was seen to measure")};
   }
-  auto settings = conditioning_of(options);
-  if (!settings) return settings.error();
-  if (measured) settings->profile.neutral = sources::neutral_with(*settings, *measured);
-  return write_file_atomically(options.save_profile, sources::format_profile(settings->profile));
+  sources::Profile profile = settings.profile;
+  if (measured) profile.neutral = sources::neutral_with(settings, *measured);
+  return write_file_atomically(file, sources::format_profile(profile));
 }
 
 }  // namespace aucast::server

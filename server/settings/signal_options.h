@@ -42,10 +42,10 @@ struct SignalOptions {
 /// Whether the neutral face is to be measured, in the first seconds of a face.
 [[nodiscard]] bool measures_neutral(const SignalOptions& options);
 
-/// Writes a new profile to options.save_profile, whole or not at all. It has what results from the
-/// options and their profile, and the `measured` neutral face. Fails with BadData if no face was
-/// seen.
-[[nodiscard]] Result<void> save_profile(const SignalOptions& options,
+/// Writes a new profile, whole or not at all: that of the settings, with the `measured` neutral
+/// face if there is one. Fails with BadData if no face was seen.
+[[nodiscard]] Result<void> save_profile(const std::filesystem::path& file,
+                                        const sources::ConditioningSettings& settings,
                                         const std::optional<sources::MeasuredNeutral>& measured);
 
 }  // namespace aucast::server

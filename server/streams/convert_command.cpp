@@ -211,7 +211,8 @@ Result<Converted> convert(const ConvertOptions& options, const SayProgress& say)
   auto converted = write_out(options, content->stream, std::move(said));
   if (!converted || signal.save_profile.empty()) return converted;
   // Last: what could not be converted leaves the profile as it was.
-  const auto saved = save_profile(signal, content->found ? content->found->neutral : std::nullopt);
+  const auto saved = save_profile(signal.save_profile, *conditioning,
+                                  content->found ? content->found->neutral : std::nullopt);
   if (!saved) return Error{saved.error().kind, converted->said + saved.error().message};
   return converted;
 }

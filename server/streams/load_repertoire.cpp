@@ -51,11 +51,13 @@ void warn_of_cut_list(const std::vector<Source>& sources) {
       list.streams.size(), list.streams[shown - 1].name, shown);
 }
 
-Result<std::vector<Source>> load_with(const sources::ConditioningSettings& conditioning,
-                                      const TransmitterOptions& options,
-                                      const std::stop_token& stop) {
+}  // namespace
+
+Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
+                                       const sources::ConditioningSettings& conditioning,
+                                       const std::stop_token& stop) {
   std::vector<Error> skipped;
-  auto sources = load_sources(options.sources, options.source, conditioning, encoding_of(options),
+  auto sources = load_sources(options.sources, options.source, encoding_of(options), conditioning,
                               options.skip_bad ? &skipped : nullptr, live_sources(options), stop);
   for (const Error& error : skipped) {
     log_lines(spdlog::level::warn, "left out: ", error.message);
@@ -68,27 +70,18 @@ Result<std::vector<Source>> load_with(const sources::ConditioningSettings& condi
   return sources;
 }
 
-}  // namespace
-
-Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
-                                       const std::stop_token& stop) {
-  const auto conditioning = conditioning_of(options.source.signal);
-  if (!conditioning) return conditioning.error();
-  return load_with(*conditioning, options, stop);
-}
-
 Result<LoadedSources> load_repertoire(const TransmitterOptions& options,
                                       const std::stop_token& stop) {
   auto conditioning = conditioning_of(options.source.signal);
   if (!conditioning) return conditioning.error();
-  const auto sources = load_with(*conditioning, options, stop);
+  const auto sources = load_asked(options, *conditioning, stop);
   if (!sources) return sources.error();
   auto repertoire = make_repertoire(*sources);
   if (options.live && options.loop) {
     if (auto can = check_live_loop(repertoire); !can) return can.error();
   }
   say_what_was_found(*sources);
-  if (auto saved = save_measured_profile(options.source.signal, *sources); !saved) {
+  if (auto saved = save_measured_profile(options.source.signal, *conditioning, *sources); !saved) {
     return saved.error();
   }
   warn_of_cut_list(*sources);

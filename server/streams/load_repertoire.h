@@ -14,8 +14,9 @@ namespace aucast::server {
 
 /// Reads and encodes the sources of the options: for serving or, with all details, for --check and
 /// --estimate. Logs what --skip-bad leaves out. Errors are those of load_sources().
-[[nodiscard]] Result<std::vector<Source>> load_asked(const TransmitterOptions& options,
-                                                     const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<Source>> load_asked(
+    const TransmitterOptions& options, const sources::ConditioningSettings& conditioning,
+    const std::stop_token& stop = {});
 
 /// What is served, and how the signals of recognisers are conditioned: in the recordings, and in
 /// what live sources deliver from now on.

@@ -275,17 +275,7 @@ std::optional<Error> taken_name(const std::vector<Source>& sources, const Source
 Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
                                          const SourceOptions& options,
                                          const EncodingOptions& encoding,
-                                         std::vector<Error>* skipped, LiveKinds live,
-                                         const std::stop_token& stop) {
-  const auto conditioning = conditioning_of(options.signal);
-  if (!conditioning) return conditioning.error();
-  return load_sources(paths, options, *conditioning, encoding, skipped, live, stop);
-}
-
-Result<std::vector<Source>> load_sources(const std::vector<std::filesystem::path>& paths,
-                                         const SourceOptions& options,
                                          const sources::ConditioningSettings& conditioning,
-                                         const EncodingOptions& encoding,
                                          std::vector<Error>* skipped, LiveKinds live,
                                          const std::stop_token& stop) {
   std::vector<Source> sources;

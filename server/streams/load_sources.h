@@ -65,12 +65,8 @@ struct EncodingOptions {
 /// stopped_early().
 [[nodiscard]] Result<std::vector<Source>> load_sources(
     const std::vector<std::filesystem::path>& paths, const SourceOptions& options = {},
-    const EncodingOptions& encoding = {}, std::vector<Error>* skipped = nullptr,
-    LiveKinds live = LiveKinds::None, const std::stop_token& stop = {});
-/// The same, with the conditioning that results from options.signal, which was read before.
-[[nodiscard]] Result<std::vector<Source>> load_sources(
-    const std::vector<std::filesystem::path>& paths, const SourceOptions& options,
-    const sources::ConditioningSettings& conditioning, const EncodingOptions& encoding,
-    std::vector<Error>* skipped, LiveKinds live, const std::stop_token& stop);
+    const EncodingOptions& encoding = {}, const sources::ConditioningSettings& conditioning = {},
+    std::vector<Error>* skipped = nullptr, LiveKinds live = LiveKinds::None,
+    const std::stop_token& stop = {});
 
 }  // namespace aucast::server

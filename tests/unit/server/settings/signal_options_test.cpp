@@ -129,7 +129,7 @@ TEST(SignalOptions, ASavedProfileIsAllThatIsNeededNextTime) {
   sources::MeasuredNeutral measured;
   measured.rows = 60;
   measured.signals[12] = 0.25F;
-  ASSERT_TRUE(save_profile(options, measured));
+  ASSERT_TRUE(save_profile(options.save_profile, settled(options), measured));
   SignalOptions next;
   next.profile = options.save_profile;
   const auto settings = settled(next);
@@ -139,9 +139,10 @@ TEST(SignalOptions, ASavedProfileIsAllThatIsNeededNextTime) {
   EXPECT_EQ(settings.profile.gain.of(45, true), 1.6);
   EXPECT_EQ(settings.profile.filter, options.filter);
   measured.rows = 0;
-  EXPECT_EQ(save_profile(options, measured).error().kind, ErrorKind::BadData);
-  options.save_profile = folder.path() / "no" / "p.toml";
-  EXPECT_EQ(save_profile(options, std::nullopt).error().kind, ErrorKind::Failed);
+  EXPECT_EQ(save_profile(options.save_profile, settings, measured).error().kind,
+            ErrorKind::BadData);
+  EXPECT_EQ(save_profile(folder.path() / "no" / "p.toml", settings, std::nullopt).error().kind,
+            ErrorKind::Failed);
 }
 
 }  // namespace

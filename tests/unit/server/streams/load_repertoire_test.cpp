@@ -59,11 +59,11 @@ TEST_F(LoadRepertoireTest, SavesTheProfileThatIsAskedFor) {
 TEST_F(LoadRepertoireTest, ToBeCheckedAFileIsReadAlsoWhereItWouldBeFollowed) {
   options_.sources = {folder_.write("a.txt", kOne)};
   options_.live_source.follow = true;
-  const auto served = load_asked(options_);
+  const auto served = load_asked(options_, {});
   ASSERT_TRUE(served);
   EXPECT_TRUE(served->front().live);
   options_.check = true;
-  const auto checked = load_asked(options_);
+  const auto checked = load_asked(options_, {});
   ASSERT_TRUE(checked);
   EXPECT_FALSE(checked->front().live);
   EXPECT_TRUE(checked->front().stream);

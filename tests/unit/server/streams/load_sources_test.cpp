@@ -75,13 +75,13 @@ TEST(LoadSources, BrokenOnesAreLeftOutOnlyWhenAskedAndWhileAnyIsLeft) {
   const auto bad = folder.write("bad.txt", "Beg_Stream\n1,100\nEnd_Stream\n");
   EXPECT_EQ(error_of({folder.path()}).kind, ErrorKind::BadData);
   std::vector<Error> skipped;
-  const auto sources = load_sources({folder.path()}, {}, {}, &skipped);
+  const auto sources = load_sources({folder.path()}, {}, {}, {}, &skipped);
   ASSERT_TRUE(sources);
   ASSERT_EQ(sources->size(), 1U);
   EXPECT_EQ(sources->at(0).name, "good");
   ASSERT_EQ(skipped.size(), 1U);
   EXPECT_TRUE(has(skipped[0], bad.string() + ":2:"));
-  EXPECT_FALSE(load_sources({bad}, {}, {}, &skipped)) << "nothing is left";
+  EXPECT_FALSE(load_sources({bad}, {}, {}, {}, &skipped)) << "nothing is left";
 }
 
 TEST(LoadSources, WrongFileIsBadDataWithItsPlace) {
@@ -105,7 +105,7 @@ TEST(LoadSources, AllErrorsOfAllFilesAreReported) {
 
 TEST(LoadSources, OneNameOfTwoServersBelongsInOneAddress) {
   const auto sources =
-      load_sources({"aucast://a/talk", "aucast://b/talk"}, {}, {}, nullptr, LiveKinds::Streams);
+      load_sources({"aucast://a/talk", "aucast://b/talk"}, {}, {}, {}, nullptr, LiveKinds::Streams);
   ASSERT_FALSE(sources);
   EXPECT_TRUE(has(sources.error(), "name two hosts of one stream in one address"))
       << sources.error().message;
@@ -144,7 +144,8 @@ TEST(LoadSources, AskedToStopItReadsNothingMore) {
   std::stop_source stop;
   std::vector<Error> skipped;
   const auto load = [&](const SourceOptions& options) {
-    return load_sources({talk, table}, options, {}, &skipped, LiveKinds::None, stop.get_token());
+    return load_sources({talk, table}, options, {}, {}, &skipped, LiveKinds::None,
+                        stop.get_token());
   };
   EXPECT_TRUE(load({}));
   EXPECT_TRUE(load(resampled));

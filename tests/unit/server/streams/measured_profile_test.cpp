@@ -34,13 +34,13 @@ class MeasuredProfileTest : public ::testing::Test {
 
 TEST_F(MeasuredProfileTest, WithoutNeutralItNeedsNoSource) {
   options_.neutral_seconds.reset();
-  EXPECT_TRUE(save_measured_profile(options_, {Source(), recording(), recording()}));
+  EXPECT_TRUE(save_measured_profile(options_, {}, {Source(), recording(), recording()}));
   EXPECT_TRUE(written());
 }
 
 TEST_F(MeasuredProfileTest, NothingIsWrittenUnlessItIsAskedFor) {
   options_.save_profile.clear();
-  EXPECT_TRUE(save_measured_profile(options_, {recording(), recording()}));
+  EXPECT_TRUE(save_measured_profile(options_, {}, {recording(), recording()}));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
@@ -48,7 +48,7 @@ TEST_F(MeasuredProfileTest, OnlyOneSourceCanBeMeasured) {
   const std::vector<Source> none{Source()};
   const std::vector<Source> two{recording(), Source(), recording()};
   for (const auto& [sources, count] : {std::pair(none, "0"), std::pair(two, "2")}) {
-    const auto refused = save_measured_profile(options_, sources);
+    const auto refused = save_measured_profile(options_, {}, sources);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
     EXPECT_NE(refused.error().message.find(std::string("there are ") + count), std::string::npos)
@@ -60,9 +60,9 @@ TEST_F(MeasuredProfileTest, OnlyOneSourceCanBeMeasured) {
 TEST_F(MeasuredProfileTest, ALiveSourceIsMeasuredLater) {
   Source live;
   live.live = true;
-  EXPECT_TRUE(save_measured_profile(options_, {Source(), live}));
+  EXPECT_TRUE(save_measured_profile(options_, {}, {Source(), live}));
   EXPECT_FALSE(written());
-  EXPECT_FALSE(save_measured_profile(options_, {live, recording()}));
+  EXPECT_FALSE(save_measured_profile(options_, {}, {live, recording()}));
 }
 
 }  // namespace

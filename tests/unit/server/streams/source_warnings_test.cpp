@@ -15,7 +15,7 @@ constexpr const char* kWaved = "Beg_Stream\n6,12;100\nEnd_Stream\n";
 class SourceWarningsTest : public ::testing::Test {
  protected:
   [[nodiscard]] Warnings warnings(const std::vector<std::filesystem::path>& paths) const {
-    const auto sources = load_sources(paths, options_, {}, nullptr, LiveKinds::Streams);
+    const auto sources = load_sources(paths, options_, {}, {}, nullptr, LiveKinds::Streams);
     EXPECT_TRUE(sources);
     return source_warnings(*sources, options_);
   }
