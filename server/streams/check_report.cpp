@@ -139,7 +139,7 @@ std::string check_report(const Source& source, std::uint32_t keyframe_ms,
   text += formatted("  %-11s %zu, %zu of them untimed\n", "keyframes", summary.keyframes,
                     summary.untimed);
   text += formatted("  %-11s %.3f s at %u ms an untimed keyframe\n", "duration",
-                    static_cast<double>(summary.duration_ms) / 1000.0, keyframe_ms);
+                    seconds(Milliseconds(summary.duration_ms)), keyframe_ms);
   text += bytes_line("classic", served.classic);
   text += bytes_line("level 2", served.negotiated);
   if (!served.changes.empty()) text += bytes_line("changes", served.changes);

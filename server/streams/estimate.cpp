@@ -82,13 +82,12 @@ double kbits(std::size_t bytes, double in_seconds) {
   return static_cast<double>(bytes) * 8 / 1000 / in_seconds;
 }
 
-std::string line_of(const char* form, const std::vector<std::size_t>& sizes, const Times& times,
-                    Milliseconds batch) {
-  const std::vector<Sent> plain = sendings(sizes, times, batch, 0);
-  const std::vector<Sent> headed = sendings(sizes, times, batch, kHeaderBytes);
-  const Milliseconds whole = std::accumulate(times.begin(), times.end(), Milliseconds::zero());
+std::string line_of(const char* form, const std::vector<std::size_t>& sizes,
+                    const protocol::EncodedStream& stream, Milliseconds batch) {
+  const std::vector<Sent> plain = sendings(sizes, stream.times, batch, 0);
+  const std::vector<Sent> headed = sendings(sizes, stream.times, batch, kHeaderBytes);
   // A stream of no length goes out at once: then the peak says it all.
-  const double length = std::max(seconds(whole), 1.0);
+  const double length = std::max(seconds(protocol::length_of(stream)), 1.0);
   std::array<char, 160> line{};
   std::snprintf(line.data(), line.size(), "  %-13s %10zu %9.1f %9.1f %12zu %9.1f %9.1f\n", form,
                 bytes_of(plain), kbits(bytes_of(plain), length), kbits(peak_bytes(plain), 1),
@@ -113,7 +112,7 @@ std::string estimate_report(const Source& source, Milliseconds batch, const Voic
   std::string text = at_place(source.path.string(), source.name) + "\n" + head.data();
   const auto add = [&](const char* form, const protocol::EncodedStream& stream,
                        const std::vector<std::size_t>& sizes) {
-    text += line_of(form, sizes, stream.times, batch);
+    text += line_of(form, sizes, stream, batch);
   };
   add("classic", served, sizes_of(served.classic));
   add("level 2", served, sizes_of(served.negotiated));
