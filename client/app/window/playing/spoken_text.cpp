@@ -1,11 +1,11 @@
 #include "client/app/window/playing/spoken_text.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "common/files.h"
 #include "common/log.h"
+#include "common/sound_name.h"
 #include "common/text.h"
 #include "common/voice/webvtt.h"
 #include "protocol/stream_file.h"
@@ -21,13 +21,11 @@ Result<void> SpokenText::read_beside(const std::filesystem::path& file) {
       spdlog::warn("{}", wrong);
     }
   }
-  std::filesystem::path captions = file;
-  captions.replace_extension(".vtt");
-  std::error_code ignored;
-  if (!std::filesystem::exists(captions, ignored)) return {};
-  const auto text = read_file(captions);
+  const auto captions = file_beside(file, ".vtt");
+  if (!captions) return {};
+  const auto text = read_file(*captions);
   if (!text) return text.error();
-  auto read = voice::parse_webvtt(*text, printable(captions.string()));
+  auto read = voice::parse_webvtt(*text, printable(captions->string()));
   if (!read) return read.error();
   all_ = std::move(*read);
   return {};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <filesystem>
 
 #include "client/playback/seekable_playback.h"
 #include "client/playback/source_playback.h"
@@ -67,6 +68,18 @@ TEST(SpokenText, OfAFileIsFoundAtAnyPlace) {
   EXPECT_EQ(spoken.caption(), "");
   spoken.begin_again();
   EXPECT_EQ(spoken.title(), "");
+}
+
+TEST(SpokenText, AFolderHasNoCaptionsAndALinkToNowhereIsToldOf) {
+  const test::TempFolder folder;
+  const auto stream = folder.write("talk.txt", "Beg_Stream\n12:50;4000\nEnd_Stream\n");
+  const auto captions = folder.path() / "talk.vtt";
+  SpokenText spoken;
+  std::filesystem::create_directory(captions);
+  EXPECT_TRUE(spoken.read_beside(stream));
+  std::filesystem::remove(captions);
+  std::filesystem::create_symlink("nowhere", captions);
+  EXPECT_EQ(spoken.read_beside(stream).error().kind, ErrorKind::Unreadable);
 }
 
 TEST(SpokenText, SaysWhatIsWrongWithCaptions) {
