@@ -47,6 +47,8 @@ bool ShippedCopies::same_files(const fs::path& here, const fs::path& there, cons
 
 bool ShippedCopies::same(const fs::path& folder) {
   const fs::path shipped = shipped_ / folder.filename();
+  std::error_code gone;
+  if (!fs::is_directory(shipped, gone)) return false;
   Compared now{files_in(folder), files_in(shipped)};
   Compared& before = compared_[folder];
   if (now.here == before.here && now.shipped == before.shipped) return before.same;
