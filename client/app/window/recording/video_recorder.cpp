@@ -33,30 +33,21 @@ Result<void> VideoRecorder::record(const Picture& picture, Instant now) {
 
 Result<std::string> VideoRecorder::end() {
   const std::shared_ptr<SessionVideo> video = let_go();
-  repeated_ = video->repeated();
-  sound_cut_ = video->sound_cut();
-  const auto complete = [video]() -> Result<std::string> {
+  const auto complete = [video, saved = saved(*video)]() -> Result<std::string> {
     if (auto finished = video->finish(); !finished) return finished.error();
-    return std::string();
+    return saved;
   };
-  if (!work_.begin([complete](BackgroundWork::Course&) { return complete(); })) {
-    return sentence(complete());
-  }
+  if (!work_.begin([complete](BackgroundWork::Course&) { return complete(); })) return complete();
   return gui::tr("said.writing", file_.string());
 }
 
-std::optional<Result<std::string>> VideoRecorder::ended() {
-  const auto outcome = work_.take_outcome();
-  if (!outcome) return std::nullopt;
-  return sentence(*outcome);
-}
-
-Result<std::string> VideoRecorder::sentence(const Result<std::string>& outcome) const {
-  if (!outcome) return outcome;
-  std::string saved = repeated_ == 0
-                          ? std::string(gui::tr("said.video", file_.string()))
-                          : std::string(gui::tr("said.video_slow", file_.string(), repeated_));
-  if (!sound_cut_) return saved;
+/// The sentence that says where the video is, and what it lacks.
+std::string VideoRecorder::saved(const SessionVideo& video) const {
+  std::string saved =
+      video.repeated() == 0
+          ? std::string(gui::tr("said.video", file_.string()))
+          : std::string(gui::tr("said.video_slow", file_.string(), video.repeated()));
+  if (!video.sound_cut()) return saved;
   return gui::tr("said.video_sound_cut", saved, sound::WavFile::kHours);
 }
 

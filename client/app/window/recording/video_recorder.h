@@ -46,19 +46,17 @@ class VideoRecorder {
   [[nodiscard]] Result<std::string> end();
   [[nodiscard]] bool completing() const { return work_.running(); }
   /// The result, once the video is completed: a sentence that says where it is.
-  [[nodiscard]] std::optional<Result<std::string>> ended();
+  [[nodiscard]] std::optional<Result<std::string>> ended() { return work_.take_outcome(); }
   /// Waits until the video is completed.
   void wait() const { work_.wait(); }
 
  private:
-  [[nodiscard]] Result<std::string> sentence(const Result<std::string>& outcome) const;
+  [[nodiscard]] std::string saved(const SessionVideo& video) const;
   std::unique_ptr<SessionVideo> let_go();
 
   Hooks hooks_;
   std::filesystem::path file_;  ///< the file of the running or, if none runs, the last video
   std::unique_ptr<SessionVideo> video_;
-  std::uint64_t repeated_ = 0;  ///< SessionVideo::repeated() of the last video
-  bool sound_cut_ = false;      ///< SessionVideo::sound_cut() of the last video
   BackgroundWork work_;
 };
 
