@@ -283,11 +283,12 @@ Result<Identity> read_person(std::vector<std::filesystem::path> files,
   PersonReader reader(*document, problems);
   Identity who;
   if (const std::string like = reader.like(); !like.empty()) {
-    files.push_back(person_file(people, like));
-    if (contains(std::span(files).first(files.size() - 1), files.back())) {
+    auto next = person_file(people, like);
+    if (contains(files, next)) {
       reader.refuse_like("leads back to '" + escaped(like) + "'");
       return problems.result().error();
     }
+    files.push_back(std::move(next));
     auto base = read_person(std::move(files), people);
     if (!base) return base.error();
     who = std::move(*base);

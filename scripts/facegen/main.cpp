@@ -62,7 +62,7 @@ int main(int argument_count, char** arguments) {
   }
   if (words.empty() || words.size() > 3) {
     std::fprintf(stderr, "%s\n", kUsage);
-    return exit_code(Error{ErrorKind::Usage, {}});
+    return static_cast<int>(ErrorKind::Usage);
   }
   try {
     const Result<void> written = run(words);
