@@ -38,18 +38,6 @@ TEST(Shared, WaitsNoLongerThanItWasTold) {
   EXPECT_TRUE(count.wait_until(steady_clock::now(), four, four));
 }
 
-TEST(SleepUntil, EndsAtItsTimeOrWhenAStopIsRequested) {
-  const std::stop_source asked;
-  const Instant begin = std::chrono::steady_clock::now();
-  sleep_until(asked.get_token(), begin + Milliseconds(5));
-  EXPECT_GE(std::chrono::steady_clock::now(), begin + Milliseconds(5));
-  std::jthread sleeper([](const std::stop_token& stop) {
-    sleep_until(stop, std::chrono::steady_clock::now() + std::chrono::hours(1));
-  });
-  sleeper.request_stop();
-  sleeper.join();
-}
-
 TEST(Shared, WaitsNoLongerOnceAStopIsRequested) {
   Shared<int> count;
   const auto never = [](int) { return false; };

@@ -89,7 +89,7 @@ TEST(Align, ASoundWithItselfIsTheDiagonal) {
   for (const auto& [a, b] : align(sound, sound)) EXPECT_EQ(a, b);
 }
 
-/// Frames of which each differs from its neighbours.
+/// Windows of which each differs from its neighbours.
 Cepstrum windows(std::size_t count) {
   Cepstrum cepstrum;
   for (std::size_t i = 0; i < count; ++i) {
@@ -141,7 +141,7 @@ TEST(Align, SamplesThatAreNoNumbersHaveNoPath) {
   }
 }
 
-TEST(CepstrumOf, HasAFrameEachHundredthOfASecondThatFitsWhole) {
+TEST(CepstrumOf, HasAWindowEachHundredthOfASecondThatFitsWhole) {
   for (const int rate : {16000, 22050, 48000}) {
     const auto ms = [rate](int time) { return static_cast<std::size_t>(time * rate / 1000); };
     const auto count = [rate](std::size_t samples) {
@@ -195,7 +195,7 @@ TEST(CarriedOver, WordsKeepTheirPlaceInTheTextAndSoundsTheirLetters) {
   EXPECT_NEAR(static_cast<double>(read.words[1].begin.count()), 400, 30);
 }
 
-TEST(Align, ASoundTooShortForAFrameHasNoPath) {
+TEST(Align, ASoundTooShortForAWindowHasNoPath) {
   const std::vector<float> short_sound(10);
   EXPECT_TRUE(align(cepstrum_of(short_sound, 16000), cepstrum_of(short_sound, 16000)).empty());
 }
