@@ -52,8 +52,8 @@ struct EncodedKeyframe {
 };
 
 /// Encodes the keyframes of one stream in their order; none of them may be changes-only. `changes`
-/// equals `full` for the first keyframe, and whenever there would otherwise be more than
-/// kFullKeyframeEvery between two full ones.
+/// equals `full` for the first keyframe, and whenever the times since the last full keyframe, those
+/// of both ends included, would otherwise add up to more than kFullKeyframeEvery.
 class KeyframeEncoder {
  public:
   /// An untimed keyframe takes `keyframe_ms`. `classic_min` is the `percent_min` of

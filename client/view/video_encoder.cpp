@@ -300,7 +300,7 @@ Result<void> VideoEncoder::finish(const std::filesystem::path& sound) {
   state.give_it_time(kEndPatience * state.patience);
   if (state.ffmpeg->wait() != 0) return state.give_up();
   state.ffmpeg.reset();
-  if (!sound.empty() && takes_sound(state.path)) {
+  if (!sound.empty() && state.format != Format::Gif) {
     if (auto added = state.add_sound(sound); !added) {
       state.failure = added.error();
       state.temporary.remove();
